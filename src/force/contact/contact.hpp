@@ -1,0 +1,141 @@
+#pragma once
+// Contact of two bodies in W lanes: per lane a list of candidate pairs with a skin, rebuilt only when a rim has moved too far.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "force/contact/candidates.hpp"
+#include "force/contact/exponential_repulsion.hpp"
+#include "force/lane.hpp"
+#include "lattice/lattice.hpp"
+
+namespace ricochet {
+
+/// Nodes of one body against segments of the other, in every lane.
+template <int W>
+class Contact {
+ public:
+  Contact(const Lattice& projectile, const Lattice& target) : rims_{&projectile.rim, &target.rim} {
+    for (int body : {0, 1}) reference_[body].resize(static_cast<int>(rims_[body]->size()));
+    allowance_.setConstant(std::numeric_limits<double>::infinity());
+  }
+
+  /// Puts a law into a lane; the next evaluation looks for candidates. No law (nullptr) leaves the lane without contact.
+  void set(int lane, const ExponentialRepulsion* law) {
+    law_[lane] = law;
+    allowance_[lane] = law ? -1.0 : std::numeric_limits<double>::infinity();
+    for (auto& pairs : pairs_[lane]) pairs.clear();
+  }
+
+  /// Adds the contact forces at the bodies' positions to their `force`; returns the contact energy of each lane. [m0 c^2]
+  Lane<W> add_forces(Moving<W>& projectile, Moving<W>& target) {
+    update(projectile.position, target.position);
+    Lane<W> energy = Lane<W>::Zero();
+    for (int lane = 0; lane < W; ++lane) {
+      if (pairs_[lane][0].empty() && pairs_[lane][1].empty()) continue;
+      energy[lane] = each(lane, projectile.position, target.position, [&](const Push& push) {
+        Moving<W>& a = push.direction == 0 ? projectile : target;
+        Moving<W>& b = push.direction == 0 ? target : projectile;
+        a.force.add(push.node, lane, push.force);
+        b.force.add(push.from, lane, -(1 - push.along) * push.force);
+        b.force.add(push.to, lane, -push.along * push.force);
+      });
+    }
+    return energy;
+  }
+
+  /// Contact energy of each lane at given positions. [m0 c^2]
+  Lane<W> energy(const NodeVectors<W>& projectile, const NodeVectors<W>& target) {
+    update(projectile, target);
+    Lane<W> sum = Lane<W>::Zero();
+    for (int lane = 0; lane < W; ++lane) sum[lane] = each(lane, projectile, target, [](const Push&) {});
+    return sum;
+  }
+
+  /// One push of a segment on a node: direction 0 is a projectile node off a target segment, 1 the reverse.
+  struct Push {
+    int direction, node, from, to;  ///< node numbers in their lattices
+    double along;                   ///< 0: the segment's end `from` takes the reaction, 1: `to`
+    Vec2 force;                     ///< on the node
+  };
+
+  /// Calls `use(push)` for every pair of a lane within reach, in a fixed order; returns their energy.
+  template <class Use>
+  double each(int lane, const NodeVectors<W>& projectile, const NodeVectors<W>& target, Use&& use) const {
+    if (!law_[lane]) return 0;
+    const ExponentialRepulsion& law = *law_[lane];
+    double energy = 0;
+    for (int direction = 0; direction < 2; ++direction) {
+      const NodeVectors<W>& nodes = direction == 0 ? projectile : target;
+      const NodeVectors<W>& chain = direction == 0 ? target : projectile;
+      const std::vector<int>&node_rim = *rims_[direction], &chain_rim = *rims_[1 - direction];
+      for (const Pair& pair : pairs_[lane][direction]) {
+        const int node = node_rim[pair.node], from = chain_rim[pair.segment];
+        const int to = chain_rim[pair.segment + 1 < static_cast<int>(chain_rim.size()) ? pair.segment + 1 : 0];
+        const Closest gap = closest(nodes.at(node, lane), chain.at(from, lane), chain.at(to, lane));
+        if (gap.distance >= law.reach) continue;
+        const double pair_energy = law.energy(gap.distance);
+        energy += pair_energy;
+        // On the segment itself the direction is undefined and the force 0; no scene that conserves energy gets there below V0.
+        const double scale = gap.distance > 0 ? law.xi * pair_energy / gap.distance : 0.0;
+        use(Push{direction, node, from, to, gap.along, scale * gap.away});
+      }
+    }
+    return energy;
+  }
+
+  /// True if no pair of the lane is within reach at the last evaluation's positions.
+  bool apart(int lane, const NodeVectors<W>& projectile, const NodeVectors<W>& target) const {
+    bool any = false;
+    each(lane, projectile, target, [&](const Push&) { any = true; });
+    return !any;
+  }
+
+ private:
+  // A list found at the reference positions holds every pair within reach until both rims together have moved `allowance`.
+  void update(const NodeVectors<W>& projectile, const NodeVectors<W>& target) {
+    const Lane<W> moved = moved_furthest(0, projectile) + moved_furthest(1, target);
+    // Written so that NaN also counts as too far: the impact is then ended by its ledger.
+    if ((moved < allowance_).all()) return;
+    for (int lane = 0; lane < W; ++lane)
+      if (law_[lane] && !(moved[lane] < allowance_[lane])) rebuild(lane, projectile, target);
+  }
+
+  Lane<W> moved_furthest(int body, const NodeVectors<W>& position) const {
+    Lane<W> furthest = Lane<W>::Zero();
+    const std::vector<int>& rim = *rims_[body];
+    for (int k = 0; k < static_cast<int>(rim.size()); ++k) {
+      const Lane<W> dx = position.x(rim[k]) - reference_[body].x(k), dy = position.y(rim[k]) - reference_[body].y(k);
+      furthest = furthest.max(dx * dx + dy * dy);
+    }
+    return furthest.sqrt();
+  }
+
+  void rebuild(int lane, const NodeVectors<W>& projectile, const NodeVectors<W>& target) {
+    std::array<Points, 2> rim;
+    for (int body : {0, 1}) {
+      const NodeVectors<W>& position = body == 0 ? projectile : target;
+      for (int k = 0; k < static_cast<int>(rims_[body]->size()); ++k) {
+        rim[body].push_back(position.at((*rims_[body])[k], lane));
+        reference_[body].set(k, lane, rim[body].back());
+      }
+    }
+    const double reach = law_[lane]->reach, skin = 0.5 * reach;
+    const double box_gap = box_distance(rim[0], rim[1]) - reach;
+    for (auto& pairs : pairs_[lane]) pairs.clear();
+    allowance_[lane] = box_gap > skin ? box_gap : skin;
+    if (box_gap > skin) return;
+    pairs_[lane][0] = pairs_within(rim[0], rim[1], reach + skin);
+    if (law_[lane]->two_sided()) pairs_[lane][1] = pairs_within(rim[1], rim[0], reach + skin);
+  }
+
+  std::array<const std::vector<int>*, 2> rims_;
+  std::array<NodeVectors<W>, 2> reference_;              // rim positions when a lane's list was built
+  Lane<W> allowance_;
+  std::array<const ExponentialRepulsion*, W> law_{};
+  std::array<std::array<std::vector<Pair>, 2>, W> pairs_;  // [lane][direction]
+};
+
+}  // namespace ricochet

@@ -1,0 +1,70 @@
+#pragma once
+// The sweep over all springs of a body, written once for every law.
+
+#include "force/lane.hpp"
+#include "force/spring/linear.hpp"
+#include "force/spring/quartic.hpp"
+#include "lattice/lattice.hpp"
+
+namespace ricochet {
+
+/// Calls `use(law)` with the law of the lattice's springs: chosen once a sweep, never a spring.
+template <class Use>
+decltype(auto) with_spring_law(const Lattice& lattice, Use&& use) {
+  return lattice.quartic == 0 ? use(Linear{}) : use(Quartic{lattice.quartic});
+}
+
+/// One force evaluation, kick and drift: v += kick F, x += drift v.
+/// Springs are a half list by node, so F of a node is complete once its own row is done, and no later row needs its position:
+/// kick and drift follow at once, while everything is in registers. `force` must hold what else acts on the nodes (contact).
+template <int W, class Law>
+[[gnu::noinline]] void kick_and_drift(Moving<W>& body, const Law& law, const Lane<W>& kick, const Lane<W>& drift) {
+  const Lattice& lattice = *body.lattice;
+  const Spring* spring = lattice.spring.data();
+  const int* first = lattice.first.data();
+  Lane<W>*position = body.position.data(), *velocity = body.velocity.data(), *force = body.force.data();
+  const Lane<W> stiffness = body.stiffness, kick_ = kick, drift_ = drift;
+  for (int i = 0, free = lattice.free; i < free; ++i) {
+    // Assigned, not copied: GCC copies an Eigen array in halves, and the full load that follows waits for both.
+    Lane<W> xi, yi, fx, fy;
+    xi = position[2 * i], yi = position[2 * i + 1], fx = force[2 * i], fy = force[2 * i + 1];
+    for (int n = first[i + 1] - first[i]; n > 0; --n, ++spring) {
+      const int j = 2 * spring->other;
+      const Lane<W> dx = position[j] - xi, dy = position[j + 1] - yi;
+      const Lane<W> r = (dx * dx + dy * dy).sqrt();
+      const Lane<W> stretch = r - spring->length;
+      const Lane<W> pull = (stiffness * spring->stiffness) * law.tension(stretch) / r;
+      const Lane<W> px = pull * dx, py = pull * dy;
+      fx += px, fy += py;
+      force[j] -= px, force[j + 1] -= py;
+    }
+    const Lane<W> vx = velocity[2 * i] + kick_ * fx, vy = velocity[2 * i + 1] + kick_ * fy;
+    velocity[2 * i] = vx, velocity[2 * i + 1] = vy;
+    position[2 * i] = xi + drift_ * vx, position[2 * i + 1] = yi + drift_ * vy;
+    force[2 * i].setZero(), force[2 * i + 1].setZero();
+  }
+}
+
+template <int W>
+void kick_and_drift(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
+  with_spring_law(*body.lattice, [&](const auto& law) { kick_and_drift(body, law, kick, drift); });
+}
+
+/// Potential energy of all springs at `position`. [m0 c^2]
+template <int W>
+Lane<W> spring_energy(const Moving<W>& body, const NodeVectors<W>& position) {
+  const Lattice& lattice = *body.lattice;
+  return with_spring_law(lattice, [&](const auto& law) {
+    Lane<W> sum = Lane<W>::Zero();
+    for (int i = 0; i < lattice.free; ++i)
+      for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
+        const Spring& spring = lattice.spring[s];
+        const Lane<W> dx = position.x(spring.other) - position.x(i), dy = position.y(spring.other) - position.y(i);
+        const Lane<W> stretch = (dx * dx + dy * dy).sqrt() - spring.length;
+        sum += spring.stiffness * law.energy(stretch);
+      }
+    return Lane<W>(body.stiffness * sum);
+  });
+}
+
+}  // namespace ricochet

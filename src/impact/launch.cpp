@@ -1,0 +1,161 @@
+#include "impact/launch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "force/contact/candidates.hpp"
+#include "integrate/step_limit.hpp"
+#include "lattice/outline.hpp"
+
+namespace ricochet {
+namespace {
+
+Points rim_of(const Lattice& lattice) {
+  Points rim;
+  for (const int node : lattice.rim) rim.push_back(lattice.points[node]);
+  return rim;
+}
+
+// Height of the boundary of a chain above x: the highest (or lowest) point of its edges there; NaN beside it.
+double boundary_height(const Points& chain, double x, bool highest) {
+  double height = not_given;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Vec2 &a = chain[i], &b = chain[(i + 1) % chain.size()];
+    if (x < std::min(a.x(), b.x()) || x > std::max(a.x(), b.x())) continue;
+    const double y = a.x() == b.x() ? (highest ? std::max(a.y(), b.y()) : std::min(a.y(), b.y()))
+                                    : a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
+    if (std::isnan(height) || (highest ? y > height : y < height)) height = y;
+  }
+  return height;
+}
+
+// How far the chain `upper` must be raised so that it just rests on `lower`; NaN if they pass beside each other.
+double resting_lift(const Points& upper, const Points& lower) {
+  double lift = not_given;
+  const auto consider = [&](double x) {
+    const double bottom = boundary_height(upper, x, false), top = boundary_height(lower, x, true);
+    if (!std::isnan(bottom) && !std::isnan(top) && !(top - bottom <= lift)) lift = top - bottom;
+  };
+  for (const Vec2& p : upper) consider(p.x());
+  for (const Vec2& p : lower) consider(p.x());
+  return lift;
+}
+
+double moment_of_inertia(const Lattice& lattice) {
+  const Vec2 centre = lattice.centre();
+  double sum = 0;
+  for (const Vec2& p : lattice.points) sum += (p - centre).squaredNorm();
+  return lattice.mass * sum;
+}
+
+struct Step {
+  double step, theta;
+};
+
+Step choose_step(const Scene& scene, const Lattice& projectile, const Lattice& target) {
+  const Method& method = method_named(scene.integration.method);
+  const FrequencyBound a = frequency_bound(projectile, scene.projectile->numbers.stiffness);
+  const FrequencyBound b = frequency_bound(target, scene.target->numbers.stiffness);
+  const double omega = std::max(a.omega, b.omega);
+  if (std::isnan(scene.integration.step)) return {method.usual / omega, method.usual};
+  const double theta = scene.integration.step * omega;
+  if (theta > method.stability_limit) {
+    const bool first = a.omega >= b.omega;
+    throw FieldError("step", fmt::format("{} is unstable: {} needs a step below {:.4g} here (node {} of the {} vibrates at up to {:.4g} c/R); {:.3g} works",
+                                         scene.integration.step, method.name, method.stability_limit / omega, first ? a.node : b.node,
+                                         first ? "projectile" : "target", omega, method.usual / omega));
+  }
+  return {scene.integration.step, theta};
+}
+
+}  // namespace
+
+Points posed(const Points& points, const Vec2& centre, const Pose& pose) {
+  if (pose.angle == 0) {  // kept apart so that a flight without spin only shifts
+    Points moved;
+    for (const Vec2& p : points) moved.push_back(p + (pose.centre - centre));
+    return moved;
+  }
+  const double c = std::cos(pose.angle), s = std::sin(pose.angle);
+  Points moved;
+  for (const Vec2& p : points) {
+    const Vec2 d = p - centre;
+    moved.push_back(pose.centre + Vec2(c * d.x() - s * d.y(), s * d.x() + c * d.y()));
+  }
+  return moved;
+}
+
+Start launch(const Scene& scene, const Lattice& projectile, const Lattice& target) {
+  if (projectile.anchored()) throw FieldError("projectile", "a projectile must be free, this body has anchored nodes");
+  if (scene.contact.xi * scene.contact.reach < 20)
+    throw FieldError("contact", fmt::format("xi reach = {:g} cuts the repulsion at more than exp(-20); raise reach to {:g} or more",
+                                            scene.contact.xi * scene.contact.reach, 20 / scene.contact.xi));
+  Start start;
+  const auto [step, theta] = choose_step(scene, projectile, target);
+  start.step = step, start.theta = theta;
+  start.velocity = scene.launch.velocity();
+  start.spin = scene.launch.spin;
+  const double normal_speed = -start.velocity.y();
+  start.time_limit = !std::isnan(scene.integration.time_limit) ? scene.integration.time_limit : 100 + 2 / std::max(normal_speed, 1e-9);
+  // Of the relative motion, in the frame where the energy is least: an anchored target is infinitely heavy.
+  const double mass = projectile.total_mass();
+  const double reduced = target.anchored() ? mass : mass * target.total_mass() / (mass + target.total_mass());
+  const double rotation = moment_of_inertia(projectile) * start.spin * start.spin / 2;
+  start.energy = mass * start.velocity.squaredNorm() / 2 + rotation;
+  start.certified = reduced * start.velocity.squaredNorm() / 2 + rotation < scene.contact.V0;
+
+  const Vec2 centre = projectile.centre();
+  const Points rim = rim_of(projectile), target_rim = rim_of(target);
+  // The smooth outlines, projectile moved so that its centre lies above `at`, resting on the target.
+  Points smooth = projectile.smooth_rim;
+  for (Vec2& p : smooth) p.x() += scene.launch.at - centre.x();
+  const double lift = resting_lift(smooth, target.smooth_rim);
+  if (std::isnan(lift)) throw FieldError("at", fmt::format("a projectile at x = {} passes beside the target", scene.launch.at));
+  start.overlap_height = centre.y() + lift - target.centre().y();
+
+  const double reach = scene.contact.reach;
+  const auto roughest = [](const Points& a, const Points& b) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
+    return largest;
+  };
+  const bool given = !std::isnan(scene.launch.height);
+  const double height = given ? scene.launch.height : reach + roughest(rim, projectile.smooth_rim) + roughest(target_rim, target.smooth_rim);
+  if (normal_speed == 0 && !given) {
+    start.touches = false;
+    return start;
+  }
+  // Upstream along the line of flight: at `height` above touching.
+  const double ahead = normal_speed > 0 ? height / normal_speed : 0.0;
+  Pose pose{Vec2(scene.launch.at - start.velocity.x() * ahead, centre.y() + lift + height), 0.0};
+  double distance = chain_distance(posed(rim, centre, pose), target_rim);
+  if (scene.contact.V0 * std::exp(-scene.contact.xi * distance) > 1e-6 * std::max(start.energy, 1e-300))
+    throw FieldError("height", fmt::format("the bodies overlap at the start (rims {:.3g} R apart, {:.3g} R needed); raise launch.height to {:.3g} or more, or leave it out",
+                                           distance, reach, height - distance + reach));
+
+  double radius = 0;
+  for (const Vec2& p : rim) radius = std::max(radius, (p - centre).norm());
+  const double fastest = start.velocity.norm() + std::abs(start.spin) * radius;
+  // As far as the projectile can be from the target and still approach it: past that it has passed by.
+  Vec2 low = target_rim[0], high = target_rim[0];
+  for (const Vec2& p : target_rim) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const Vec2 middle = (low + high) / 2;
+  const double target_radius = (high - low).norm() / 2;
+  while (distance > reach) {
+    const double time = std::max(distance - reach, 1e-3 * reach) / fastest;
+    pose.centre += time * start.velocity, pose.angle += time * start.spin;
+    const Vec2 offset = pose.centre - middle;
+    if (offset.dot(start.velocity) >= 0 && offset.norm() > radius + target_radius + reach) {
+      start.touches = false;
+      return start;
+    }
+    distance = chain_distance(posed(rim, centre, pose), target_rim);
+  }
+  start.pose = pose;
+  return start;
+}
+
+}  // namespace ricochet

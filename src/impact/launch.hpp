@@ -1,0 +1,33 @@
+#pragma once
+#include "impact/outcome.hpp"
+#include "impact/scene.hpp"
+
+namespace ricochet {
+
+/// A rigid motion of the projectile from its lattice's rest position.
+struct Pose {
+  Vec2 centre = Vec2::Zero();   ///< of mass
+  double angle = 0;  ///< turned by, counter-clockwise
+};
+
+/// The start of an impact: the projectile rigid, a reach away from the target.
+struct Start {
+  bool touches = true;       ///< false if the projectile passes by: nothing to integrate
+  Pose pose{};
+  Vec2 velocity = Vec2::Zero();
+  double spin = 0;
+  double step = 0, theta = 0, time_limit = 0;
+  double energy = 0;         ///< kinetic energy [m0 c^2]
+  bool certified = false;    ///< energy below V0: no node can cross a segment
+  double overlap_height = 0; ///< height of the projectile's centre at which the smooth outlines just overlap, above the target's centre
+};
+
+/// Places the projectile upstream of where it is to land, and skips the free flight up to the first approach within reach:
+/// a conservative advancement over the rigid rims, which cannot step over a touch even with spin.
+/// Throws Error if the bodies overlap at the start or the time step exceeds the stability limit.
+Start launch(const Scene& scene, const Lattice& projectile, const Lattice& target);
+
+/// Rim points of a body in a pose.
+Points posed(const Points& points, const Vec2& centre, const Pose& pose);
+
+}  // namespace ricochet

@@ -1,0 +1,47 @@
+#include "impact/outcome.hpp"
+
+namespace ricochet {
+
+const std::vector<std::pair<Field, double (*)(const Outcome&)>>& Outcome::fields() {
+  using O = const Outcome&;
+  static const std::vector<std::pair<Field, double (*)(O)>> list{
+      {{"e", "number", "", "normal restitution of the centre of mass, -v_n' / v_n"}, [](O o) { return o.e; }},
+      {{"beta", "number", "", "tangential restitution of the contact point, -v_ct' / v_ct; undefined if v_ct = 0"}, [](O o) { return o.beta; }},
+      {{"mu", "number", "", "impulse ratio |n x J| / (n . J)"}, [](O o) { return o.mu; }},
+      {{"psi1", "number", "", "v_ct / v_cn before impact"}, [](O o) { return o.psi1; }},
+      {{"psi2", "number", "", "v_ct' / v_cn: tangential velocity after over normal speed before"}, [](O o) { return o.psi2; }},
+      {{"vn", "number", "c", "normal velocity after impact"}, [](O o) { return o.vn; }},
+      {{"vt", "number", "c", "tangential velocity after impact"}, [](O o) { return o.vt; }},
+      {{"omega", "number", "c/R", "spin after impact: angular momentum over the measured moment of inertia"}, [](O o) { return o.omega; }},
+      {{"impulse_n", "number", "m0 c", "normal part of J = M (v' - v)"}, [](O o) { return o.impulse_n; }},
+      {{"impulse_t", "number", "m0 c", "tangential part of J"}, [](O o) { return o.impulse_t; }},
+      {{"contact_time", "number", "R/c", "from the first touch to the end of the last (contact energy above 1e-6 of the kinetic energy)"},
+       [](O o) { return o.contact_time; }},
+      {{"touches", "number", "", "how many separate touches"}, [](O o) { return o.touches; }},
+      {{"indentation", "number", "R", "greatest overlap of the smooth, undeformed outlines along the normal"}, [](O o) { return o.indentation; }},
+      {{"contact_length", "number", "R", "|x_b - x_a| of the contact at the greatest indentation"}, [](O o) { return o.contact_length; }},
+      {{"centre_offset", "number", "R", "|x_c - x_a|: from the trailing end of the contact to the projectile's centre"}, [](O o) { return o.centre_offset; }},
+      {{"tan_alpha", "number", "", "slope of the chord between the ends of the contact, up in the direction of motion"}, [](O o) { return o.tan_alpha; }},
+      {{"e_alpha", "number", "", "restitution of the contact point against the normal turned by alpha"}, [](O o) { return o.e_alpha; }},
+      {{"before_projectile_translation", "number", "m0 c^2", "energy before: projectile, centre of mass"}, [](O o) { return o.before.projectile_translation; }},
+      {{"before_projectile_rotation", "number", "m0 c^2", "energy before: projectile, spin"}, [](O o) { return o.before.projectile_rotation; }},
+      {{"before_total", "number", "m0 c^2", "energy before: all"}, [](O o) { return o.before.total(); }},
+      {{"after_projectile_translation", "number", "m0 c^2", "energy after: projectile, centre of mass"}, [](O o) { return o.after.projectile_translation; }},
+      {{"after_projectile_rotation", "number", "m0 c^2", "energy after: projectile, spin"}, [](O o) { return o.after.projectile_rotation; }},
+      {{"after_projectile_vibration", "number", "m0 c^2", "energy after: projectile, vibration"}, [](O o) { return o.after.projectile_vibration; }},
+      {{"after_target_translation", "number", "m0 c^2", "energy after: target, centre of mass (0 if anchored)"}, [](O o) { return o.after.target_translation; }},
+      {{"after_target_rotation", "number", "m0 c^2", "energy after: target, spin (0 if anchored)"}, [](O o) { return o.after.target_rotation; }},
+      {{"after_target_vibration", "number", "m0 c^2", "energy after: target, vibration"}, [](O o) { return o.after.target_vibration; }},
+      {{"after_contact", "number", "m0 c^2", "energy after: contact"}, [](O o) { return o.after.contact; }},
+      {{"energy_closure", "number", "", "|total after - before| / before"}, [](O o) { return o.energy_closure; }},
+      {{"energy_drift", "number", "", "greatest |total - before| / before seen during the impact"}, [](O o) { return o.energy_drift; }},
+      {{"certified", "number", "", "1 if the total energy is below V0, so that nothing can tunnel"}, [](O o) { return o.certified; }},
+      {{"time", "number", "R/c", "simulated time, from the rims' coming within reach to the end"}, [](O o) { return o.time; }},
+      {{"step", "number", "R/c", "time step"}, [](O o) { return o.step; }},
+      {{"theta", "number", "", "step times the bound of the highest frequency"}, [](O o) { return o.theta; }},
+      {{"steps", "number", "", "number of steps"}, [](O o) { return o.steps; }},
+  };
+  return list;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,84 @@
+#include "impact/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+
+namespace ricochet {
+namespace {
+
+template <class Struct>
+std::string text_of(const std::string& prefix, const Struct& values) {
+  std::string text;
+  for (const auto& member : Struct::fields())
+    std::visit([&](auto place) { text += fmt::format("{}.{} = {}\n", prefix, member.field.name, values.*place); }, member.place);
+  return text;
+}
+
+}  // namespace
+
+const std::vector<Member<Launch>>& Launch::fields() {
+  static const std::vector<Member<Launch>> list{
+      {{"speed", "number", "c", "impact speed |v|; 0.1 unless normal_speed is given", positive, "", true}, &Launch::speed},
+      {{"psi1", "number", "", "tangent of the incident angle, v_t / v_n; 0 unless given otherwise", not_negative, "", true}, &Launch::psi1},
+      {{"angle", "number", "degrees", "incident angle from the normal, instead of psi1", {0, 90}, "", true}, &Launch::angle},
+      {{"normal_speed", "number", "c", "speed along the normal, instead of speed", positive, "", true}, &Launch::normal_speed},
+      {{"tangential_speed", "number", "c", "speed along the surface, with normal_speed", not_negative, "", true}, &Launch::tangential_speed},
+      {{"spin", "number", "c/R", "angular velocity before impact, counter-clockwise", any_number, "0"}, &Launch::spin},
+      {{"at", "number", "R", "where along x the smooth projectile would touch the smooth target", any_number, "0"}, &Launch::at},
+      {{"height", "number", "R", "starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart", any_number, "", true},
+       &Launch::height},
+  };
+  return list;
+}
+
+Vec2 Launch::velocity() const {
+  const auto given = [](double value) { return !std::isnan(value); };
+  if (given(normal_speed)) {
+    if (given(speed)) throw FieldError("speed", "give speed or normal_speed, not both");
+    if (given(angle)) throw FieldError("angle", "give normal_speed with tangential_speed or psi1, not with angle");
+    if (given(psi1) && given(tangential_speed)) throw FieldError("psi1", "give psi1 or tangential_speed, not both");
+    const double along = given(tangential_speed) ? tangential_speed : given(psi1) ? psi1 * normal_speed : 0.0;
+    return {along, -normal_speed};
+  }
+  if (given(tangential_speed)) throw FieldError("tangential_speed", "needs normal_speed beside it");
+  if (given(psi1) && given(angle)) throw FieldError("angle", "give psi1 or angle, not both");
+  const double magnitude = given(speed) ? speed : 0.1;
+  if (given(angle)) {
+    // At 90 degrees the cosine would leave a normal speed of 6e-17.
+    const double gamma = angle * std::numbers::pi / 180;
+    return {magnitude * std::sin(gamma), angle == 90 ? 0.0 : -magnitude * std::cos(gamma)};
+  }
+  const double tangent = given(psi1) ? psi1 : 0.0, secant = std::sqrt(1 + tangent * tangent);
+  return {magnitude * tangent / secant, -magnitude / secant};
+}
+
+const std::vector<Member<Integration>>& Integration::fields() {
+  static const std::vector<Member<Integration>> list{
+      {{"method", "string", "", "integrator", any_number, "pefrl", false, method_names()}, &Integration::method},
+      {{"step", "number", "R/c", "time step; chosen from the stiffest node unless given", positive, "", true}, &Integration::step},
+      {{"time_limit", "number", "R/c", "an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given", positive, "", true},
+       &Integration::time_limit},
+      {{"energy_tolerance", "number", "", "an impact whose total energy strays further, relative to its start, ends energy_drift", positive, "0.01"},
+       &Integration::energy_tolerance},
+  };
+  return list;
+}
+
+std::string Scene::text() const {
+  return fmt::format("projectile {} ka {}\ntarget {} ka {}\n", projectile->geometry_text(), projectile->numbers.stiffness, target->geometry_text(),
+                     target->numbers.stiffness) +
+         text_of("launch", launch) + text_of("contact", contact) + text_of("integration", integration);
+}
+
+std::string Scene::hash() const { return hash_text(text()); }
+
+std::string Scene::group() const {
+  return projectile->geometry_text() + "\n" + target->geometry_text() + "\n" + integration.method;
+}
+
+}  // namespace ricochet

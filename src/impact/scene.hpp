@@ -1,0 +1,56 @@
+#pragma once
+// A scene: everything that fixes one impact. Plain data with a canonical text; equal texts give equal outcomes, bit for bit.
+
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "force/contact/exponential_repulsion.hpp"
+#include "integrate/method.hpp"
+#include "lattice/lattice.hpp"
+
+namespace ricochet {
+
+inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
+/// How the projectile comes in. The normal is +y: it falls along -y and moves along +x. Either `speed` with `psi1` or `angle`,
+/// or `normal_speed` with `tangential_speed`.
+struct Launch {
+  double speed = not_given;
+  double psi1 = not_given;
+  double angle = not_given;
+  double normal_speed = not_given;
+  double tangential_speed = not_given;
+  double spin = 0;
+  double at = 0;
+  double height = not_given;
+
+  static const std::vector<Member<Launch>>& fields();
+  /// Velocity of the projectile's centre of mass. Throws FieldError if the fields contradict each other.
+  Vec2 velocity() const;
+};
+
+/// How the impact is computed.
+struct Integration {
+  std::string method = "pefrl";
+  double step = not_given;
+  double time_limit = not_given;
+  double energy_tolerance = 1e-2;
+
+  static const std::vector<Member<Integration>>& fields();
+};
+
+struct Scene {
+  std::shared_ptr<const Body> projectile, target;
+  Launch launch;
+  ExponentialRepulsion contact;
+  Integration integration;
+
+  /// One line a quantity, shortest exact numbers.
+  std::string text() const;
+  std::string hash() const;
+  /// Scenes of equal group share lattices and method, so they can advance in one batch.
+  std::string group() const;
+};
+
+}  // namespace ricochet

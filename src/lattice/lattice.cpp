@@ -1,0 +1,142 @@
+#include "lattice/lattice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "lattice/node_order.hpp"
+#include "lattice/outline.hpp"
+
+namespace ricochet {
+namespace {
+
+constexpr std::uint32_t interior_stream = 1, roughness_stream = 2;
+
+double spacing_of(const Points& outline, const BodyNumbers& numbers) { return std::sqrt(signed_area(outline) / numbers.nodes); }
+
+std::vector<std::pair<int, int>> edges_of(const std::vector<Triangle>& triangles) {
+  std::vector<std::pair<int, int>> edges;
+  for (const Triangle& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) edges.emplace_back(std::minmax(t[i], t[(i + 1) % 3]));
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+}  // namespace
+
+const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
+  static const std::vector<Member<BodyNumbers>> list{
+      {{"nodes", "integer", "", "number of mass points, those on the outline included", {4, 1e7}, "800"}, &BodyNumbers::nodes},
+      {{"placement", "string", "", "how the interior nodes are placed", any_number, "uniform", false, {"uniform", "poisson_disk", "triangular"}},
+       &BodyNumbers::placement},
+      {{"seed", "integer", "", "chooses the random lattice", {0, 9007199254740992.0}, "1"}, &BodyNumbers::seed},
+      {{"stiffness", "number", "m0 c^2/R^2", "spring constant ka of T = ka x + kb x^3", positive, "10000"}, &BodyNumbers::stiffness},
+      {{"quartic", "number", "1/R^2", "kb / ka; 0 makes the springs linear", not_negative, "0.001"}, &BodyNumbers::quartic},
+      {{"mass", "number", "m0", "mass of one node", positive, "1"}, &BodyNumbers::mass},
+      {{"roughness", "number", "R", "standard deviation of the rim along its outward normal; anchored rim nodes stay smooth", not_negative, "0"},
+       &BodyNumbers::roughness},
+  };
+  return list;
+}
+
+std::string Body::geometry_text() const {
+  std::string outline_text, anchor_text, stiffness_text;
+  for (const Vec2& p : outline) outline_text += fmt::format("{} {};", p.x(), p.y());
+  for (const bool held : anchored) anchor_text += held ? '1' : '0';
+  for (const double k : node_stiffness) stiffness_text += fmt::format("{};", k);
+  return fmt::format("outline {} anchored {} stiffness {} nodes {} placement {} seed {} roughness {} quartic {} mass {}", hash_text(outline_text),
+                     hash_text(anchor_text), hash_text(stiffness_text), numbers.nodes, numbers.placement, numbers.seed, numbers.roughness,
+                     numbers.quartic, numbers.mass);
+}
+
+Points plan_rim(const Points& outline, const BodyNumbers& numbers) {
+  if (outline.size() < 3) throw FieldError("outline", fmt::format("needs at least 3 points, has {}", outline.size()));
+  if (!is_simple(outline)) throw FieldError("outline", "crosses or touches itself; give its points in order along the boundary");
+  Points rim = resample(outline, spacing_of(outline, numbers));
+  if (static_cast<int>(rim.size()) > numbers.nodes)
+    throw FieldError("nodes", fmt::format("{} nodes cannot cover this outline, which needs {} for itself", numbers.nodes, rim.size()));
+  if (!is_simple(rim)) throw FieldError("nodes", fmt::format("{} nodes are too few to follow this outline without crossing it", numbers.nodes));
+  return rim;
+}
+
+NodePlan plan_nodes(const Points& outline, const BodyNumbers& numbers, const std::vector<bool>& anchored_rim) {
+  NodePlan plan;
+  plan.smooth_rim = plan.points = plan_rim(outline, numbers);
+  plan.rim = static_cast<int>(plan.points.size());
+  if (numbers.roughness > 0) {
+    Random random(static_cast<std::uint64_t>(numbers.seed), roughness_stream);
+    const Points normals = outward_normals(plan.smooth_rim);
+    for (std::size_t i = 0; i < plan.points.size(); ++i) {
+      const double height = numbers.roughness * random.normal();
+      if (anchored_rim.empty() || !anchored_rim[i]) plan.points[i] += height * normals[i];
+    }
+    if (!is_simple(plan.points))
+      throw FieldError("roughness", fmt::format("the rough rim crosses itself (roughness {}, seed {}); lower the roughness or take another seed",
+                                                numbers.roughness, numbers.seed));
+  }
+  Random random(static_cast<std::uint64_t>(numbers.seed), interior_stream);
+  const Points interior = place_interior(plan.points, placement_from_name(numbers.placement), numbers.nodes - plan.rim,
+                                         spacing_of(outline, numbers), random);
+  plan.points.insert(plan.points.end(), interior.begin(), interior.end());
+  return plan;
+}
+
+std::shared_ptr<const Lattice> build_lattice(const Body& body) {
+  const auto held = [&](std::size_t i) { return !body.anchored.empty() && body.anchored[i]; };
+  const NodePlan plan = plan_nodes(body.outline, body.numbers, body.anchored);
+  const std::vector<Triangle> triangles = triangulate(plan.points, plan.rim);
+  const auto edges = edges_of(triangles);
+
+  // Reverse Cuthill-McKee order, free nodes before anchored ones.
+  std::vector<int> order = reverse_cuthill_mckee(static_cast<int>(plan.points.size()), edges);
+  const auto anchors = std::stable_partition(order.begin(), order.end(), [&](int i) { return !held(static_cast<std::size_t>(i)); });
+  std::vector<int> number(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) number[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+
+  auto lattice = std::make_shared<Lattice>();
+  lattice->mass = body.numbers.mass;
+  lattice->quartic = body.numbers.quartic;
+  lattice->free = static_cast<int>(anchors - order.begin());
+  for (const int old : order) lattice->points.push_back(plan.points[static_cast<std::size_t>(old)]);
+  lattice->smooth_rim = plan.smooth_rim;
+  for (int i = 0; i < plan.rim; ++i) lattice->rim.push_back(number[static_cast<std::size_t>(i)]);
+  for (const Triangle& t : triangles)
+    lattice->triangles.push_back({number[static_cast<std::size_t>(t[0])], number[static_cast<std::size_t>(t[1])], number[static_cast<std::size_t>(t[2])]});
+
+  struct Edge {
+    int low, high;
+    double stiffness;
+  };
+  std::vector<Edge> springs;
+  for (const auto& [a, b] : edges) {
+    const auto [low, high] = std::minmax(number[static_cast<std::size_t>(a)], number[static_cast<std::size_t>(b)]);
+    // The stiffness of a place is that at the middle of its ends' values, relative to the body's number.
+    const double stiffness = body.node_stiffness.empty()
+                                 ? 1.0
+                                 : (body.node_stiffness[static_cast<std::size_t>(a)] + body.node_stiffness[static_cast<std::size_t>(b)]) / 2 / body.numbers.stiffness;
+    springs.push_back({low, high, stiffness});
+  }
+  std::sort(springs.begin(), springs.end(), [](const Edge& a, const Edge& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
+  lattice->first.assign(plan.points.size() + 1, 0);
+  for (const Edge& e : springs) {
+    lattice->edges.push_back({e.low, e.high});
+    if (e.low >= lattice->free) continue;
+    const Vec2 d = lattice->points[static_cast<std::size_t>(e.high)] - lattice->points[static_cast<std::size_t>(e.low)];
+    lattice->spring.push_back({e.high, std::sqrt(d.x() * d.x() + d.y() * d.y()), e.stiffness});
+    ++lattice->first[static_cast<std::size_t>(e.low) + 1];
+  }
+  for (std::size_t i = 0; i + 1 < lattice->first.size(); ++i) lattice->first[i + 1] += lattice->first[i];
+  return lattice;
+}
+
+Vec2 Lattice::centre() const {
+  Vec2 sum = Vec2::Zero();
+  for (const Vec2& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
+}  // namespace ricochet

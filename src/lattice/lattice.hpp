@@ -1,0 +1,85 @@
+#pragma once
+// A body: what it is (description) and what is built from it (lattice).
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/field.hpp"
+#include "core/vec2.hpp"
+#include "lattice/placement.hpp"
+#include "lattice/triangulate.hpp"
+
+namespace ricochet {
+
+/// The numbers that describe a body; a random mass-spring lattice in a closed outline. Units: R, m0, c.
+struct BodyNumbers {
+  int nodes = 800;
+  std::string placement = "uniform";
+  std::int64_t seed = 1;
+  double stiffness = 1e4;
+  double quartic = 1e-3;
+  double mass = 1;
+  double roughness = 0;
+
+  static const std::vector<Member<BodyNumbers>>& fields();
+};
+
+/// Nodes before they are joined: rim first, in order, counter-clockwise.
+struct NodePlan {
+  Points points;
+  int rim = 0;
+  Points smooth_rim;  ///< the rim's points before roughness
+};
+
+/// A body as a script describes it. `anchored` and `node_stiffness` hold what the script's functions said of each planned
+/// node, evaluated once; empty where no function was given.
+struct Body {
+  Points outline;  ///< simple, counter-clockwise
+  BodyNumbers numbers;
+  std::vector<bool> anchored;          ///< [plan node]
+  std::vector<double> node_stiffness;  ///< [plan node], in m0 c^2 / R^2
+
+  /// Everything that fixes the lattice except the stiffness number, which only scales it: bodies of equal geometry share one lattice.
+  std::string geometry_text() const;
+};
+
+/// Rim and interior points. Anchored rim nodes (by `anchored_rim`, in rim order; may be empty) stay smooth. Throws if the
+/// outline or the rough rim crosses itself, or if the outline needs more points than the body has nodes.
+NodePlan plan_nodes(const Points& outline, const BodyNumbers& numbers, const std::vector<bool>& anchored_rim);
+
+/// The rim's points before roughness, which say where a body's outline lies and which rim nodes an anchor predicate holds.
+Points plan_rim(const Points& outline, const BodyNumbers& numbers);
+
+struct Spring {
+  int other;         ///< the other end; larger than the node that holds the spring
+  double length;     ///< rest length, the initial distance of its ends [R]
+  double stiffness;  ///< relative to the body's stiffness
+};
+
+/// Nodes joined by springs. Free nodes come first, in reverse Cuthill-McKee order, then the anchored ones: loops over what
+/// moves never meet an anchor. Springs are a half list: those of node i to larger numbers are spring[first[i]] ... spring[first[i+1]-1].
+/// Springs between two anchored nodes, which never stretch, are left out of the half list but kept in `edges`.
+struct Lattice {
+  Points points;             ///< [node] rest positions [R]
+  int free = 0;              ///< how many nodes move
+  std::vector<int> first;    ///< [node + 1] first spring of a node
+  std::vector<Spring> spring;
+  std::vector<std::array<int, 2>> edges;  ///< every spring's two ends, for drawing and files
+  std::vector<Triangle> triangles;
+  std::vector<int> rim;      ///< the outline's nodes in order, counter-clockwise, closed
+  Points smooth_rim;         ///< [rim] where they lay before roughness
+  double mass = 1;           ///< of a node [m0]
+  double quartic = 0;        ///< kb / ka [1/R^2]
+
+  int nodes() const { return static_cast<int>(points.size()); }
+  bool anchored() const { return free < nodes(); }
+  double total_mass() const { return mass * nodes(); }
+  Vec2 centre() const;
+};
+
+/// Builds the lattice of a body; a pure function of the description.
+std::shared_ptr<const Lattice> build_lattice(const Body& body);
+
+}  // namespace ricochet

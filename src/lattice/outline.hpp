@@ -1,0 +1,28 @@
+#pragma once
+// Closed outlines: simple polygons, their points in order, counter-clockwise, the last joined to the first.
+
+#include "core/rng.hpp"
+#include "core/vec2.hpp"
+
+namespace ricochet {
+
+/// Signed area: positive if the points run counter-clockwise. [unit of length squared]
+double signed_area(const Points& outline);
+
+/// True if no two edges of the closed polygon cross, touch or overlap except neighbours in their common corner.
+bool is_simple(const Points& outline);
+
+/// Even-odd rule; points on the outline may fall on either side.
+bool contains(const Points& outline, const Vec2& point);
+
+/// Points along the outline, `spacing` apart as nearly as an even division allows. Corners (a turn of more than 30
+/// degrees) keep their place; between corners, and around an outline that has none, the points are evenly spaced by arc length.
+Points resample(const Points& outline, double spacing);
+
+/// Outward unit normal at each point of a counter-clockwise outline: the direction of the mean of both edges' normals.
+Points outward_normals(const Points& outline);
+
+/// Extent of the outline along the unit vector `direction`: the largest direction . point.
+double support(const Points& outline, const Vec2& direction);
+
+}  // namespace ricochet
