@@ -21,6 +21,12 @@ struct FieldError : Error {
   std::string field;
 };
 
+/// A field mistake that only showed when a scene of a list was built or started.
+struct SceneError : FieldError {
+  SceneError(const FieldError& error, std::size_t scene_index) : FieldError(error), scene(scene_index) {}
+  std::size_t scene;
+};
+
 struct FileError : Error {
   explicit FileError(const std::string& message) : Error(message, Exit::file) {}
 };

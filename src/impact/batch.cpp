@@ -83,12 +83,11 @@ class Engine {
     Run& now = runs_[lane];
     now.before = ledger(lane, p, t, contact);
     now.energy_before = now.before.total();
-    const Points smooth_target = target_.lattice->smooth_rim;
     now.projectile_radius = support(projectile_.lattice->smooth_rim, Vec2(0, -1)) + projectile_.lattice->centre().y();
-    now.target_radius = support(smooth_target, Vec2(0, 1)) - target_.lattice->centre().y();
+    now.target_radius = support(target_.lattice->smooth_rim, Vec2(0, 1)) - target_.lattice->centre().y();
     now.reference_height = run.start.overlap_height;
     threshold_[lane] = touch_share * run.start.energy;
-    drift_ahead(lane, scene);
+    drift_ahead(lane);
     return std::nullopt;
   }
 
@@ -162,7 +161,7 @@ class Engine {
     contact_.set(lane, &scene.contact);
   }
 
-  void drift_ahead(int lane, const Scene&) {
+  void drift_ahead(int lane) {
     const double ahead = first_drift(method_, h_[lane]);
     for (Moving<W>* body : {&projectile_, &target_})
       for (int i = 0; i < body->lattice->free; ++i) body->position.add(i, lane, ahead * body->velocity.at(i, lane));
@@ -323,8 +322,12 @@ bool run_lanes(const Lattice& projectile, const Lattice& target, std::span<const
   const auto fill = [&](int lane) {
     while (next < scenes.size() && engine.idle(lane)) {
       const std::size_t index = next++;
-      if (const auto outcome = engine.begin(lane, scenes[index], index)) finished(index, *outcome, 0);
-      else ++running;
+      try {
+        if (const auto outcome = engine.begin(lane, scenes[index], index)) finished(index, *outcome, 0);
+        else ++running;
+      } catch (const FieldError& error) {
+        throw SceneError(error, index);
+      }
     }
   };
   for (int lane = 0; lane < width; ++lane) fill(lane);
@@ -357,10 +360,8 @@ Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene&
   if (const auto outcome = engine.begin(0, scene, 0)) return *outcome;
   Outcome result;
   bool ended = false;
-  std::int64_t seen = 0;
-  const double h = engine.run(0).start.step;
   const auto watch = [&] {
-    while (observer && static_cast<double>(seen) * observer->interval <= engine.run(0).time() + h / 2) observer->look(engine.snapshot(0)), ++seen;
+    if (observer && observer->due(engine.run(0).time())) observer->look(engine.snapshot(0));
   };
   watch();
   while (!stop && !(ended && (!observer || engine.run(0).time() >= observer->until))) {
@@ -370,6 +371,8 @@ Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene&
   }
   return result;
 }
+
+void check_start(const Lattice& projectile, const Lattice& target, const Scene& scene) { launch(scene, projectile, target); }
 
 Snapshot run_until(const Lattice& projectile, const Lattice& target, const Scene& scene, double time) {
   Engine<1> engine(projectile, target, method_named(scene.integration.method));

@@ -15,24 +15,36 @@ struct Snapshot {
   Ledger energy;
 };
 
-/// Looks at a single impact without changing a bit of it, at the steps nearest to multiples of `interval`.
+/// Looks at a single impact without changing a bit of it. `due(time)` is asked at the end of every step whether to look there.
 struct Observer {
-  double interval = 0;
-  double until = 0;  ///< go on looking up to this time, even past the end of the impact
+  double until = 0;  ///< go on up to this time, even past the end of the impact
+  std::function<bool(double)> due;
   std::function<void(const Snapshot&)> look;
 };
+
+/// For `due`: true at the steps nearest to first, first + spacing, ... (count of them at most).
+inline std::function<bool(double)> equally_spaced(double first, double spacing, std::int64_t count, double step) {
+  return [=, seen = std::int64_t{0}](double time) mutable {
+    if (seen >= count || time < first + static_cast<double>(seen) * spacing - step / 2) return false;
+    ++seen;
+    return true;
+  };
+}
 
 /// Called as each impact ends: its place in the batch, its outcome, and the seconds it spent in its lane over the lanes in use.
 using Finished = std::function<void(std::size_t, const Outcome&, double)>;
 
 /// Runs scenes of one group, `width` at a time (1 ... lanes): a lane whose impact has ended takes the next scene. The outcome
 /// of a scene does not depend on `width`, on its neighbours or on when it starts. Returns false if `stop` ended it early.
-/// Throws Error for a scene that cannot start.
+/// Throws SceneError with the scene's place in `scenes` if it cannot start.
 bool run_batch(const Lattice& projectile, const Lattice& target, std::span<const Scene> scenes, int width, const std::atomic<bool>& stop,
                const Finished& finished);
 
 /// Runs one scene alone, watched.
 Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop, const Observer* observer = nullptr);
+
+/// Throws FieldError if the scene cannot start.
+void check_start(const Lattice& projectile, const Lattice& target, const Scene& scene);
 
 /// Test hook: runs a scene alone up to `time` and returns the state there, whatever happens in between.
 Snapshot run_until(const Lattice& projectile, const Lattice& target, const Scene& scene, double time);

@@ -7,6 +7,7 @@
 #include <map>
 #include <mutex>
 
+#include "core/error.hpp"
 #include "force/lane.hpp"
 #include "impact/batch.hpp"
 #include "impact/launch.hpp"
@@ -85,8 +86,13 @@ bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, 
     std::vector<Scene> run;
     for (const std::size_t i : batch.scenes) run.push_back(scenes[i]);
     std::vector<Result> results;
-    const bool whole = run_batch(*batch.group->projectile, *batch.group->target, run, options.batch, stop,
-                                 [&](std::size_t i, const Outcome& outcome, double seconds) { results.push_back({batch.scenes[i], outcome, seconds}); });
+    bool whole = false;
+    try {
+      whole = run_batch(*batch.group->projectile, *batch.group->target, run, options.batch, stop,
+                        [&](std::size_t i, const Outcome& outcome, double seconds) { results.push_back({batch.scenes[i], outcome, seconds}); });
+    } catch (const SceneError& error) {
+      throw SceneError(error, batch.scenes[error.scene]);
+    }
     if (--batch.group->batches_left == 0) batch.group->projectile.reset(), batch.group->target.reset();
     if (!whole) return;
     const std::lock_guard lock(done);
@@ -100,7 +106,11 @@ void check_scenes(const std::vector<Scene>& scenes, const SweepOptions& options,
   in_parallel(groups, options.threads, [&](std::unique_ptr<Group>& group) {
     if (stop) return;
     build(*group, scenes);
-    for (const std::size_t i : group->scenes) launch(scenes[i], *group->projectile, *group->target);
+    for (const std::size_t i : group->scenes) try {
+        launch(scenes[i], *group->projectile, *group->target);
+      } catch (const FieldError& error) {
+        throw SceneError(error, i);
+      }
     group->projectile.reset(), group->target.reset();
   });
 }

@@ -1,0 +1,36 @@
+-- The module a script requires: local ricochet = require "ricochet"
+local core = require "ricochet.core"
+
+local ricochet = {
+  parameters = core.parameters,
+  body = core.body,
+  scene = core.scene,
+  animate = core.animate,
+  record = core.record,
+  elasticity = core.elasticity,
+  file = { write = core.file_write, read = core.file_read },
+}
+
+local shapes = require "ricochet.shapes"
+ricochet.disk = core.wrap(shapes.disk)
+ricochet.wall = core.wrap(shapes.wall)
+ricochet.sweep = core.wrap(require("ricochet.sweep").sweep)
+ricochet.plot = core.wrap(require("ricochet.plot").plot)
+
+--- range(n): 1 ... n; range(first, last [, step]).
+ricochet.range = core.wrap(function(first, last, step)
+  if last == nil then first, last = 1, first end
+  step = step or 1
+  if type(first) ~= "number" or type(last) ~= "number" or type(step) ~= "number" or step == 0 then
+    core.fail "takes numbers: range(n), range(first, last) or range(first, last, step); step must not be 0"
+  end
+  if (last - first) / step > 1e7 then core.fail "would hold more than 1e7 values" end
+  local list = {}
+  for value = first, last, step do list[#list + 1] = value end
+  return list
+end)
+
+return setmetatable(ricochet, {
+  __index = function(_, name) core.unknown_function(tostring(name)) end,
+  __newindex = function() core.fail "the module takes no new fields" end,
+})

@@ -1,0 +1,104 @@
+-- Rows of a sweep: an array of tables, one an impact, with summaries.
+local core = require "ricochet.core"
+
+local Rows, Summary = {}, {}
+Summary.__index = Summary
+Rows.__index = function(_, name)
+  if type(name) == "number" then return nil end
+  return Rows[name] or core.fail(("rows have no '%s'; they have summary"):format(tostring(name)))
+end
+
+local function known_column(rows, name)
+  if #rows > 0 and rows[1][name] == nil then core.unknown_column(name, rows[1]) end
+end
+
+-- Groups of finished rows by a column, in rising order: { { key, members = {...}, failed = n }, ... }.
+local function groups(rows, by)
+  local list, of = {}, {}
+  for _, row in ipairs(rows) do
+    local key = row[by]
+    if of[key] == nil then
+      of[key] = { key = key, members = {}, failed = 0 }
+      list[#list + 1] = of[key]
+    end
+    local group = of[key]
+    if row.status == "finished" then group.members[#group.members + 1] = row else group.failed = group.failed + 1 end
+  end
+  table.sort(list, function(a, b)
+    if type(a.key) == "boolean" then return a.key and not b.key end
+    return a.key < b.key
+  end)
+  return list
+end
+
+-- Mean, sample standard deviation, standard error and count of a column; undefined values (nan) are left out.
+local function statistics(members, column)
+  local n, mean, square = 0, 0, 0
+  for _, row in ipairs(members) do
+    local value = row[column]
+    if type(value) ~= "number" then core.fail(("column '%s' holds no numbers"):format(column)) end
+    if value == value then
+      n = n + 1
+      local delta = value - mean
+      mean = mean + delta / n
+      square = square + delta * (value - mean)
+    end
+  end
+  if n == 0 then return { mean = 0 / 0, sd = 0 / 0, se = 0 / 0, count = 0 } end
+  local sd = n > 1 and math.sqrt(square / (n - 1)) or 0 / 0
+  return { mean = mean, sd = sd, se = sd / math.sqrt(n), count = n }
+end
+
+local function summarise(rows, by, of)
+  known_column(rows, by)
+  for _, column in ipairs(of) do known_column(rows, column) end
+  local summary = setmetatable({ by = by, of = of }, Summary)
+  for i, group in ipairs(groups(rows, by)) do
+    local line = { [by] = group.key, count = #group.members, failed = group.failed }
+    for _, column in ipairs(of) do line[column] = statistics(group.members, column) end
+    summary[i] = line
+  end
+  return summary
+end
+
+Rows.summary = core.wrap(function(self, given)
+  local t = core.check("rows:summary", given)
+  return summarise(self, t.by, t.of)
+end)
+
+local function shown(value)
+  if type(value) == "number" then return value == value and ("%.4g"):format(value) or "-" end
+  return tostring(value)
+end
+
+--- Prints one line a group: mean +- standard error (standard deviation), finished and failed samples.
+function Summary:print()
+  local header = { self.by }
+  for _, column in ipairs(self.of) do header[#header + 1] = column .. " +- se (sd)" end
+  header[#header + 1], header[#header + 2] = "finished", "failed"
+  local lines = { header }
+  for _, line in ipairs(self) do
+    local cells = { shown(line[self.by]) }
+    for _, column in ipairs(self.of) do
+      local s = line[column]
+      cells[#cells + 1] = s.count == 0 and "-" or ("%.4f +- %s (%s)"):format(s.mean, shown(s.se), shown(s.sd))
+    end
+    cells[#cells + 1], cells[#cells + 2] = tostring(line.count), tostring(line.failed)
+    lines[#lines + 1] = cells
+  end
+  local widths = {}
+  for _, cells in ipairs(lines) do
+    for i, cell in ipairs(cells) do widths[i] = math.max(widths[i] or 0, #cell) end
+  end
+  for _, cells in ipairs(lines) do
+    local padded = {}
+    for i, cell in ipairs(cells) do padded[i] = (" "):rep(widths[i] - #cell) .. cell end
+    print(table.concat(padded, "  "))
+  end
+end
+
+local function rows_of(list)
+  return setmetatable(list, Rows)
+end
+
+return { rows_of = rows_of, summarise = summarise }

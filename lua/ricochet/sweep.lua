@@ -1,0 +1,79 @@
+-- ricochet.sweep: scenes over every combination of some values.
+local core = require "ricochet.core"
+local rows_of = require("ricochet.rows").rows_of
+
+local Sweep = {}
+Sweep.__index = function(_, name)
+  return Sweep[name] or core.fail(("a sweep has no '%s'; it has run"):format(tostring(name)))
+end
+
+-- Names in order, and the list of points: every combination, the last name fastest.
+local function combinations(over)
+  local names = {}
+  for name, values in pairs(over) do
+    if type(name) ~= "string" then core.fail "'over' takes name = list of values" end
+    if type(values) ~= "table" or #values == 0 then
+      core.fail(("over.%s must be a list of values that is not empty, is %s"):format(name, type(values) == "table" and "an empty table" or tostring(values)))
+    end
+    for i, value in ipairs(values) do
+      local kind = type(value)
+      if kind ~= "number" and kind ~= "string" and kind ~= "boolean" then
+        core.fail(("over.%s: value %d is a %s; numbers, strings and booleans are accepted"):format(name, i, kind))
+      end
+      if kind ~= type(values[1]) then core.fail(("over.%s mixes a %s and a %s"):format(name, type(values[1]), kind)) end
+      if value ~= value then core.fail(("over.%s: value %d is not a number (nan)"):format(name, i)) end
+    end
+    names[#names + 1] = name
+  end
+  if #names == 0 then core.fail "'over' is empty; give at least one name = list of values" end
+  table.sort(names)
+  local points = { {} }
+  for _, name in ipairs(names) do
+    local longer = {}
+    for _, point in ipairs(points) do
+      for _, value in ipairs(over[name]) do
+        local copy = {}
+        for k, v in pairs(point) do copy[k] = v end
+        copy[name] = value
+        longer[#longer + 1] = copy
+      end
+    end
+    points = longer
+  end
+  return names, points
+end
+
+-- A misspelt at.name is an error, not nil.
+local function strict(point, names)
+  return setmetatable({}, {
+    __index = function(_, key)
+      local value = point[key]
+      if value == nil then core.fail(("'over' has no '%s'; it has %s"):format(tostring(key), table.concat(names, ", "))) end
+      return value
+    end,
+  })
+end
+
+local run = core.wrap(function(self)
+  local names, points = self.names, self.points
+  local scenes = {}
+  for i, point in ipairs(points) do
+    local scene = self.scene(strict(point, names))
+    if not core.is_scene(scene) then
+      core.fail(("the function 'scene' must return a scene (from ricochet.scene), returned %s"):format(scene == nil and "nothing" or "a " .. type(scene)))
+    end
+    scenes[i] = scene
+  end
+  return rows_of(core.run_sweep(self.name, names, points, scenes))
+end)
+
+local function sweep(given)
+  local t = core.check("sweep", given)
+  if not t.name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name)) end
+  local names, points = combinations(t.over)
+  return setmetatable({ name = t.name, scene = t.scene, names = names, points = points }, Sweep)
+end
+
+Sweep.run = run
+
+return { sweep = sweep }

@@ -1,0 +1,183 @@
+// ricochet.body, ricochet.scene, ricochet.elasticity.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/hash.hpp"
+#include "impact/batch.hpp"
+#include "lattice/elasticity.hpp"
+#include "lattice/outline.hpp"
+#include "script/objects.hpp"
+#include "script/state.hpp"
+
+namespace ricochet {
+namespace {
+
+Points read_points(lua_State* L, int index) {
+  Points points;
+  for (lua_Integer i = 1; i <= luaL_len(L, index); ++i) {
+    lua_geti(L, index, i);
+    lua_geti(L, -1, 1), lua_geti(L, -2, 2);
+    points.emplace_back(lua_tonumber(L, -2), lua_tonumber(L, -1));
+    lua_pop(L, 3);
+  }
+  return points;
+}
+
+// Calls the function in the table's field at a point; leaves its value on the stack.
+void call_at(lua_State* L, int function, const Vec2& p) {
+  lua_pushvalue(L, function);
+  lua_pushnumber(L, p.x()), lua_pushnumber(L, p.y());
+  lua_call(L, 2, 1);
+}
+
+std::string plan_key(const Points& outline, const BodyNumbers& n, const std::vector<bool>& anchored_rim) {
+  std::string text = fmt::format("{} {} {} {};", n.nodes, n.placement, n.seed, n.roughness);
+  for (const Vec2& p : outline) text += fmt::format("{} {};", p.x(), p.y());
+  for (const bool held : anchored_rim) text += held ? '1' : '0';
+  return hash_text(text);
+}
+
+int body(lua_State* L) {
+  check_table(L, 1, function_named("body"));
+  Session& session = session_of(L);
+  auto made = std::make_shared<Body>();
+  try {
+    read_members(L, 1, made->numbers);
+    lua_getfield(L, 1, "outline");
+    made->outline = read_points(L, lua_gettop(L));
+    if (signed_area(made->outline) < 0) std::reverse(made->outline.begin(), made->outline.end());
+    lua_getfield(L, 1, "anchored");
+    const int anchored = lua_gettop(L);
+    lua_getfield(L, 1, "stiffness");
+    const int stiffness = lua_gettop(L);
+    const auto held = [&](const Vec2& p) {
+      call_at(L, anchored, p);
+      const bool value = lua_toboolean(L, -1);
+      lua_pop(L, 1);
+      return value;
+    };
+    const Points rim = plan_rim(made->outline, made->numbers);
+    std::vector<bool> anchored_rim;
+    if (lua_isfunction(L, anchored))
+      for (const Vec2& p : rim) anchored_rim.push_back(held(p));
+    // Samples of a sweep share bodies: a plan is made once.
+    auto& plan = session.plans[plan_key(made->outline, made->numbers, anchored_rim)];
+    if (!plan) plan = std::make_shared<NodePlan>(plan_nodes(made->outline, made->numbers, anchored_rim));
+    if (lua_isfunction(L, anchored)) {
+      made->anchored = anchored_rim;
+      for (std::size_t i = made->anchored.size(); i < plan->points.size(); ++i) made->anchored.push_back(held(plan->points[i]));
+      if (std::count(made->anchored.begin(), made->anchored.end(), false) == 0) throw FieldError("anchored", "holds every node; nothing could move");
+    }
+    if (lua_isfunction(L, stiffness)) {
+      made->numbers.stiffness = 1;
+      for (const Vec2& p : plan->points) {
+        call_at(L, stiffness, p);
+        const double k = lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : not_given;
+        if (!(k > 0 && std::isfinite(k))) throw FieldError("stiffness", fmt::format("the function must return a positive number, gave {} at ({:.4g}, {:.4g})", shown(L, -1), p.x(), p.y()));
+        lua_pop(L, 1);
+        made->node_stiffness.push_back(k);
+      }
+    }
+  } catch (const FieldError& error) {
+    throw_at(session, call_site(L), error);
+  }
+  push_object(L, "ricochet.body", BodyObject{made});
+  return 1;
+}
+
+int scene(lua_State* L) {
+  check_table(L, 1, function_named("scene"));
+  SceneObject made{{}, call_site(L)};
+  lua_getfield(L, 1, "projectile"), lua_getfield(L, 1, "target");
+  made.scene.projectile = body_at(L, -2).body, made.scene.target = body_at(L, -1).body;
+  read_members(L, 1, made.scene.integration);
+  if (lua_getfield(L, 1, "launch") == LUA_TTABLE) read_members(L, lua_gettop(L), made.scene.launch);
+  if (lua_getfield(L, 1, "contact") == LUA_TTABLE) read_members(L, lua_gettop(L), made.scene.contact);
+  try {
+    made.scene.launch.velocity();
+    const auto& held = made.scene.projectile->anchored;
+    if (std::find(held.begin(), held.end(), true) != held.end()) throw FieldError("projectile", "must be free, but this body has anchored nodes");
+  } catch (const FieldError& error) {
+    throw_at(session_of(L), made.site, error);
+  }
+  push_object(L, "ricochet.scene", std::move(made));
+  return 1;
+}
+
+int scene_run(lua_State* L) {
+  const SceneObject& object = scene_at(L, 1);
+  const Scene& scene = object.scene;
+  Outcome outcome;
+  try {
+    const auto projectile = build_lattice(*scene.projectile), target = build_lattice(*scene.target);
+    if (session_of(L).options.check) check_start(*projectile, *target, scene);
+    else outcome = run_scene(*projectile, *target, scene, stop_requested);
+  } catch (const FieldError& error) {
+    throw_at(session_of(L), object.site, error);
+  }
+  if (stop_requested) throw Error("interrupted", Exit::interrupted);
+  push_row(L, row_of(scene, outcome, 0));
+  return 1;
+}
+
+int scene_text(lua_State* L) {
+  lua_pushstring(L, scene_at(L, 1).scene.text().c_str());
+  return 1;
+}
+
+int scene_hash(lua_State* L) {
+  lua_pushstring(L, scene_at(L, 1).scene.hash().c_str());
+  return 1;
+}
+
+int elasticity(lua_State* L) {
+  check_table(L, 1, function_named("elasticity"));
+  lua_getfield(L, 1, "body");
+  const Body& band = *body_at(L, -1).body;
+  if (std::find(band.anchored.begin(), band.anchored.end(), true) != band.anchored.end())
+    throw_at(session_of(L), call_site(L), FieldError("body", "must have no anchored nodes"));
+  Elasticity result{};
+  try {
+    result = stretch_band(*build_lattice(band), band.numbers.stiffness);
+  } catch (const Error& error) {
+    throw_at(session_of(L), call_site(L), FieldError("body", error.what()));
+  }
+  lua_createtable(L, 0, 2);
+  lua_pushnumber(L, result.young_modulus), lua_setfield(L, -2, "E");
+  lua_pushnumber(L, result.poisson_ratio), lua_setfield(L, -2, "nu");
+  return 1;
+}
+
+// "ricochet.body: no field 'x'": an object takes no new fields and has only its methods.
+int unknown_method(lua_State* L) {
+  luaL_getmetafield(L, 1, "methods");
+  lua_pushvalue(L, 2);
+  if (lua_rawget(L, -2) != LUA_TNIL) return 1;
+  luaL_getmetafield(L, 1, "__name");
+  throw Error(fmt::format("{}: {} has no '{}'", call_site(L).line > 0 ? fmt::format("{}:{}", call_site(L).file, call_site(L).line) : "?", lua_tostring(L, -1), shown(L, 2)));
+}
+
+void make_type(lua_State* L, const char* type, lua_CFunction collector, std::initializer_list<luaL_Reg> methods) {
+  luaL_newmetatable(L, type);
+  lua_pushcfunction(L, collector), lua_setfield(L, -2, "__gc");
+  lua_pushboolean(L, false), lua_setfield(L, -2, "__metatable");
+  lua_pushcfunction(L, guarded<unknown_method>), lua_setfield(L, -2, "__index");
+  lua_newtable(L);
+  for (const luaL_Reg& method : methods) lua_pushcfunction(L, method.func), lua_setfield(L, -2, method.name);
+  lua_setfield(L, -2, "methods");
+  lua_pop(L, 1);
+}
+
+}  // namespace
+
+void add_bodies(lua_State* L) {
+  make_type(L, "ricochet.body", collect_object<BodyObject>, {});
+  make_type(L, "ricochet.scene", collect_object<SceneObject>, {{"run", guarded<scene_run>}, {"text", guarded<scene_text>}, {"hash", guarded<scene_hash>}});
+  const luaL_Reg list[] = {{"body", guarded<body>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}};
+  for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
+}
+
+}  // namespace ricochet

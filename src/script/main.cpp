@@ -1,0 +1,147 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "core/error.hpp"
+#include "core/spelling.hpp"
+#include "force/lane.hpp"
+#include "script/specification.hpp"
+#include "script/state.hpp"
+
+namespace {
+
+using namespace ricochet;
+
+int run(RunOptions options, const std::string& script, const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments)
+    if (argument.find('=') == std::string::npos)
+      throw Error(fmt::format("'{}' is neither an option nor name=value; see ricochet run --help", argument), Exit::usage);
+  if (options.resume && options.force) throw Error("--resume continues earlier results and --force replaces them; give one of them", Exit::usage);
+  Session session(std::move(options), script, arguments);
+  if (!session.options.help) session.refuse_earlier_results(session.own_folder());
+  State state(session);
+  try {
+    state.run_script();
+    if (session.options.help && !session.done) session.print(fmt::format("{} declares no parameters.\n", script));
+  } catch (const Error& error) {
+    session.log(fmt::format("error: {}\n", error.what()));
+    try {
+      session.write_log();
+    } catch (const FileError&) {  // the first error is the one to report
+    }
+    throw;
+  }
+  session.write_log();
+  if (session.failures > 0 && session.finished == 0) throw Error("not one impact finished; the column 'reason' of results.csv says why", Exit::numerical);
+  return 0;
+}
+
+int repl() {
+  Session session({}, "repl", {});
+  State state(session);
+  state.run_text("rawset(_G, 'ricochet', require 'ricochet')");
+  fmt::print("{}\nLua with `ricochet` loaded; end with ^D.\n", version_text().substr(0, version_text().find('\n')));
+  for (std::string line; fmt::print("> "), std::fflush(stdout), std::getline(std::cin, line);) {
+    try {
+      state.run_text(line);
+    } catch (const Error& error) {
+      fmt::print(stderr, "error: {}\n", error.what());
+    }
+  }
+  fmt::print("\n");
+  return 0;
+}
+
+int info(const std::string& path) {
+  const Provenance provenance = read_provenance(path);
+  for (const auto& [name, text] : provenance)
+    if (name != "script" && !text.empty()) fmt::print("{:<14} {}\n", name, text.substr(0, text.find('\n')));
+  if (path.find("trajectory") != std::string::npos) return 0;
+  const Table table = read_table(path);
+  fmt::print("{} rows\n", table.rows());
+  if (const TextColumn* status = table.text("status")) {
+    std::map<std::string, int> counts;
+    for (const std::string& value : status->values) ++counts[value];
+    for (const auto& [value, count] : counts) fmt::print("  {:<14} {}\n", value, count);
+  }
+  for (const TextColumn& column : table.texts) fmt::print("  {:<28} {}\n", column.field.name, column.field.doc);
+  for (const NumberColumn& column : table.numbers)
+    fmt::print("  {:<28} {}\n", column.field.unit.empty() ? column.field.name : fmt::format("{} [{}]", column.field.name, column.field.unit), column.field.doc);
+  return 0;
+}
+
+int program(int count, char** words) {
+  CLI::App app("A workbench for the impact of elastic bodies, driven by Lua scripts.", "ricochet");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version_text);
+  RunOptions options;
+  std::string script, file;
+  std::vector<std::string> arguments;
+
+  CLI::App* run_command = app.add_subcommand("run", "Run a script: ricochet run SCRIPT [name=value ...]");
+  run_command->set_help_flag();  // --help after the script is the script's own
+  run_command->add_option("SCRIPT", script, "the Lua script");
+  run_command->add_option("name=value", arguments, "the script's parameters");
+  run_command->add_option("--threads", options.threads, "worker threads; all cores unless given")->check(CLI::Range(1, 1024));
+  run_command->add_option("--batch", options.batch, fmt::format("impacts that advance together, 1 to {}; never changes a result", lanes))->check(CLI::Range(1, lanes));
+  run_command->add_option("--out", options.out, "folder of the results (default: out)");
+  run_command->add_option("--budget", options.budget, "greatest number of Lua instructions")->check(CLI::PositiveNumber);
+  run_command->add_flag("--resume", options.resume, "go on with earlier results");
+  run_command->add_flag("--force", options.force, "replace earlier results");
+  run_command->add_flag("--check", options.check, "build every scene, run none");
+  run_command->add_flag("--traceback", options.traceback, "show where in the scripts an error came from");
+  run_command->add_flag("--quiet", options.quiet, "no progress");
+  run_command->add_flag("--unsafe", options.unsafe, "lift the sandbox: io, os.execute, debug");
+  run_command->add_flag("--help,-h", options.help, "this, or the script's own parameters");
+  CLI::App* repl_command = app.add_subcommand("repl", "Type Lua");
+  CLI::App* info_command = app.add_subcommand("info", "What a results.h5 holds and where it came from");
+  info_command->add_option("FILE", file, "an HDF5 file of ours")->required();
+  bool stubs = false;
+  CLI::App* reference_command = app.add_subcommand("reference", "Print the reference of the Lua module");
+  reference_command->add_flag("--stubs", stubs, "as definitions for the Lua language server");
+
+  try {
+    app.parse(count, words);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return 0;
+  } catch (const CLI::CallForVersion&) {
+    std::cout << version_text() << '\n';
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    const std::vector<std::string> commands{"run", "repl", "info", "reference"};
+    std::string hint;
+    if (count > 1 && std::find(commands.begin(), commands.end(), words[1]) == commands.end()) hint = did_you_mean(words[1], commands);
+    throw Error(fmt::format("{}{}; see ricochet --help", error.what(), hint), Exit::usage);
+  }
+  if (*run_command) {
+    if (script.empty()) {
+      if (!options.help) throw Error("run needs a script: ricochet run SCRIPT [name=value ...]", Exit::usage);
+      std::cout << run_command->help();
+      return 0;
+    }
+    return run(options, script, arguments);
+  }
+  if (*repl_command) return repl();
+  if (*info_command) return info(file);
+  if (*reference_command) std::cout << (stubs ? editor_stubs() : reference_page());
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  catch_signals();
+  try {
+    return program(count, words);
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    fmt::print(stderr, "error: {}\n", message.substr(0, message.find_last_not_of('\n') + 1));
+    return static_cast<int>(error.exit);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {} (this is a mistake of the program; please report it)\n", error.what());
+    return static_cast<int>(Exit::script);
+  }
+}

@@ -1,0 +1,50 @@
+#pragma once
+// Values that Lua holds: bodies and scenes, each with the place in the script that made it.
+
+#include <lua.hpp>
+
+#include <memory>
+
+#include "impact/scene.hpp"
+#include "script/reader.hpp"
+
+namespace ricochet {
+
+struct BodyObject {
+  std::shared_ptr<const Body> body;
+};
+
+struct SceneObject {
+  Scene scene;
+  CallSite site;
+};
+
+/// Puts an object into a new userdata of type "ricochet.<name>".
+template <class Object>
+void push_object(lua_State* L, const char* type, Object object) {
+  new (lua_newuserdatauv(L, sizeof(Object), 0)) Object(std::move(object));
+  luaL_setmetatable(L, type);
+}
+
+template <class Object>
+int collect_object(lua_State* L) {
+  static_cast<Object*>(lua_touserdata(L, 1))->~Object();
+  return 0;
+}
+
+inline SceneObject& scene_at(lua_State* L, int index) { return *static_cast<SceneObject*>(luaL_checkudata(L, index, "ricochet.scene")); }
+inline BodyObject& body_at(lua_State* L, int index) { return *static_cast<BodyObject*>(luaL_checkudata(L, index, "ricochet.body")); }
+
+/// A row of results as values in the order of row_fields().
+struct Row {
+  std::vector<double> values;
+  std::string status, reason, hash, seed;
+  double seconds = 0;
+};
+
+Row row_of(const Scene& scene, const Outcome& outcome, double seconds);
+
+/// Pushes a table with every column of the row.
+void push_row(lua_State* L, const Row& row);
+
+}  // namespace ricochet

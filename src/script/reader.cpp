@@ -1,0 +1,195 @@
+#include "script/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/spelling.hpp"
+
+namespace ricochet {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Field>& fields) {
+  std::vector<std::string> names;
+  for (const Field& f : fields) names.push_back(f.name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string accepted_range(const Field& field) {
+  const Range& r = field.range;
+  const bool low = r.min > any_number.min, high = r.max < any_number.max;
+  const std::string unit = field.unit.empty() ? "" : " " + field.unit;
+  if (low && high) return fmt::format("between {:g} and {:g}{}", r.min, r.max, unit);
+  if (low) return fmt::format("{} {:g}{}", r.min_open ? "greater than" : "at least", r.min, unit);
+  return fmt::format("{} {:g}{}", r.max_open ? "less than" : "at most", r.max, unit);
+}
+
+bool is_userdata(lua_State* L, int index, const char* type) { return luaL_testudata(L, index, ("ricochet." + std::string(type)).c_str()) != nullptr; }
+
+// The mistake in a value, or nothing.
+std::string mistake_in(lua_State* L, int index, const Field& field) {
+  const std::string& type = field.type;
+  const auto must_be = [&](const std::string& what) { return fmt::format("'{}' must be {}, is {}", field.name, what, shown(L, index)); };
+  if ((type == "number" || type == "integer" || type == "number|function") && lua_type(L, index) == LUA_TNUMBER) {
+    const double value = lua_tonumber(L, index);
+    if (!std::isfinite(value)) return must_be("a finite number");
+    if (type == "integer" && !lua_isinteger(L, index) && value != std::floor(value)) return must_be("a whole number");
+    if (!field.range.contains(value)) return must_be(accepted_range(field));
+    return "";
+  }
+  if (type == "number") return must_be("a number" + (field.unit.empty() ? "" : " [" + field.unit + "]"));
+  if (type == "integer") return must_be("a whole number");
+  if (type == "number|function") return lua_isfunction(L, index) ? "" : must_be("a number or a function (x, y)");
+  if (type == "boolean") return lua_isboolean(L, index) ? "" : must_be("true or false");
+  if (type == "string") {
+    if (lua_type(L, index) != LUA_TSTRING) return must_be("a string");
+    const std::string text = lua_tostring(L, index);
+    if (!field.choices.empty() && std::find(field.choices.begin(), field.choices.end(), text) == field.choices.end())
+      return fmt::format("'{}' must be one of {}, is '{}'{}", field.name, joined(field.choices), text, did_you_mean(text, field.choices));
+    return "";
+  }
+  if (type == "function") return lua_isfunction(L, index) ? "" : must_be("a function");
+  if (type == "body" || type == "scene") {
+    const char* makers = type == "body" ? "a body (from ricochet.disk, ricochet.wall or ricochet.body)" : "a scene (from ricochet.scene)";
+    return is_userdata(L, index, type.c_str()) ? "" : must_be(makers);
+  }
+  if (!lua_istable(L, index)) return must_be(type == "points" ? "a list of points { {x, y}, ... }" : type == "rows" ? "rows (from sweep:run())" : "a table");
+  if (type == "numbers" || type == "strings" || type == "points") {
+    const lua_Integer n = luaL_len(L, index);
+    if (n == 0) return fmt::format("'{}' must not be empty", field.name);
+    for (lua_Integer i = 1; i <= n; ++i) {
+      lua_geti(L, index, i);
+      bool good = type == "strings" ? lua_type(L, -1) == LUA_TSTRING : type == "numbers" ? lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1)) : lua_istable(L, -1);
+      if (good && type == "points") {
+        for (int axis : {1, 2}) {
+          lua_geti(L, -1, axis);
+          good = good && lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1));
+          lua_pop(L, 1);
+        }
+      }
+      const std::string element = good ? "" : fmt::format("'{}' must hold {}; element {} is {}", field.name, type == "points" ? "points {x, y} of finite numbers" : "only " + type, i, shown(L, -1));
+      lua_pop(L, 1);
+      if (!good) return element;
+    }
+  }
+  return "";
+}
+
+void collect(lua_State* L, int index, const std::vector<Field>& fields, const std::vector<std::string>& path, std::vector<Mistake>& mistakes, std::string& valid) {
+  index = lua_absindex(L, index);
+  const std::vector<std::string> names = names_of(fields);
+  const auto below = [&](const std::string& name) {
+    std::vector<std::string> full = path;
+    full.push_back(name);
+    return full;
+  };
+  const std::string where = path.empty() ? "" : path.back() + ": ";
+  std::vector<Mistake> unknown;
+  for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) != LUA_TSTRING) {
+      mistakes.push_back({path, fmt::format("{}takes named fields only, has the value {} without a name", where, shown(L, -1))});
+      continue;
+    }
+    const std::string name = lua_tostring(L, -2);
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    unknown.push_back({below(name), fmt::format("{}unknown field '{}'{}", where, name, did_you_mean(name, names))});
+    valid = joined(names);
+  }
+  std::sort(unknown.begin(), unknown.end(), [](const Mistake& a, const Mistake& b) { return a.path < b.path; });
+  mistakes.insert(mistakes.end(), unknown.begin(), unknown.end());
+  for (const Field& field : fields) {
+    lua_getfield(L, index, field.name.c_str());
+    if (lua_isnil(L, -1)) {
+      if (field.initial.empty() && !field.optional) mistakes.push_back({path, fmt::format("{}'{}' is missing: {}", where, field.name, field.doc)});
+    } else if (const std::string mistake = mistake_in(L, lua_gettop(L), field); !mistake.empty()) {
+      mistakes.push_back({below(field.name), where + mistake});
+    } else if (field.type == "launch" || field.type == "contact") {
+      collect(L, -1, function_named(field.type).fields, below(field.name), mistakes, valid);
+    }
+    lua_pop(L, 1);
+  }
+}
+
+}  // namespace
+
+Session& session_of(lua_State* L) { return **static_cast<Session**>(lua_getextraspace(L)); }
+
+CallSite call_site(lua_State* L) {
+  const Session& session = session_of(L);
+  CallSite site;
+  lua_Debug frame;
+  for (int level = 0; lua_getstack(L, level, &frame); ++level) {
+    lua_getinfo(L, "Sl", &frame);
+    const std::string source = frame.source[0] == '@' ? frame.source + 1 : "";
+    if (frame.currentline <= 0 || source.starts_with(session.library.string())) {
+      lua_getinfo(L, "n", &frame);
+      site.function = frame.name ? frame.name : "?";
+      continue;
+    }
+    site.file = source, site.line = frame.currentline;
+    return site;
+  }
+  return site;
+}
+
+std::string report(const Session& session, const CallSite& site, const std::vector<Mistake>& mistakes, const std::string& valid) {
+  const auto text = session.sources.find(site.file);
+  std::string result;
+  for (const Mistake& mistake : mistakes) {
+    Place place{site.line, 1, 0};
+    if (text != session.sources.end()) {
+      // A field that is not written there (the table was made elsewhere) is reported at the call.
+      for (std::vector<std::string> path = mistake.path; !path.empty(); path.pop_back())
+        if (const auto found = find_field(text->second, site.line, site.function, path)) {
+          place = *found;
+          break;
+        }
+    }
+    if (!result.empty()) result += "error: ";
+    if (!site.file.empty()) result += fmt::format("{}:{}: ", site.file, place.line);
+    result += fmt::format("{}: {}\n", site.function, mistake.message);
+    if (text != session.sources.end()) result += excerpt(text->second, place);
+  }
+  if (!valid.empty()) result += "  valid fields: " + valid + "\n";
+  result.pop_back();
+  return result;
+}
+
+void check_table(lua_State* L, int index, const Function& function) {
+  CallSite site = call_site(L);
+  const Session& session = session_of(L);
+  if (!lua_istable(L, index)) throw Error(report(session, site, {{{}, fmt::format("takes one table of named fields, e.g. {}", function.example)}}));
+  std::vector<Mistake> mistakes;
+  std::string valid;
+  collect(L, index, function.fields, {}, mistakes, valid);
+  if (!mistakes.empty()) throw Error(report(session, site, mistakes, valid));
+}
+
+std::string shown(lua_State* L, int index) {
+  switch (lua_type(L, index)) {
+    case LUA_TNIL: return "nil";
+    case LUA_TBOOLEAN: return lua_toboolean(L, index) ? "true" : "false";
+    case LUA_TNUMBER: return lua_isinteger(L, index) ? fmt::format("{}", lua_tointeger(L, index)) : fmt::format("{}", lua_tonumber(L, index));
+    case LUA_TSTRING: return fmt::format("a string ('{:.40}')", lua_tostring(L, index));
+    case LUA_TUSERDATA: return luaL_getmetafield(L, index, "__name") == LUA_TSTRING ? (lua_pop(L, 1), std::string("a ") + (is_userdata(L, index, "body") ? "body" : "scene")) : "an object";
+    default: return fmt::format("a {}", luaL_typename(L, index));
+  }
+}
+
+void throw_at(const Session& session, const CallSite& site, const FieldError& error) {
+  Mistake mistake{{error.field}, fmt::format("'{}': {}", error.field, error.what())};
+  const auto text = session.sources.find(site.file);
+  for (const char* table : {"launch", "contact"})
+    if (text != session.sources.end() && find_field(text->second, site.line, site.function, {table, error.field})) mistake.path = {table, error.field};
+  throw Error(report(session, site, {mistake}));
+}
+
+}  // namespace ricochet

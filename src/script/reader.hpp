@@ -1,0 +1,78 @@
+#pragma once
+// Tables of a script: checked against their fields, all mistakes reported together at the fields' own lines.
+
+#include <lua.hpp>
+
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "script/session.hpp"
+#include "script/source.hpp"
+#include "script/specification.hpp"
+
+namespace ricochet {
+
+/// Where in the user's files a call stands.
+struct CallSite {
+  std::string file, function;
+  int line = 0;
+};
+
+Session& session_of(lua_State* L);
+
+/// The innermost call made by the user's own code (not by the library).
+CallSite call_site(lua_State* L);
+
+struct Mistake {
+  std::vector<std::string> path;  ///< of the field, outermost first; empty: the call itself
+  std::string message;
+};
+
+/// "file:line: function: message" with an excerpt of the source, for each mistake; `valid` is listed at the end if not empty.
+std::string report(const Session& session, const CallSite& site, const std::vector<Mistake>& mistakes, const std::string& valid = "");
+
+/// Checks the table at `index` against the fields of a function; throws Error with every mistake. `label` replaces the function's name.
+void check_table(lua_State* L, int index, const Function& function);
+
+/// Reads the table's members into a plain struct; absent fields keep their values. The table must have been checked.
+template <class Struct>
+void read_members(lua_State* L, int index, Struct& values) {
+  for (const Member<Struct>& member : Struct::fields()) {
+    lua_getfield(L, index, member.field.name.c_str());
+    if (!lua_isnil(L, -1) && !lua_isfunction(L, -1))
+      std::visit(
+          [&](auto place) {
+            using Value = std::remove_reference_t<decltype(values.*place)>;
+            if constexpr (std::is_same_v<Value, double>) values.*place = lua_tonumber(L, -1);
+            else if constexpr (std::is_same_v<Value, bool>) values.*place = lua_toboolean(L, -1);
+            else if constexpr (std::is_same_v<Value, std::string>) values.*place = lua_tostring(L, -1);
+            else values.*place = static_cast<Value>(lua_tointeger(L, -1));
+          },
+          member.place);
+    lua_pop(L, 1);
+  }
+}
+
+/// A value as a message shows it: "a string ('abc')", "nil", "-1".
+std::string shown(lua_State* L, int index);
+
+/// A C++ function that Lua may call: exceptions become Lua errors, and the error text is that of the exception.
+template <int (*function)(lua_State*)>
+int guarded(lua_State* L) {
+  try {
+    return function(L);
+  } catch (const std::exception& error) {
+    const auto* known = dynamic_cast<const Error*>(&error);
+    lua_pushstring(L, error.what());
+    lua_pushinteger(L, static_cast<int>(known ? known->exit : Exit::script));
+  }
+  // The exit status travels in the registry: a script that catches the error sees plain text.
+  lua_setfield(L, LUA_REGISTRYINDEX, "ricochet.exit");
+  return lua_error(L);
+}
+
+/// Throws the error of a field as a report at the site, looking for the field in the table, or in its launch or contact table.
+[[noreturn]] void throw_at(const Session& session, const CallSite& site, const FieldError& error);
+
+}  // namespace ricochet

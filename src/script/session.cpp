@@ -1,0 +1,124 @@
+#include "script/session.hpp"
+
+#include <csignal>
+#include <ctime>
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <lua.hpp>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "script/version.hpp"
+#include "store/files.hpp"
+
+namespace ricochet {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> stop_requested{false};
+
+namespace {
+
+extern "C" void on_signal(int) {
+  if (stop_requested.exchange(true)) _exit(130);
+}
+
+bool is_product(const fs::path& entry) {
+  static const std::set<std::string> names{"results.h5", "results.csv", "run.log", "parts"}, kinds{".svg", ".png", ".gp", ".h5", ".xdmf", ".new"};
+  if (names.count(entry.filename().string()) || kinds.count(entry.extension().string())) return true;
+  // A folder of frames holds nothing but frames.
+  if (!fs::is_directory(entry)) return false;
+  for (const auto& inner : fs::directory_iterator(entry))
+    if (inner.path().extension() != ".png") return false;
+  return true;
+}
+
+}  // namespace
+
+void catch_signals() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+std::string now_utc() {
+  const std::time_t now = std::time(nullptr);
+  char text[32];
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+std::string version_text() {
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return fmt::format("ricochet {} (commit {})\ncompiler {}\n{} lanes, {}\nHDF5 {}.{}.{}, {}, Eigen {}.{}.{}", version_number, version_commit, version_compiler,
+                     RICOCHET_LANES, version_target, major, minor, release, LUA_RELEASE, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
+}
+
+Session::Session(RunOptions run_options, fs::path script_path, std::vector<std::string> script_arguments)
+    : options(std::move(run_options)), script(std::move(script_path)), arguments(std::move(script_arguments)), start_(now_utc()) {
+  // Installed beside the program, or the source tree it was built from.
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path installed = program.parent_path().parent_path() / "share/ricochet/lua";
+  library = fs::exists(installed / "ricochet/init.lua", error) ? installed : fs::path(version_source_folder) / "lua";
+  if (!fs::exists(library / "ricochet/init.lua", error)) throw FileError(fmt::format("the Lua library is missing: {} has no ricochet/init.lua", library.string()));
+}
+
+void Session::refuse_earlier_results(const fs::path& place) const {
+  std::error_code error;
+  if (options.resume || options.force || options.check) return;
+  if (fs::exists(place, error) && !fs::is_directory(place, error)) throw FileError(fmt::format("{} is a file; give another folder with --out", place.string()));
+  if (fs::exists(place, error) && !fs::is_empty(place, error))
+    throw FileError(fmt::format("{} already holds results; --resume continues them, --force replaces them, --out DIR goes elsewhere", place.string()));
+}
+
+void Session::claim(const fs::path& place) {
+  if (claimed_.count(place)) return;
+  refuse_earlier_results(place);
+  make_folder(place);
+  if (options.force) {
+    std::vector<fs::path> old;
+    for (const auto& entry : fs::directory_iterator(place))
+      if (is_product(entry.path())) old.push_back(entry.path());
+    for (const fs::path& path : old) fs::remove_all(path);
+  }
+  claimed_.insert(place);
+}
+
+void Session::print(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);
+  log(text);
+}
+
+void Session::write_log() const {
+  if (claimed_.empty() || options.check) return;
+  const fs::path place = claimed_.count(own_folder()) ? own_folder() : *claimed_.begin();
+  write_atomically(place / "run.log", log_);
+}
+
+Provenance Session::provenance() const {
+  char host[256] = "unknown";
+  gethostname(host, sizeof host - 1);
+  Provenance p;
+  const auto text = sources.find(script.string());
+  p["script"] = text == sources.end() ? "" : text->second;
+  p["script_name"] = script.string();
+  p["script_hash"] = hash_text(p["script"]);
+  for (const auto& [name, required] : sources)
+    if (name != script.string()) p["required_files"] += fmt::format("{} {}\n", hash_text(required), name);
+  for (const std::string& argument : arguments) p["arguments"] += argument + "\n";
+  p["version"] = version_number, p["commit"] = version_commit, p["compiler"] = version_compiler, p["host"] = host;
+  p["start"] = start_, p["end"] = now_utc();
+  return p;
+}
+
+}  // namespace ricochet

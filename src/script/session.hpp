@@ -1,0 +1,70 @@
+#pragma once
+// What one run of the program knows: its options, its script, its folder and its log.
+
+#include <atomic>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lattice/lattice.hpp"
+#include "store/table.hpp"
+
+namespace ricochet {
+
+struct RunOptions {
+  int threads = 0;
+  int batch = 0;  ///< 0: as many lanes as there are
+  std::string out = "out";
+  bool resume = false, force = false, check = false, traceback = false, quiet = false, unsafe = false, help = false;
+  long long budget = 0;  ///< Lua instructions; 0: no limit
+};
+
+/// Set by ^C and SIGTERM. A second signal ends the program at once.
+extern std::atomic<bool> stop_requested;
+void catch_signals();
+
+class Session {
+ public:
+  Session(RunOptions run_options, std::filesystem::path script_path, std::vector<std::string> script_arguments);
+
+  RunOptions options;
+  std::filesystem::path script;
+  std::filesystem::path library;                       ///< folder of the Lua library
+  std::map<std::string, std::string> sources;          ///< text of every Lua file read, by the name in messages
+  std::vector<std::string> arguments;                  ///< name=value, as given
+  bool parameters_declared = false;
+  bool done = false;                                   ///< the script ended early without an error: after --help
+  int failures = 0, finished = 0;                      ///< impacts of all sweeps that failed numerically, that finished
+  std::map<std::string, std::shared_ptr<const NodePlan>> plans;  ///< planned nodes of bodies, by their geometry
+
+  /// The folder of a name: OUT/<name>. The script's own is that of its file name.
+  std::filesystem::path folder(const std::string& name) const { return std::filesystem::path(options.out) / name; }
+  std::filesystem::path own_folder() const { return folder(script.stem().string()); }
+
+  /// Refuses a folder that holds earlier results, unless --resume or --force is given. Throws FileError.
+  void refuse_earlier_results(const std::filesystem::path& folder) const;
+  /// Makes a folder ready for writing, once: with --force, earlier products in it are removed.
+  void claim(const std::filesystem::path& folder);
+
+  /// Prints to the terminal and into run.log.
+  void print(const std::string& text);
+  /// Only into run.log.
+  void log(const std::string& text) { log_ += text; }
+  /// Writes run.log, if the run has written anything else.
+  void write_log() const;
+
+  Provenance provenance() const;
+
+ private:
+  std::set<std::filesystem::path> claimed_;
+  std::string log_, start_;
+};
+
+/// Time in UTC, as 2026-01-31T12:00:00Z.
+std::string now_utc();
+std::string version_text();
+
+}  // namespace ricochet

@@ -1,0 +1,120 @@
+#include "script/source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace ricochet {
+namespace {
+
+struct Token {
+  std::string text;  // a name, a punctuation mark, or "" for a string or number
+  int line, column;
+};
+
+// Lua's tokens as far as tables and names are concerned: strings, long brackets and comments are skipped.
+std::vector<Token> tokens_of(const std::string& s) {
+  std::vector<Token> tokens;
+  std::size_t i = 0;
+  int line = 1;
+  std::size_t line_start = 0;
+  const auto step = [&] {
+    if (s[i] == '\n') ++line, line_start = i + 1;
+    ++i;
+  };
+  const auto long_bracket = [&]() -> bool {  // at "[[" or "[=*["
+    std::size_t j = i + 1;
+    while (j < s.size() && s[j] == '=') ++j;
+    if (s[i] != '[' || j >= s.size() || s[j] != '[') return false;
+    const std::string close = "]" + std::string(j - i - 1, '=') + "]";
+    const std::size_t end = std::min(s.find(close, j), s.size());
+    while (i < std::min(end + close.size(), s.size())) step();
+    return true;
+  };
+  while (i < s.size()) {
+    const unsigned char c = static_cast<unsigned char>(s[i]);
+    const int column = static_cast<int>(i - line_start) + 1;
+    if (std::isspace(c)) {
+      step();
+    } else if (s.compare(i, 2, "--") == 0) {
+      i += 2;
+      if (i < s.size() && s[i] == '[' && long_bracket()) continue;
+      while (i < s.size() && s[i] != '\n') step();
+    } else if (c == '"' || c == '\'') {
+      tokens.push_back({"", line, column});
+      step();
+      while (i < s.size() && s[i] != static_cast<char>(c) && s[i] != '\n') {
+        if (s[i] == '\\') step();
+        if (i < s.size()) step();
+      }
+      if (i < s.size()) step();
+    } else if (c == '[' && i + 1 < s.size() && (s[i + 1] == '[' || s[i + 1] == '=')) {
+      tokens.push_back({"", line, column});
+      if (!long_bracket()) step();
+    } else if (std::isalpha(c) || c == '_') {
+      const std::size_t start = i;
+      while (i < s.size() && (std::isalnum(static_cast<unsigned char>(s[i])) || s[i] == '_')) step();
+      tokens.push_back({s.substr(start, i - start), line, column});
+    } else {
+      tokens.push_back({std::string(1, static_cast<char>(c)), line, column});
+      step();
+    }
+  }
+  return tokens;
+}
+
+bool opens(const std::string& t) { return t == "{" || t == "(" || t == "[" || t == "function" || t == "if" || t == "do" || t == "repeat"; }
+bool closes(const std::string& t) { return t == "}" || t == ")" || t == "]" || t == "end" || t == "until"; }
+
+// The token of `field =` directly inside the table whose "{" is at `open`.
+std::optional<std::size_t> field_in(const std::vector<Token>& tokens, std::size_t open, const std::string& field) {
+  int depth = 0;
+  for (std::size_t i = open; i < tokens.size(); ++i) {
+    if (opens(tokens[i].text)) ++depth;
+    if (closes(tokens[i].text) && --depth == 0) return std::nullopt;
+    if (depth == 1 && tokens[i].text == field && i + 1 < tokens.size() && tokens[i + 1].text == "=" && i > 0 && (i - 1 == open || tokens[i - 1].text == "," || tokens[i - 1].text == ";"))
+      return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Place> find_field(const std::string& source, int line, const std::string& function, const std::vector<std::string>& path) {
+  const std::vector<Token> tokens = tokens_of(source);
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    if (tokens[i].line < line || tokens[i].line > line + 1 || tokens[i].text != function) continue;
+    std::size_t open = i + 1;
+    if (tokens[open].text == "(" && open + 1 < tokens.size()) ++open;
+    if (tokens[open].text != "{") continue;
+    std::optional<std::size_t> found;
+    for (const std::string& name : path) {
+      found = field_in(tokens, open, name);
+      if (!found) break;
+      open = *found + 2;
+    }
+    if (found) return Place{tokens[*found].line, tokens[*found].column, static_cast<int>(path.back().size())};
+  }
+  return std::nullopt;
+}
+
+std::string excerpt(const std::string& source, const Place& place) {
+  std::size_t start = 0;
+  for (int line = 1; line < place.line && start != std::string::npos; ++line) {
+    start = source.find('\n', start);
+    if (start != std::string::npos) ++start;
+  }
+  if (start == std::string::npos || start >= source.size()) return "";
+  const std::string text = source.substr(start, source.find('\n', start) - start);
+  std::string result = fmt::format("{:5} | {}\n", place.line, text);
+  if (place.length > 0) {
+    // Tabs before the name are repeated, so that the carets stand below it.
+    std::string indent = text.substr(0, static_cast<std::size_t>(place.column - 1));
+    std::replace_if(indent.begin(), indent.end(), [](char c) { return c != '\t'; }, ' ');
+    result += fmt::format("      | {}{}\n", indent, std::string(static_cast<std::size_t>(place.length), '^'));
+  }
+  return result;
+}
+
+}  // namespace ricochet

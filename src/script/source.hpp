@@ -1,0 +1,23 @@
+#pragma once
+// Where in a script's text a field of a table stands, so that a message can point at it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ricochet {
+
+struct Place {
+  int line;    ///< from 1
+  int column;  ///< from 1
+  int length;  ///< of the name
+};
+
+/// Finds the field `path` (outermost first) of the table given in the call of `function` that begins at `line`. Nothing if the
+/// table is not written there.
+std::optional<Place> find_field(const std::string& source, int line, const std::string& function, const std::vector<std::string>& path);
+
+/// "   14 |   radus = 0.05,\n      |   ^^^^^\n" for a place; a place of length 0 gives the line alone.
+std::string excerpt(const std::string& source, const Place& place);
+
+}  // namespace ricochet

@@ -1,0 +1,223 @@
+#include "script/specification.hpp"
+
+#include <stdexcept>
+
+#include "force/contact/exponential_repulsion.hpp"
+#include "impact/outcome.hpp"
+#include "impact/scene.hpp"
+#include "lattice/lattice.hpp"
+
+namespace ricochet {
+namespace {
+
+template <class Struct>
+std::vector<Field> fields_of() {
+  std::vector<Field> fields;
+  for (const auto& member : Struct::fields()) fields.push_back(member.field);
+  return fields;
+}
+
+std::vector<Field> operator+(std::vector<Field> a, const std::vector<Field>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+Field changed(Field field, const std::string& initial) {
+  field.initial = initial;
+  return field;
+}
+
+// Numbers of a body, of which stiffness, roughness and anchors may depend on the place.
+std::vector<Field> body_fields(const std::string& nodes, bool anchors) {
+  std::vector<Field> fields = fields_of<BodyNumbers>();
+  for (Field& field : fields) {
+    if (field.name == "nodes") field = changed(field, nodes);
+    if (field.name == "stiffness") field.type = "number|function", field.doc += "; a function (x, y) gives that of a node, a spring takes the mean of its ends";
+  }
+  if (anchors) fields.push_back({"anchored", "function", "", "function (x, y) that is true where a node is held fixed", any_number, "", true});
+  return fields;
+}
+
+std::vector<Function> make() {
+  const Field scene{"scene", "scene", "", "what happens"};
+  const Field frames{"frames", "integer", "", "how many, equally spaced in time", {1, 1e6}, "120"};
+  const Field duration{"duration", "number", "R/c", "time covered, from `from` on; the whole impact unless given", positive, "", true};
+  const Field from{"from", "number", "R/c", "first time; before 0 the projectile is in free flight", {-1e6, 0}, "-1"};
+  std::vector<Function> list;
+  list.push_back({"parameters",
+                  "Declares what a user may set on the command line as `name=value` and reads it. Each parameter is a default, or a table with the default "
+                  "first and any of unit, doc, min, max, int, choices. Returns the values.",
+                  {}, "table", "local p = ricochet.parameters { speed = { 0.1, unit = \"c\", min = 0, doc = \"impact speed\" } }"});
+  list.push_back({"body", "A random mass-spring lattice in a closed outline.",
+                  std::vector<Field>{{"outline", "points", "R", "corners { {x, y}, ... } in order along the boundary; concave is fine, crossing itself is not"}} +
+                      body_fields("800", true),
+                  "body", "ricochet.body { outline = { {0, 0}, {2, 0}, {1, 2} }, nodes = 300 }"});
+  list.push_back({"disk", "A disk around the origin.",
+                  std::vector<Field>{{"radius", "number", "R", "radius", positive, "1"}} + body_fields("800", true), "body",
+                  "ricochet.disk { nodes = 800, roughness = 0.03, seed = 7 }"});
+  list.push_back({"wall", "A rectangular block whose top is y = 0, held at both sides and at the bottom.",
+                  std::vector<Field>{{"width", "number", "R", "extent along x, centred", positive, "8"}, {"depth", "number", "R", "extent below y = 0", positive, "2"}} +
+                      body_fields("4000", false),
+                  "body", "ricochet.wall { nodes = 4000, stiffness = 100, roughness = 0.03, seed = 7 }"});
+  list.push_back({"scene",
+                  "One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream so that its smooth outline would touch the "
+                  "target's at x = launch.at. `scene:run()` runs it and returns a row; `scene:text()` is its canonical text, `scene:hash()` that text's hash.",
+                  std::vector<Field>{{"projectile", "body", "", "the body that flies in; free"},
+                                     {"target", "body", "", "the body that is hit; free or anchored"},
+                                     {"launch", "launch", "", "how the projectile comes in", any_number, "{}"},
+                                     {"contact", "contact", "", "how the bodies repel each other", any_number, "{}"}} +
+                      fields_of<Integration>(),
+                  "scene", "ricochet.scene { projectile = ricochet.disk {}, target = ricochet.wall { stiffness = 100 }, launch = { psi1 = 3 } }"});
+  list.push_back({"launch", "The `launch` table of a scene.", fields_of<Launch>(), "", ""});
+  list.push_back({"contact", "The `contact` table of a scene: V0 exp(-xi d), summed over the rim segments within reach of each rim node.",
+                  fields_of<ExponentialRepulsion>(), "", ""});
+  list.push_back({"sweep",
+                  "Scenes over every combination of some values. `sweep:run()` runs them on all cores, leaves results.h5 and results.csv in the run's folder and "
+                  "returns the rows. A sample that did not finish is counted and never averaged in.",
+                  {{"name", "string", "", "names the folder of its results"},
+                   {"over", "table", "", "name = list of values, each a number, string or boolean"},
+                   {"scene", "function", "", "function (at) that returns the scene at the values at.name"}},
+                  "sweep", "ricochet.sweep { name = \"angles\", over = { psi1 = {0, 1} }, scene = function(at) return scene_at(at.psi1) end }"});
+  list.push_back({"rows:summary", "Mean, standard deviation, standard error and count of columns of finished rows, grouped. `:print()` prints it as a table.",
+                  {{"by", "string", "", "column to group by"}, {"of", "strings", "", "columns to average; undefined values are left out"}}, "summary",
+                  "rows:summary { by = \"psi1\", of = { \"e\", \"mu\" } }:print()"});
+  list.push_back({"plot",
+                  "Draws the mean and standard error of columns against a column, as NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.",
+                  {{"rows", "rows", "", "rows of a sweep"},
+                   {"x", "string", "", "column along x; rows are grouped by it"},
+                   {"y", "strings", "", "columns along y, one panel each"},
+                   {"name", "string", "", "file name without extension"},
+                   {"title", "string", "", "above the plot", any_number, "", true},
+                   {"xlabel", "string", "", "instead of the column's name and unit", any_number, "", true}},
+                  "nothing", "ricochet.plot { rows = rows, x = \"psi1\", y = { \"e\", \"mu\" }, name = \"angles\" }"});
+  list.push_back({"animate", "Draws an impact as a sequence of PNG files, springs coloured by their energy, without a display. Returns the impact's row.",
+                  {scene, frames, from, duration,
+                   {"size", "numbers", "pixels", "width and height", any_number, "{1280, 720}"},
+                   {"out", "string", "", "folder of the frames, below the run's folder", any_number, "frames"}},
+                  "table", "ricochet.animate { scene = scene, frames = 120, size = {960, 540} }"});
+  list.push_back({"record", "Stores an impact as H5MD (OUT.h5, for MDAnalysis) and OUT.xdmf (for ParaView). Returns the impact's row.",
+                  {scene, frames, {"out", "string", "", "file name without extension, below the run's folder", any_number, "trajectory"}, duration}, "table",
+                  "ricochet.record { scene = scene, frames = 200 }"});
+  list.push_back({"elasticity", "Young's modulus E and Poisson's ratio nu of a band, stretched along y by a small strain and solved statically.",
+                  {{"body", "body", "", "a band longer along y than along x, nowhere anchored"}}, "table", "ricochet.elasticity { body = band }.E"});
+  list.push_back({"file.write", "Writes text into a file below the run's folder: ricochet.file.write(name, text).", {}, "nothing",
+                  "ricochet.file.write(\"note.txt\", \"done\")"});
+  list.push_back({"file.read", "Reads a file below the run's folder: ricochet.file.read(name).", {}, "string", "ricochet.file.read(\"note.txt\")"});
+  list.push_back({"range", "The list first, first + step ... last; range(n) is 1 ... n.", {}, "table", "ricochet.range(3) -- {1, 2, 3}"});
+  return list;
+}
+
+std::string lua_type(const std::string& type) {
+  if (type == "points") return "number[][]";
+  if (type == "strings") return "string[]";
+  if (type == "numbers") return "number[]";
+  if (type == "number|function") return "number|fun(x: number, y: number): number";
+  if (type == "function") return "function";
+  if (type == "body" || type == "scene" || type == "sweep" || type == "rows" || type == "summary") return "ricochet." + type;
+  if (type == "launch" || type == "contact") return "ricochet." + type + "_fields";
+  return type;
+}
+
+std::string number_text(double value) {
+  std::string text = std::to_string(value);
+  if (text.find('.') != std::string::npos) {
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+  }
+  return text;
+}
+
+std::string range_text(const Range& range) {
+  const bool low = range.min > any_number.min, high = range.max < any_number.max;
+  std::string text;
+  if (low) text = std::string(range.min_open ? "> " : ">= ") + number_text(range.min);
+  if (high) text += std::string(low ? ", " : "") + (range.max_open ? "< " : "<= ") + number_text(range.max);
+  return text;
+}
+
+std::string class_name(const Function& f) {
+  std::string name = f.name;
+  for (char& c : name)
+    if (c == '.' || c == ':') c = '_';
+  return "ricochet." + name + "_fields";
+}
+
+}  // namespace
+
+std::span<const Function> functions() {
+  static const std::vector<Function> list = make();
+  return list;
+}
+
+const Function& function_named(const std::string& name) {
+  for (const Function& f : functions())
+    if (f.name == name) return f;
+  throw std::logic_error("no function is called " + name);
+}
+
+std::string editor_stubs() {
+  std::string text =
+      "---@meta ricochet\n-- Generated by `ricochet reference --stubs`; do not edit. For the Lua language server: names, types and meaning.\n\n"
+      "---@class ricochet.body\n\n---@class ricochet.scene\n---@field run fun(self: ricochet.scene): table\n---@field text fun(self: ricochet.scene): string\n"
+      "---@field hash fun(self: ricochet.scene): string\n\n---@class ricochet.sweep\n---@field run fun(self: ricochet.sweep): ricochet.rows\n\n"
+      "---@class ricochet.summary\n---@field print fun(self: ricochet.summary)\n\n---@class ricochet.rows\n"
+      "---@field summary fun(self: ricochet.rows, t: ricochet.rows_summary_fields): ricochet.summary\n\n"
+      "local ricochet = { file = {} }\n\n";
+  for (const Function& f : functions()) {
+    if (!f.fields.empty()) {
+      text += "---@class " + class_name(f) + "\n";
+      for (const Field& field : f.fields) {
+        const bool optional = field.optional || !field.initial.empty();
+        text += "---@field " + field.name + (optional ? "? " : " ");
+        if (field.choices.empty()) text += lua_type(field.type);
+        for (std::size_t i = 0; i < field.choices.size(); ++i) text += (i ? "|\"" : "\"") + field.choices[i] + "\"";
+        text += " " + field.doc + (field.unit.empty() ? "" : " [" + field.unit + "]") + (field.initial.empty() ? "" : " (default " + field.initial + ")") + "\n";
+      }
+    }
+    if (f.example.empty() || f.name.find(':') != std::string::npos) {
+      text += "\n";
+      continue;
+    }
+    text += "--- " + f.doc + "\n";
+    if (!f.fields.empty()) text += "---@param t " + class_name(f) + "\n";
+    if (f.name == "parameters") text += "---@param t table\n";
+    if (f.name == "range") text += "---@param first number\n---@param last? number\n---@param step? number\n";
+    if (f.name.starts_with("file.")) text += "---@param name string\n";
+    if (f.name == "file.write") text += "---@param text string\n";
+    if (f.returns != "nothing") text += "---@return " + lua_type(f.returns) + "\n";
+    const char* arguments = f.name == "range" ? "first, last, step" : f.name == "file.write" ? "name, text" : f.name == "file.read" ? "name" : "t";
+    text += "function ricochet." + f.name + "(" + arguments + ") end\n\n";
+  }
+  return text + "return ricochet\n";
+}
+
+std::string reference_page() {
+  std::string text =
+      "# Reference of the Lua module\n\nGenerated by `ricochet reference`; do not edit. Units: R (disk radius), m0 (mass of a node), c (reference speed); "
+      "times in R/c. A field without a default must be given unless it says optional.\n";
+  for (const Function& f : functions()) {
+    text += "\n## " + f.name + "\n\n" + f.doc + "\n";
+    if (!f.example.empty()) text += "\n```lua\n" + f.example + "\n```\n";
+    if (f.fields.empty()) continue;
+    text += "\n| field | type | unit | range | default | meaning |\n|---|---|---|---|---|---|\n";
+    for (const Field& field : f.fields) {
+      std::string accepted = range_text(field.range);
+      for (const std::string& choice : field.choices) accepted += (accepted.empty() ? "" : ", ") + choice;
+      std::string type = field.type;
+      for (std::size_t at = 0; (at = type.find('|', at)) != std::string::npos; at += 2) type.replace(at, 1, "\\|");
+      std::string doc = field.doc;
+      for (std::size_t at = 0; (at = doc.find('|', at)) != std::string::npos; at += 2) doc.replace(at, 1, "\\|");
+      text += "| `" + field.name + "` | " + type + " | " + field.unit + " | " + accepted + " | " + (field.initial.empty() && field.optional ? "optional" : field.initial) +
+              " | " + doc + " |\n";
+    }
+  }
+  text += "\n## Columns of a row\n\nBeside the sweep's own parameters, `status`, `reason`, `scene_hash`, `seed` (of the projectile) and `wall_seconds`:\n\n| column | unit | meaning |\n|---|---|---|\n";
+  for (const auto& [field, value] : Outcome::fields()) {
+    std::string doc = field.doc;
+    for (std::size_t at = 0; (at = doc.find('|', at)) != std::string::npos; at += 2) doc.replace(at, 1, "\\|");
+    text += "| `" + field.name + "` | " + field.unit + " | " + doc + " |\n";
+  }
+  return text;
+}
+
+}  // namespace ricochet

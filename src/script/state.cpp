@@ -1,0 +1,345 @@
+#include "script/state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/spelling.hpp"
+#include "script/reader.hpp"
+#include "store/files.hpp"
+
+namespace ricochet {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int hook_period = 10000;
+
+void* allocate(void* opaque, void* block, std::size_t old_size, std::size_t size) {
+  auto& limits = *static_cast<Limits*>(opaque);
+  const std::size_t before = block ? old_size : 0;
+  if (size == 0) {
+    std::free(block);
+    limits.used -= before;
+    return nullptr;
+  }
+  if (size > before && limits.used + (size - before) > limits.most) return nullptr;
+  void* result = std::realloc(block, size);
+  if (result) limits.used += size - before;
+  return result;
+}
+
+// Called every so many instructions: ends a script that is interrupted or has used up its budget. Once over the budget it is
+// called at every instruction, so that a script that catches the error gets no further.
+void watch(lua_State* L, lua_Debug*) {
+  if (stop_requested) {
+    lua_sethook(L, watch, LUA_MASKCOUNT, 1);
+    luaL_error(L, "interrupted");
+  }
+  const Session& session = session_of(L);
+  if (session.options.budget <= 0) return;
+  lua_getfield(L, LUA_REGISTRYINDEX, "ricochet.instructions");
+  auto& count = *static_cast<long long*>(lua_touserdata(L, -1));
+  lua_pop(L, 1);
+  count += hook_period;
+  if (count <= session.options.budget) return;
+  lua_sethook(L, watch, LUA_MASKCOUNT, 1);
+  luaL_error(L, "the script used up its budget of %d instructions; raise --budget or look for a loop without end", static_cast<int>(session.options.budget));
+}
+
+std::string displayed(lua_State* L, int index) {
+  std::size_t length = 0;
+  const char* text = luaL_tolstring(L, index, &length);
+  std::string result(text, length);
+  lua_pop(L, 1);
+  return result;
+}
+
+int print(lua_State* L) {
+  std::string line;
+  for (int i = 1; i <= lua_gettop(L); ++i) line += (i > 1 ? "\t" : "") + displayed(L, i);
+  session_of(L).print(line + "\n");
+  return 0;
+}
+
+int unknown_global(lua_State* L) {
+  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "?";
+  std::vector<std::string> names;
+  lua_pushglobaltable(L);
+  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
+    if (lua_type(L, -2) == LUA_TSTRING) names.push_back(lua_tostring(L, -2));
+  std::string hint = did_you_mean(name, names);
+  if (name == "io") hint = " (files are below the run's folder, through ricochet.file)";
+  if (name == "ricochet") hint = " (begin the script with: local ricochet = require \"ricochet\")";
+  const CallSite site = call_site(L);
+  throw Error(fmt::format("{}:{}: unknown name '{}'{}\n{}", site.file, site.line, name, hint, excerpt(session_of(L).sources[site.file], {site.line, 1, 0})));
+}
+
+int new_global(lua_State* L) {
+  const CallSite site = call_site(L);
+  const std::string name = lua_tostring(L, 2);
+  throw Error(fmt::format("{}:{}: '{}' is not declared; write: local {} = ...\n{}", site.file, site.line, name, name,
+                          excerpt(session_of(L).sources[site.file], {site.line, 1, 0})));
+}
+
+void load_file(lua_State* L, const fs::path& path, const std::string& name) {
+  Session& session = session_of(L);
+  std::string text = read_file(path);
+  if (text.starts_with("#!")) text.insert(0, "--");  // a first line for the shell
+  session.sources[name] = text;
+  if (luaL_loadbufferx(L, text.data(), text.size(), ("@" + name).c_str(), "t") != LUA_OK) {
+    const std::string message = lua_tostring(L, -1);
+    lua_pop(L, 1);
+    if (text.starts_with("\x1bLua")) throw Error(name + ": bytecode is not accepted; give the script's text");
+    int line = 0;
+    if (message.starts_with(name + ":")) line = std::atoi(message.c_str() + name.size() + 1);
+    throw Error(message + (line > 0 ? "\n" + excerpt(text, {line, 1, 0}) : ""));
+  }
+}
+
+// require: the library, then beside the script; never the current directory, never native code.
+int require(lua_State* L) {
+  Session& session = session_of(L);
+  const std::string name = luaL_checkstring(L, 1);
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+  if (lua_getfield(L, -1, name.c_str()) != LUA_TNIL) return 1;
+  lua_pop(L, 1);
+  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '-'; });
+  if (!plain || name.find("..") != std::string::npos || name.front() == '.') throw Error(fmt::format("require: '{}' is no module name", name));
+  std::string path = name;
+  std::replace(path.begin(), path.end(), '.', '/');
+  const fs::path beside = session.script.parent_path();
+  for (const fs::path& file : {session.library / (path + ".lua"), session.library / path / "init.lua", beside / (path + ".lua")}) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) continue;
+    load_file(L, file, file.string());
+    lua_call(L, 0, 1);
+    if (lua_isnil(L, -1)) lua_pop(L, 1), lua_pushboolean(L, true);
+    lua_pushvalue(L, -1);
+    lua_setfield(L, 2, name.c_str());
+    return 1;
+  }
+  const CallSite site = call_site(L);
+  throw Error(fmt::format("{}:{}: require: there is no module '{}' in the library or beside the script", site.file, site.line, name));
+}
+
+// load, for text only.
+int load_text(lua_State* L) {
+  std::size_t length = 0;
+  const char* text = luaL_checklstring(L, 1, &length);
+  if (luaL_loadbufferx(L, text, length, luaL_optstring(L, 2, "=(load)"), "t") == LUA_OK) return 1;
+  lua_pushnil(L);
+  lua_insert(L, -2);
+  return 2;
+}
+
+// Wraps a Lua function of the library in a C function: the caller's frame then stays on the stack even in a tail call, so that
+// a mistake can be reported at the caller's line.
+int wrapped(lua_State* L) {
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+  return lua_gettop(L);
+}
+
+int wrap(lua_State* L) {
+  lua_pushcclosure(L, wrapped, 1);
+  return 1;
+}
+
+// check(name, table): the table's fields checked against the specification; a copy with the defaults filled in.
+int check(lua_State* L) {
+  const Function& function = function_named(luaL_checkstring(L, 1));
+  check_table(L, 2, function);
+  lua_newtable(L);
+  for (const Field& field : function.fields) {
+    lua_getfield(L, 2, field.name.c_str());
+    if (lua_isnil(L, -1) && !field.initial.empty()) {
+      lua_pop(L, 1);
+      if (field.type == "string") lua_pushstring(L, field.initial.c_str());
+      else if (luaL_dostring(L, ("return " + field.initial).c_str()) != LUA_OK) throw std::logic_error("a default is no Lua value: " + field.initial);
+    }
+    lua_setfield(L, -2, field.name.c_str());
+  }
+  return 1;
+}
+
+// fail(message): an error at the user's call.
+int fail(lua_State* L) { throw Error(report(session_of(L), call_site(L), {{{}, luaL_checkstring(L, 1)}})); }
+
+// unknown_function(name), unknown_column(name, row): errors at the user's call, with the nearest spelling.
+int unknown_function(lua_State* L) {
+  std::vector<std::string> names;
+  for (const Function& f : functions())
+    if (f.name.find(':') == std::string::npos) names.push_back(f.name.substr(0, f.name.find('.')));
+  const std::string name = luaL_checkstring(L, 1);
+  const CallSite site = call_site(L);
+  throw Error(fmt::format("{}:{}: the module has no '{}'{}\n{}", site.file, site.line, name, did_you_mean(name, names),
+                          excerpt(session_of(L).sources[site.file], {site.line, 1, 0})));
+}
+
+int unknown_column(lua_State* L) {
+  std::vector<std::string> names;
+  for (lua_pushnil(L); lua_next(L, 2) != 0; lua_pop(L, 1)) names.push_back(lua_tostring(L, -2));
+  const std::string name = luaL_checkstring(L, 1);
+  throw Error(report(session_of(L), call_site(L), {{{}, fmt::format("the rows have no column '{}'{}", name, did_you_mean(name, names))}}));
+}
+
+int is_scene(lua_State* L) {
+  lua_pushboolean(L, luaL_testudata(L, 1, "ricochet.scene") != nullptr);
+  return 1;
+}
+
+int is_check(lua_State* L) {
+  lua_pushboolean(L, session_of(L).options.check);
+  return 1;
+}
+
+int traceback(lua_State* L) {
+  if (session_of(L).options.traceback) {
+    const std::string message = displayed(L, 1);
+    luaL_traceback(L, L, message.c_str(), 1);
+  } else if (!lua_isstring(L, 1)) {
+    lua_pushstring(L, displayed(L, 1).c_str());
+  }
+  return 1;
+}
+
+void remove(lua_State* L, const char* table, std::initializer_list<const char*> names) {
+  lua_getglobal(L, table);
+  for (const char* name : names) lua_pushnil(L), lua_setfield(L, -2, name);
+  lua_pop(L, 1);
+}
+
+void open_sandbox(lua_State* L, bool unsafe) {
+  if (unsafe) {
+    luaL_openlibs(L);
+  } else {
+    const luaL_Reg libraries[] = {{LUA_GNAME, luaopen_base}, {LUA_COLIBNAME, luaopen_coroutine}, {LUA_TABLIBNAME, luaopen_table}, {LUA_OSLIBNAME, luaopen_os},
+                                  {LUA_STRLIBNAME, luaopen_string}, {LUA_MATHLIBNAME, luaopen_math}, {LUA_UTF8LIBNAME, luaopen_utf8}};
+    for (const luaL_Reg& library : libraries) luaL_requiref(L, library.name, library.func, 1), lua_pop(L, 1);
+    remove(L, "os", {"execute", "exit", "getenv", "remove", "rename", "setlocale", "tmpname"});
+    remove(L, "string", {"dump"});
+    for (const char* name : {"dofile", "loadfile", "collectgarbage"}) lua_pushnil(L), lua_setglobal(L, name);
+    lua_register(L, "load", load_text);
+    lua_pushliteral(L, "");  // the methods of strings belong to everyone
+    lua_getmetatable(L, -1);
+    lua_pushboolean(L, false);
+    lua_setfield(L, -2, "__metatable");
+    lua_pop(L, 2);
+  }
+  lua_register(L, "print", guarded<print>);
+  lua_register(L, "require", guarded<require>);
+  // The same numbers on every run: Lua seeds its generator from the clock otherwise.
+  luaL_loadstring(L, "math.randomseed(1)");
+  lua_call(L, 0, 0);
+}
+
+void close_globals(lua_State* L) {
+  lua_pushglobaltable(L);
+  lua_createtable(L, 0, 3);
+  lua_pushcfunction(L, guarded<unknown_global>);
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, guarded<new_global>);
+  lua_setfield(L, -2, "__newindex");
+  lua_pushboolean(L, false);
+  lua_setfield(L, -2, "__metatable");
+  lua_setmetatable(L, -2);
+  lua_pop(L, 1);
+}
+
+}  // namespace
+
+State::State(Session& session) : session_(session) {
+  L_ = lua_newstate(allocate, limits_.get());
+  if (!L_) throw Error("no memory for Lua");
+  *static_cast<Session**>(lua_getextraspace(L_)) = &session_;
+  lua_pushlightuserdata(L_, &limits_->instructions);
+  lua_setfield(L_, LUA_REGISTRYINDEX, "ricochet.instructions");
+  open_sandbox(L_, session.options.unsafe);
+
+  lua_newtable(L_);  // the module's native part, which lua/ricochet/init.lua requires as "ricochet.core"
+  lua_pushcfunction(L_, guarded<check>);
+  lua_setfield(L_, -2, "check");
+  lua_pushcfunction(L_, guarded<fail>);
+  lua_setfield(L_, -2, "fail");
+  lua_pushcfunction(L_, wrap);
+  lua_setfield(L_, -2, "wrap");
+  lua_pushcfunction(L_, is_check);
+  lua_setfield(L_, -2, "is_check");
+  lua_pushcfunction(L_, is_scene);
+  lua_setfield(L_, -2, "is_scene");
+  lua_pushcfunction(L_, guarded<unknown_function>);
+  lua_setfield(L_, -2, "unknown_function");
+  lua_pushcfunction(L_, guarded<unknown_column>);
+  lua_setfield(L_, -2, "unknown_column");
+  add_parameters(L_), add_bodies(L_), add_sweeps(L_), add_pictures(L_);
+  luaL_getsubtable(L_, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+  lua_insert(L_, -2);
+  lua_setfield(L_, -2, "ricochet.core");
+  lua_pop(L_, 1);
+  close_globals(L_);
+  lua_sethook(L_, watch, LUA_MASKCOUNT, hook_period);
+}
+
+State::~State() {
+  if (L_) lua_close(L_);
+}
+
+// Calls the chunk on top of the stack.
+void State::call_chunk(int results) {
+  lua_pushcfunction(L_, traceback);
+  lua_insert(L_, -2);
+  const int handler = lua_gettop(L_) - 1;
+  lua_pushinteger(L_, static_cast<int>(Exit::script));
+  lua_setfield(L_, LUA_REGISTRYINDEX, "ricochet.exit");
+  const int status = lua_pcall(L_, 0, results, handler);
+  lua_remove(L_, handler);
+  if (status == LUA_OK || session_.done) return;
+  if (status == LUA_ERRMEM) throw Error("the script needs more than 2 GiB of memory");
+  const std::string message = lua_isstring(L_, -1) ? lua_tostring(L_, -1) : "the script raised an error without a message";
+  lua_pop(L_, 1);
+  lua_getfield(L_, LUA_REGISTRYINDEX, "ricochet.exit");
+  const Exit exit = static_cast<Exit>(lua_tointeger(L_, -1));
+  lua_pop(L_, 1);
+  if (stop_requested) throw Error(message, Exit::interrupted);
+  // Lua's own errors name a line; show it.
+  std::string shown_line;
+  for (const auto& [name, text] : session_.sources)
+    if (message.starts_with(name + ":") && message.find("\n") == std::string::npos)
+      shown_line = "\n" + excerpt(text, {std::atoi(message.c_str() + name.size() + 1), 1, 0});
+  throw Error(message + shown_line, exit);
+}
+
+void State::run_script() {
+  std::error_code error;
+  if (!fs::exists(session_.script, error)) {
+    std::vector<std::string> near;
+    for (const auto& entry : fs::directory_iterator(session_.script.has_parent_path() ? session_.script.parent_path() : fs::path("."), error))
+      near.push_back(entry.path().filename().string());
+    throw FileError(fmt::format("there is no script {}{}", session_.script.string(), did_you_mean(session_.script.filename().string(), near)));
+  }
+  load_file(L_, session_.script, session_.script.string());
+  call_chunk(0);
+  if (!session_.parameters_declared) refuse_unused_arguments(session_);
+}
+
+void State::run_text(const std::string& text) {
+  const std::string expression = "return " + text;
+  lua_settop(L_, 0);
+  if (luaL_loadbufferx(L_, expression.data(), expression.size(), "=repl", "t") != LUA_OK) {
+    lua_settop(L_, 0);
+    if (luaL_loadbufferx(L_, text.data(), text.size(), "=repl", "t") != LUA_OK) {
+      const std::string message = lua_tostring(L_, -1);
+      lua_settop(L_, 0);
+      throw Error(message);
+    }
+  }
+  call_chunk(LUA_MULTRET);
+  for (int i = 1; i <= lua_gettop(L_); ++i) session_.print(displayed(L_, i) + "\n");
+  lua_settop(L_, 0);
+}
+
+}  // namespace ricochet

@@ -1,0 +1,50 @@
+#pragma once
+#include <lua.hpp>
+
+#include <memory>
+#include <string>
+
+#include "script/session.hpp"
+
+namespace ricochet {
+
+/// What a script may use up.
+struct Limits {
+  std::size_t used = 0, most = std::size_t{2} << 30;  ///< bytes of Lua's own memory
+  long long instructions = 0;                         ///< executed so far
+};
+
+/// A Lua state with the module, in a sandbox: strict globals; no os.execute, io, debug, bytecode or native modules; a memory
+/// limit; an instruction budget if the session sets one.
+class State {
+ public:
+  explicit State(Session& session);
+  ~State();
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  /// Runs the session's script. Throws Error.
+  void run_script();
+  /// Runs one piece of text (the repl). Throws Error. Prints the values of an expression.
+  void run_text(const std::string& text);
+
+  lua_State* lua() const { return L_; }
+
+ private:
+  void call_chunk(int results);
+
+  Session& session_;
+  std::unique_ptr<Limits> limits_ = std::make_unique<Limits>();
+  lua_State* L_ = nullptr;
+};
+
+// What the module's parts register in the table on top of the stack.
+void add_parameters(lua_State* L);
+void add_bodies(lua_State* L);
+void add_sweeps(lua_State* L);
+void add_pictures(lua_State* L);
+
+/// Throws Error if arguments were given to a script that declares no parameters.
+void refuse_unused_arguments(const Session& session);
+
+}  // namespace ricochet

@@ -1,0 +1,316 @@
+// sweep:run: scenes to rows, in parts that survive a kill.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "core/hash.hpp"
+#include "force/lane.hpp"
+#include "impact/sweep.hpp"
+#include "script/objects.hpp"
+#include "script/state.hpp"
+#include "store/files.hpp"
+
+namespace ricochet {
+
+namespace fs = std::filesystem;
+
+Row row_of(const Scene& scene, const Outcome& outcome, double seconds) {
+  Row row;
+  for (const auto& [field, value] : Outcome::fields()) row.values.push_back(value(outcome));
+  row.status = name_of(outcome.status), row.reason = outcome.reason, row.hash = scene.hash();
+  row.seed = fmt::format("{}", scene.projectile->numbers.seed);
+  row.seconds = seconds;
+  return row;
+}
+
+void push_row(lua_State* L, const Row& row) {
+  lua_createtable(L, 0, static_cast<int>(row.values.size()) + 5);
+  for (std::size_t i = 0; i < row.values.size(); ++i) lua_pushnumber(L, row.values[i]), lua_setfield(L, -2, Outcome::fields()[i].first.name.c_str());
+  lua_pushstring(L, row.status.c_str()), lua_setfield(L, -2, "status");
+  lua_pushstring(L, row.reason.c_str()), lua_setfield(L, -2, "reason");
+  lua_pushstring(L, row.hash.c_str()), lua_setfield(L, -2, "scene_hash");
+  lua_pushstring(L, row.seed.c_str()), lua_setfield(L, -2, "seed");
+  lua_pushnumber(L, row.seconds), lua_setfield(L, -2, "wall_seconds");
+}
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The sweep's own parameters, by name; numbers are NaN and texts empty where the other kind was given.
+struct Parameters {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> numbers;     // [parameter][scene]
+  std::vector<std::vector<std::string>> texts;  // [parameter][scene]; empty if the parameter is numeric
+};
+
+const Field status_field{"status", "string", "", "how it ended: finished, energy_drift, not_finite, tunnelled, no_contact, out_of_time"};
+const Field reason_field{"reason", "string", "", "a sentence, if it did not finish"};
+const Field hash_field{"scene_hash", "string", "", "hash of the scene's canonical text"};
+const Field seed_field{"seed", "string", "", "seed of the projectile"};
+const Field seconds_field{"wall_seconds", "number", "s", "wall time spent on it"};
+
+Table table_of(const std::vector<const Row*>& rows) {
+  Table table;
+  for (std::size_t c = 0; c < Outcome::fields().size(); ++c) {
+    table.numbers.push_back({Outcome::fields()[c].first, {}});
+    for (const Row* row : rows) table.numbers.back().values.push_back(row->values[c]);
+  }
+  table.numbers.push_back({seconds_field, {}});
+  for (const Row* row : rows) table.numbers.back().values.push_back(row->seconds);
+  const auto text = [&](const Field& field, std::string Row::*member) {
+    table.texts.push_back({field, {}});
+    for (const Row* row : rows) table.texts.back().values.push_back(row->*member);
+  };
+  text(status_field, &Row::status), text(reason_field, &Row::reason), text(hash_field, &Row::hash), text(seed_field, &Row::seed);
+  return table;
+}
+
+std::vector<Row> rows_of(const fs::path& path) {
+  const Table table = read_table(path);
+  const auto need = [&](const auto* column, const std::string& name) {
+    if (!column) throw FileError(fmt::format("{} has no column '{}' (written by another version?); run again with --force or another --out", path.string(), name));
+    return column;
+  };
+  std::vector<Row> rows(table.rows());
+  for (const auto& [field, value] : Outcome::fields()) {
+    const NumberColumn* column = need(table.number(field.name), field.name);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].values.push_back(column->values[i]);
+  }
+  const NumberColumn* seconds = need(table.number("wall_seconds"), "wall_seconds");
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].seconds = seconds->values[i];
+  const auto text = [&](const Field& field, std::string Row::*member) {
+    const TextColumn* column = need(table.text(field.name), field.name);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = column->values[i];
+  };
+  text(status_field, &Row::status), text(reason_field, &Row::reason), text(hash_field, &Row::hash), text(seed_field, &Row::seed);
+  return rows;
+}
+
+/// Rows of a sweep as they come in, and their files.
+class Store {
+ public:
+  Store(Session& session, const std::string& name, const std::vector<std::string>& hashes, const Parameters& parameters)
+      : session_(session), folder_(session.folder(name)), hashes_(hashes), parameters_(parameters), rows_(hashes.size()), done_(hashes.size(), false) {
+    session.claim(folder_);
+    if (session.options.resume) load();
+  }
+
+  const std::vector<bool>& done() const { return done_; }
+  const std::vector<Row>& rows() const { return rows_; }
+  std::size_t count() const { return static_cast<std::size_t>(std::count(done_.begin(), done_.end(), true)); }
+
+  /// Keeps a finished batch as a part file: from then on it survives a kill.
+  void add(const std::vector<std::pair<std::size_t, Row>>& batch) {
+    std::vector<const Row*> rows;
+    std::string key;
+    for (const auto& [index, row] : batch) rows.push_back(&row), key += row.hash;
+    make_folder(folder_ / "parts");
+    write_table(folder_ / "parts" / (hash_text(key) + ".h5"), table_of(rows), {});
+    for (const auto& [index, row] : batch) take(row);
+  }
+
+  /// results.h5 and results.csv from every row there is, in the sweep's order; then the parts are not needed any more.
+  void assemble() {
+    std::vector<const Row*> rows;
+    std::vector<std::size_t> scenes;
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (done_[i]) rows.push_back(&rows_[i]), scenes.push_back(i);
+    Table table = table_of(rows);
+    for (std::size_t p = parameters_.names.size(); p-- > 0;) {
+      const std::string& name = parameters_.names[p];
+      // An outcome of the same name is what the impact had; the parameter is what the sweep asked for: keep both.
+      const Field field{table.number(name) || table.text(name) ? "over_" + name : name, "number", "", "parameter of the sweep"};
+      if (!parameters_.texts[p].empty()) {
+        table.texts.insert(table.texts.begin(), {field, {}});
+        for (const std::size_t i : scenes) table.texts.front().values.push_back(parameters_.texts[p][i]);
+      } else {
+        table.numbers.insert(table.numbers.begin(), {field, {}});
+        for (const std::size_t i : scenes) table.numbers.front().values.push_back(parameters_.numbers[p][i]);
+      }
+    }
+    write_table(folder_ / "results.h5", table, session_.provenance());
+    write_atomically(folder_ / "results.csv", csv(table));
+    fs::remove_all(folder_ / "parts");
+  }
+
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  // Rows of equal scenes are the same row.
+  bool take(const Row& row) {
+    bool known = false;
+    for (std::size_t i = 0; i < hashes_.size(); ++i)
+      if (hashes_[i] == row.hash) rows_[i] = row, done_[i] = true, known = true;
+    return known;
+  }
+
+  void load() {
+    std::vector<fs::path> files;
+    std::error_code error;
+    if (fs::exists(folder_ / "results.h5", error)) files.push_back(folder_ / "results.h5");
+    if (fs::exists(folder_ / "parts", error))
+      for (const auto& entry : fs::directory_iterator(folder_ / "parts"))
+        if (entry.path().extension() == ".h5") files.push_back(entry.path());
+    std::size_t strangers = 0;
+    for (const fs::path& file : files)
+      for (const Row& row : rows_of(file)) strangers += !take(row);
+    if (strangers > 0)
+      throw FileError(fmt::format("{} holds {} rows of other scenes than this sweep's, which --resume would lose; use the same parameters, --force, or another --out",
+                                  folder_.string(), strangers));
+  }
+
+  Session& session_;
+  fs::path folder_;
+  const std::vector<std::string>& hashes_;
+  const Parameters& parameters_;
+  std::vector<Row> rows_;
+  std::vector<bool> done_;
+};
+
+/// One line on a terminal, plain lines elsewhere, nothing with --quiet.
+class Progress {
+ public:
+  Progress(const Session& session, std::string name, std::size_t total, std::size_t before)
+      : name_(std::move(name)), total_(total), before_(before), done_(before), quiet_(session.options.quiet), terminal_(isatty(STDERR_FILENO)) {}
+
+  void add(std::size_t count, std::size_t failed) {
+    done_ += count, failed_ += failed;
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double rate = static_cast<double>(done_ - before_) / std::max(seconds, 1e-9);
+    const std::string line = fmt::format("{}: {}/{}  {:.2f}/s  {:.0f} s left  {} failed", name_, done_, total_, rate, static_cast<double>(total_ - done_) / rate, failed_);
+    if (quiet_) return;
+    if (terminal_) {
+      fmt::print(stderr, "\r\033[K{}{}", line, done_ == total_ ? "\n" : "");
+    } else if (done_ * 10 / total_ > tenth_) {
+      tenth_ = done_ * 10 / total_;
+      fmt::print(stderr, "{}\n", line);
+    }
+  }
+
+ private:
+  std::string name_;
+  std::size_t total_, before_, done_, failed_ = 0, tenth_ = 0;
+  bool quiet_, terminal_;
+  Clock::time_point start_ = Clock::now();
+};
+
+std::string left_behind(const Store& store, std::size_t total) {
+  return fmt::format("{} of {} impacts are stored in {}; --resume goes on from there", store.count(), total, store.folder().string());
+}
+
+void run_and_store(Session& session, Store& store, const std::string& name, const std::vector<Scene>& scenes, const std::vector<std::string>& hashes) {
+  std::vector<bool> todo(scenes.size());
+  std::map<std::string, std::size_t> first;  // a scene that occurs twice runs once
+  for (std::size_t i = 0; i < scenes.size(); ++i) todo[i] = !store.done()[i] && first.emplace(hashes[i], i).second;
+  Progress progress(session, name, scenes.size(), store.count());
+  SweepOptions options;
+  options.threads = session.options.threads;
+  if (session.options.batch > 0) options.batch = session.options.batch;
+  const bool whole = run_sweep(scenes, todo, options, stop_requested, [&](const std::vector<Result>& results) {
+    std::vector<std::pair<std::size_t, Row>> batch;
+    std::size_t failed = 0;
+    for (const Result& result : results) {
+      batch.emplace_back(result.index, row_of(scenes[result.index], result.outcome, result.seconds));
+      failed += result.outcome.status != Status::finished;
+    }
+    const std::size_t before = store.count();
+    store.add(batch);
+    progress.add(store.count() - before, failed);
+  });
+  if (!whole) {
+    store.assemble();
+    throw Error(fmt::format("interrupted: {}", left_behind(store, scenes.size())), Exit::interrupted);
+  }
+}
+
+Parameters read_parameters(lua_State* L, int names, int points) {
+  Parameters p;
+  for (lua_Integer i = 1; i <= luaL_len(L, names); ++i) lua_geti(L, names, i), p.names.push_back(lua_tostring(L, -1)), lua_pop(L, 1);
+  p.numbers.resize(p.names.size()), p.texts.resize(p.names.size());
+  const lua_Integer count = luaL_len(L, points);
+  for (std::size_t k = 0; k < p.names.size(); ++k)
+    for (lua_Integer i = 1; i <= count; ++i) {
+      lua_geti(L, points, i);
+      const int type = lua_getfield(L, -1, p.names[k].c_str());
+      if (type == LUA_TNUMBER) p.numbers[k].push_back(lua_tonumber(L, -1));
+      else p.texts[k].push_back(type == LUA_TBOOLEAN ? (lua_toboolean(L, -1) ? "true" : "false") : lua_tostring(L, -1));
+      lua_pop(L, 2);
+    }
+  return p;
+}
+
+// run_sweep(name, names, points, scenes): the rows, in the order of the scenes.
+int run_sweep_from_lua(lua_State* L) {
+  Session& session = session_of(L);
+  const std::string name = luaL_checkstring(L, 1);
+  const Parameters parameters = read_parameters(L, 2, 3);
+  std::vector<Scene> scenes;
+  std::vector<std::string> hashes;
+  const lua_Integer count = luaL_len(L, 4);
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_geti(L, 4, i);
+    scenes.push_back(scene_at(L, -1).scene);
+    hashes.push_back(scenes.back().hash());
+    lua_pop(L, 1);
+  }
+  std::vector<Row> rows;
+  try {
+    if (session.options.check) {
+      SweepOptions options;
+      options.threads = session.options.threads;
+      check_scenes(scenes, options, stop_requested);
+      for (const Scene& scene : scenes) rows.push_back(row_of(scene, Outcome{}, 0));
+      session.print(fmt::format("{}: {} scenes are sound\n", name, scenes.size()));
+    } else {
+      Store store(session, name, hashes, parameters);
+      try {
+        run_and_store(session, store, name, scenes, hashes);
+      } catch (const FileError& error) {
+        throw FileError(fmt::format("{}\n  {}", error.what(), left_behind(store, scenes.size())));
+      }
+      store.assemble();
+      rows = store.rows();
+      std::size_t finished = 0;
+      for (const Row& row : rows) finished += row.status == "finished";
+      const std::string line = fmt::format("{}: {} of {} impacts finished; {}\n", name, finished, rows.size(), (store.folder() / "results.h5").string());
+      session.finished += static_cast<int>(finished), session.failures += static_cast<int>(rows.size() - finished);
+      session.print(line);
+    }
+  } catch (const SceneError& error) {
+    lua_geti(L, 4, static_cast<lua_Integer>(error.scene) + 1);
+    throw_at(session, scene_at(L, -1).site, error);
+  }
+  lua_createtable(L, static_cast<int>(rows.size()), 0);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    push_row(L, rows[i]);
+    // The sweep's own values, over an outcome of the same name.
+    lua_geti(L, 3, static_cast<lua_Integer>(i) + 1);
+    for (const std::string& parameter : parameters.names) lua_getfield(L, -1, parameter.c_str()), lua_setfield(L, -3, parameter.c_str());
+    lua_pop(L, 1);
+    lua_seti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  return 1;
+}
+
+// columns(): name -> unit of every outcome, for labels and for checking names.
+int columns(lua_State* L) {
+  lua_newtable(L);
+  for (const auto& [field, value] : Outcome::fields()) lua_pushstring(L, field.unit.c_str()), lua_setfield(L, -2, field.name.c_str());
+  return 1;
+}
+
+}  // namespace
+
+void add_sweeps(lua_State* L) {
+  const luaL_Reg list[] = {{"run_sweep", guarded<run_sweep_from_lua>}, {"columns", columns}};
+  for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
+}
+
+}  // namespace ricochet

@@ -1,0 +1,85 @@
+#include "store/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "core/error.hpp"
+
+namespace ricochet {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, const char* doing, int error) {
+  const char* remedy = error == ENOSPC || error == EDQUOT ? "; free some space or give another folder with --out, then --resume"
+                       : error == EACCES || error == EROFS || error == EPERM ? "; give a writable folder with --out"
+                                                                             : "";
+  throw FileError(fmt::format("cannot {} {}: {}{}", doing, path.string(), std::strerror(error), remedy));
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int value) : value_(value) {}
+  ~Descriptor() {
+    if (value_ >= 0) close(value_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int value() const { return value_; }
+
+ private:
+  int value_;
+};
+
+void sync_folder(const std::filesystem::path& folder) {
+  const Descriptor directory(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (directory.value() >= 0) fsync(directory.value());
+}
+
+}  // namespace
+
+void write_atomically(const std::filesystem::path& path, std::string_view bytes) {
+  std::filesystem::path beside = path;
+  beside += ".new";
+  {
+    const Descriptor file(open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+    if (file.value() < 0) fail(path, "write", errno);
+    while (!bytes.empty()) {
+      const ssize_t written = write(file.value(), bytes.data(), bytes.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) {
+        const int error = errno;
+        unlink(beside.c_str());
+        fail(path, "write", error);
+      }
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (fsync(file.value()) != 0) {
+      const int error = errno;
+      unlink(beside.c_str());
+      fail(path, "write", error);
+    }
+  }
+  if (rename(beside.c_str(), path.c_str()) != 0) fail(path, "write", errno);
+  sync_folder(path.parent_path());
+}
+
+void make_folder(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) fail(path, "make folder", error.value());
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw FileError(fmt::format("cannot read {}: it is a folder", path.string()));
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(path, "read", errno);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace ricochet

@@ -1,0 +1,165 @@
+#include "store/hdf5.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace ricochet::hdf5 {
+namespace {
+
+// Errors come back as values; HDF5's own stack on stderr would hide the one sentence that matters.
+void quiet() {
+  static const bool once = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+  (void)once;
+}
+
+Handle text_type(std::size_t length) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "copy a type");
+  H5Tset_size(type, std::max<std::size_t>(1, length));
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+
+Handle no_times() {
+  // Without object times equal runs give equal bytes.
+  Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make properties");
+  H5Pset_obj_track_times(properties, 0);
+  return properties;
+}
+
+hsize_t length_of(const Handle& set) {
+  const Handle space(H5Dget_space(set), H5Sclose, "read a shape");
+  return static_cast<hsize_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
+}
+
+Handle open_set(hid_t parent, const char* name) { return {H5Dopen2(parent, name, H5P_DEFAULT), H5Dclose, "open a dataset"}; }
+
+void check(herr_t status, const char* doing) {
+  if (status < 0) throw FileError(std::string("HDF5 cannot ") + doing);
+}
+
+}  // namespace
+
+Handle memory_file() {
+  quiet();
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
+  check(H5Pset_fapl_core(access, 1 << 20, 0), "use memory");
+  return {H5Fcreate("memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "make a file in memory"};
+}
+
+std::string image(const Handle& file) {
+  check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush a file in memory");
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  if (size < 0) throw FileError("HDF5 cannot give a file's image");
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  if (H5Fget_file_image(file, bytes.data(), bytes.size()) < 0) throw FileError("HDF5 cannot give a file's image");
+  return bytes;
+}
+
+Handle open_file(const std::filesystem::path& path) {
+  quiet();
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw FileError(fmt::format("{} does not exist", path.string()));
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (id < 0) throw FileError(fmt::format("{} is not a readable HDF5 file (damaged, or something else)", path.string()));
+  return {id, H5Fclose, "open a file"};
+}
+
+Handle group(hid_t parent, const char* name) { return {H5Gcreate2(parent, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "make a group"}; }
+Handle open_group(hid_t parent, const char* name) { return {H5Gopen2(parent, name, H5P_DEFAULT), H5Gclose, "open a group"}; }
+
+void attribute(hid_t object, const char* name, const std::string& text) {
+  // An attribute lives in the object's header, which holds 64 kB: longer texts (scripts) are datasets elsewhere.
+  const Handle type = text_type(text.size());
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "make a shape");
+  const Handle attr(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "make an attribute");
+  check(H5Awrite(attr, type, text.empty() ? "" : text.data()), "write an attribute");
+}
+
+std::string text_attribute(hid_t object, const char* name) {
+  if (H5Aexists(object, name) <= 0) return "";
+  const Handle attr(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "open an attribute");
+  const Handle type(H5Aget_type(attr), H5Tclose, "read a type");
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) throw FileError("an attribute is not plain text");
+  std::string text(H5Tget_size(type), '\0');
+  check(H5Aread(attr, type, text.data()), "read an attribute");
+  return text.c_str();
+}
+
+std::vector<std::string> attribute_names(hid_t object) {
+  std::vector<std::string> names;
+  const auto collect = [](hid_t, const char* name, const H5A_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->push_back(name);
+    return 0;
+  };
+  check(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names), "list attributes");
+  return names;
+}
+
+Handle dataset(hid_t parent, const char* name, hid_t file_type, hid_t memory_type, std::span<const hsize_t> shape, std::span<const hsize_t> chunk,
+               const void* values) {
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "make a shape");
+  const Handle properties = no_times();
+  if (!chunk.empty()) {
+    H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
+    H5Pset_shuffle(properties);
+    H5Pset_deflate(properties, 1);
+  }
+  Handle set(H5Dcreate2(parent, name, file_type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose, "make a dataset");
+  if (values) check(H5Dwrite(set, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write a dataset");
+  return set;
+}
+
+Handle numbers(hid_t parent, const char* name, std::span<const double> values) {
+  const hsize_t shape[] = {values.size()};
+  return dataset(parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, shape, {}, values.empty() ? nullptr : values.data());
+}
+
+Handle texts(hid_t parent, const char* name, std::span<const std::string> values) {
+  std::size_t length = 1;
+  for (const std::string& value : values) length = std::max(length, value.size());
+  std::string packed(values.size() * length, '\0');
+  for (std::size_t i = 0; i < values.size(); ++i) std::copy(values[i].begin(), values[i].end(), packed.begin() + static_cast<std::ptrdiff_t>(i * length));
+  const hsize_t shape[] = {values.size()};
+  const Handle type = text_type(length);
+  return dataset(parent, name, type, type, shape, {}, packed.empty() ? nullptr : packed.data());
+}
+
+bool holds_text(hid_t parent, const char* name) {
+  const Handle set = open_set(parent, name);
+  const Handle type(H5Dget_type(set), H5Tclose, "read a type");
+  return H5Tget_class(type) == H5T_STRING;
+}
+
+std::vector<double> read_numbers(hid_t parent, const char* name) {
+  const Handle set = open_set(parent, name);
+  std::vector<double> values(length_of(set));
+  if (!values.empty()) check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read a dataset");
+  return values;
+}
+
+std::vector<std::string> read_texts(hid_t parent, const char* name) {
+  const Handle set = open_set(parent, name);
+  const Handle type(H5Dget_type(set), H5Tclose, "read a type");
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) throw FileError("a text column is not plain text");
+  const std::size_t length = H5Tget_size(type), count = length_of(set);
+  std::string packed(count * length, '\0');
+  if (count > 0) check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()), "read a dataset");
+  std::vector<std::string> values;
+  for (std::size_t i = 0; i < count; ++i) values.emplace_back(std::string(packed, i * length, length).c_str());
+  return values;
+}
+
+std::vector<std::string> link_names(hid_t where) {
+  std::vector<std::string> names;
+  const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->push_back(name);
+    return 0;
+  };
+  check(H5Literate(where, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names), "list a group");
+  return names;
+}
+
+}  // namespace ricochet::hdf5

@@ -1,0 +1,61 @@
+#pragma once
+// HDF5 behind RAII. Files are made in memory and written in one piece, so that a full disk or a kill never leaves half a file.
+
+#include <hdf5.h>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace ricochet::hdf5 {
+
+/// Owns an HDF5 identifier and closes it.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t), const char* doing) : id_(id), close_(close) {
+    if (id < 0) throw FileError(std::string("HDF5 cannot ") + doing);
+  }
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_), std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+Handle memory_file();
+/// The bytes of a file as it would lie on disk.
+std::string image(const Handle& file);
+/// Opens a file to read. Throws FileError that names it if it is no HDF5 file or is damaged.
+Handle open_file(const std::filesystem::path& path);
+
+Handle group(hid_t parent, const char* name);
+Handle open_group(hid_t parent, const char* name);
+void attribute(hid_t object, const char* name, const std::string& text);
+std::string text_attribute(hid_t object, const char* name);
+std::vector<std::string> attribute_names(hid_t object);
+
+/// One-dimensional datasets. Text is stored with a fixed length, padded with zeros.
+Handle numbers(hid_t parent, const char* name, std::span<const double> values);
+Handle texts(hid_t parent, const char* name, std::span<const std::string> values);
+std::vector<double> read_numbers(hid_t parent, const char* name);
+std::vector<std::string> read_texts(hid_t parent, const char* name);
+bool holds_text(hid_t parent, const char* name);
+std::vector<std::string> link_names(hid_t group);
+
+/// A dataset of any shape from memory of type `memory_type`, stored as `file_type`; chunk 0 sizes make it contiguous.
+Handle dataset(hid_t parent, const char* name, hid_t file_type, hid_t memory_type, std::span<const hsize_t> shape, std::span<const hsize_t> chunk,
+               const void* values);
+
+}  // namespace ricochet::hdf5

@@ -1,0 +1,102 @@
+#include "store/table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "store/files.hpp"
+#include "store/hdf5.hpp"
+
+namespace ricochet {
+namespace {
+
+void describe(const hdf5::Handle& set, const Field& field) {
+  hdf5::attribute(set, "unit", field.unit);
+  hdf5::attribute(set, "doc", field.doc);
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+std::string heading(const Field& field) { return quoted(field.unit.empty() ? field.name : fmt::format("{} [{}]", field.name, field.unit)); }
+
+}  // namespace
+
+const TextColumn* Table::text(const std::string& name) const {
+  for (const TextColumn& column : texts)
+    if (column.field.name == name) return &column;
+  return nullptr;
+}
+
+const NumberColumn* Table::number(const std::string& name) const {
+  for (const NumberColumn& column : numbers)
+    if (column.field.name == name) return &column;
+  return nullptr;
+}
+
+void write_table(const std::filesystem::path& path, const Table& table, const Provenance& provenance) {
+  const hdf5::Handle file = hdf5::memory_file();
+  {
+    const hdf5::Handle rows = hdf5::group(file, "rows");
+    for (const NumberColumn& column : table.numbers) describe(hdf5::numbers(rows, column.field.name.c_str(), column.values), column.field);
+    for (const TextColumn& column : table.texts) describe(hdf5::texts(rows, column.field.name.c_str(), column.values), column.field);
+    const hdf5::Handle origin = hdf5::group(file, "provenance");
+    for (const auto& [name, text] : provenance) hdf5::texts(origin, name.c_str(), std::vector<std::string>{text});
+  }
+  write_atomically(path, hdf5::image(file));
+}
+
+Table read_table(const std::filesystem::path& path) {
+  const hdf5::Handle file = hdf5::open_file(path);
+  try {
+    const hdf5::Handle rows = hdf5::open_group(file, "rows");
+    Table table;
+    for (const std::string& name : hdf5::link_names(rows)) {
+      const hdf5::Handle set(H5Dopen2(rows, name.c_str(), H5P_DEFAULT), H5Dclose, "open a column");
+      Field field{name, "", hdf5::text_attribute(set, "unit"), hdf5::text_attribute(set, "doc")};
+      if (hdf5::holds_text(rows, name.c_str())) table.texts.push_back({field, hdf5::read_texts(rows, name.c_str())});
+      else table.numbers.push_back({field, hdf5::read_numbers(rows, name.c_str())});
+    }
+    for (const auto& column : table.numbers)
+      if (column.values.size() != table.rows()) throw FileError("its columns differ in length");
+    for (const auto& column : table.texts)
+      if (column.values.size() != table.rows()) throw FileError("its columns differ in length");
+    return table;
+  } catch (const FileError& error) {
+    throw FileError(fmt::format("{} is damaged or no table of results ({}); restore it, or run again with --force", path.string(), error.what()));
+  }
+}
+
+Provenance read_provenance(const std::filesystem::path& path) {
+  const hdf5::Handle file = hdf5::open_file(path);
+  Provenance provenance;
+  if (H5Lexists(file, "provenance", H5P_DEFAULT) <= 0) return provenance;
+  const hdf5::Handle origin = hdf5::open_group(file, "provenance");
+  for (const std::string& name : hdf5::link_names(origin)) {
+    const auto text = hdf5::read_texts(origin, name.c_str());
+    provenance[name] = text.empty() ? "" : text.front();
+  }
+  return provenance;
+}
+
+std::string csv(const Table& table) {
+  std::string text;
+  const auto line = [&](auto&& number_cell, auto&& text_cell) {
+    bool first = true;
+    const auto put = [&](const std::string& cell) { text += (first ? "" : ",") + cell, first = false; };
+    for (const auto& column : table.numbers) put(number_cell(column));
+    for (const auto& column : table.texts) put(text_cell(column));
+    text += '\n';
+  };
+  line([](const NumberColumn& c) { return heading(c.field); }, [](const TextColumn& c) { return heading(c.field); });
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    line([&](const NumberColumn& c) { return std::isnan(c.values[row]) ? std::string() : fmt::format("{}", c.values[row]); },
+         [&](const TextColumn& c) { return quoted(c.values[row]); });
+  return text;
+}
+
+}  // namespace ricochet
