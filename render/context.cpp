@@ -36,7 +36,7 @@ Function gl(const char* name) {
 struct Context::Implementation {
   int width, height;
   OSMesaContext context = nullptr;
-  std::vector<std::uint8_t> pixels;  // RGB at the samples' resolution
+  std::vector<std::uint8_t> pixels;  // RGBA at the samples' resolution
   GLuint program = 0, buffer = 0, array = 0;
   ~Implementation() {
     if (context) OSMesaDestroyContext(context);
@@ -48,10 +48,10 @@ Context::Context(int width, int height) : implementation_(std::make_unique<Imple
     throw FieldError("size", fmt::format("a picture has 16 x 16 to 7680 x 4320 pixels, not {} x {}", width, height));
   Implementation& i = *implementation_;
   i.width = width, i.height = height;
-  const int attributes[] = {OSMESA_FORMAT, OSMESA_RGB, OSMESA_DEPTH_BITS, 0, OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3,
+  const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 0, OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3,
                             OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
   i.context = OSMesaCreateContextAttribs(attributes, nullptr);
-  i.pixels.resize(static_cast<std::size_t>(samples * width) * static_cast<std::size_t>(samples * height) * 3);
+  i.pixels.resize(static_cast<std::size_t>(samples * width) * static_cast<std::size_t>(samples * height) * 4);
   if (!i.context || !OSMesaMakeCurrent(i.context, i.pixels.data(), GL_UNSIGNED_BYTE, samples * width, samples * height))
     throw Error(fmt::format("OSMesa cannot make a picture of {} x {} pixels", width, height));
   OSMesaPixelStore(OSMESA_Y_UP, 0);
@@ -96,13 +96,13 @@ Image Context::draw(const std::vector<Vertex>& triangles, float red, float green
   glFinish();
 
   Image image{i.width, i.height, std::vector<std::uint8_t>(static_cast<std::size_t>(i.width) * i.height * 3)};
-  const std::size_t row = static_cast<std::size_t>(samples * i.width) * 3;
+  const std::size_t row = static_cast<std::size_t>(samples * i.width) * 4;
   for (int y = 0; y < i.height; ++y)
     for (int x = 0; x < i.width; ++x)
       for (int c = 0; c < 3; ++c) {
         int sum = 0;
         for (int sy = 0; sy < samples; ++sy)
-          for (int sx = 0; sx < samples; ++sx) sum += i.pixels[(samples * y + sy) * row + (samples * x + sx) * 3 + c];
+          for (int sx = 0; sx < samples; ++sx) sum += i.pixels[(samples * y + sy) * row + (samples * x + sx) * 4 + c];
         image.rgb[(static_cast<std::size_t>(y) * i.width + x) * 3 + c] = static_cast<std::uint8_t>((sum + samples * samples / 2) / (samples * samples));
       }
   return image;

@@ -37,8 +37,9 @@ local function plot(given)
   lines[#lines + 1] = "END"
   local height = 110 + 300 * #t.y
   local caption = ("mean and standard error of %d impacts, %d failed"):format(finished, failed)
+  local title = t.title and quoted(t.title) .. '."\\n".' .. quoted(caption) or quoted(caption)
   local function panels()
-    lines[#lines + 1] = ("set multiplot layout %d,1 title %s"):format(#t.y, quoted((t.title and t.title .. "\\n" or "") .. caption))
+    lines[#lines + 1] = ("set multiplot layout %d,1 title %s"):format(#t.y, title)
     for i, column in ipairs(t.y) do
       -- Room around the first and last point, so that no error bar lies on the frame.
       lines[#lines + 1] = "set offsets graph 0.03, graph 0.03, graph 0.08, graph 0.08"
@@ -49,7 +50,7 @@ local function plot(given)
     end
     lines[#lines + 1] = "unset multiplot"
   end
-  lines[#lines + 1] = "set encoding utf8\nset grid lc rgb \"#dddddd\"\nset tics nomirror\nset border 3"
+  lines[#lines + 1] = "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb \"#cccccc\"\nset tics nomirror\nset border 3"
   for _, terminal in ipairs { { "pngcairo size 800,%d font \"DejaVu Sans,12\"", "png" }, { "svg size 800,%d font \"DejaVu Sans,12\" background \"white\"", "svg" } } do
     lines[#lines + 1] = "set terminal " .. terminal[1]:format(height)
     lines[#lines + 1] = ("set output %s"):format(quoted(t.name .. "." .. terminal[2]))

@@ -1,0 +1,175 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "core/rng.hpp"
+#include "force/contact/contact.hpp"
+#include "force/springs.hpp"
+#include "scenes.hpp"
+
+using namespace ricochet;
+using namespace ricochet::test;
+
+namespace {
+
+template <int W>
+Moving<W> at_rest(const Lattice& lattice, double stiffness) {
+  Moving<W> body{&lattice, {}, {}, {}, Lane<W>::Constant(stiffness)};
+  body.position.resize(lattice.nodes()), body.velocity.resize(lattice.nodes()), body.force.resize(lattice.nodes());
+  for (int i = 0; i < lattice.nodes(); ++i)
+    for (int lane = 0; lane < W; ++lane) body.position.set(i, lane, lattice.points[i]);
+  return body;
+}
+
+template <int W>
+void shake(Moving<W>& body, double size, int lane, std::uint64_t seed) {
+  Random random(seed, 9);
+  for (int i = 0; i < body.lattice->nodes(); ++i) {
+    const double x = size * random.normal(), y = size * random.normal();
+    if (i < body.lattice->free) body.position.add(i, lane, {x, y});
+  }
+}
+
+}  // namespace
+
+TEST_CASE("spring tension is the derivative of its energy over decades of stretch, and linear is quartic without its term") {
+  for (const double q : {0.0, 1e-3, 7.5}) {
+    const Quartic law{q};
+    for (double x : {-2.0, -0.3, -1e-3, 1e-4, 0.05, 1.7}) {
+      const double h = 1e-4 * std::abs(x);
+      const double slope = (law.energy(x - 2 * h) - 8 * law.energy(x - h) + 8 * law.energy(x + h) - law.energy(x + 2 * h)) / (12 * h);
+      CHECK(law.tension(x) == Catch::Detail::Approx(slope).epsilon(1e-9));
+      if (q == 0) CHECK(law.tension(x) == Linear{}.tension(x));
+    }
+  }
+  CHECK(Quartic{2.0}.tension(0.5) == 0.5 + 2.0 * 0.125);
+  CHECK(Quartic{2.0}.energy(0.5) == Catch::Detail::Approx(0.125 + 2.0 * 0.0625 / 4));
+}
+
+TEST_CASE("spring forces are minus the gradient of the spring energy, with a stiffness of every place its own") {
+  Body body{box(2, 1), numbers(60, 30, 0, 1), {}, {}};
+  body.numbers.quartic = 5;
+  const NodePlan plan = plan_nodes(body.outline, body.numbers, {});
+  for (const Vec2& p : plan.points) body.node_stiffness.push_back(30 * (1.5 + p.x() + 0.3 * p.y()));
+  const auto lattice = build_lattice(body);
+  auto moving = at_rest<1>(*lattice, 30);
+  shake(moving, 0.03, 0, 1);
+  auto kicked = moving;
+  kick_and_drift(kicked, Lane<1>::Ones().eval(), Lane<1>::Zero().eval());  // velocity = force
+  Vec2 total = Vec2::Zero();
+  for (int i = 0; i < lattice->nodes(); ++i) {
+    total += kicked.velocity.at(i, 0);
+    for (int axis = 0; axis < 2; ++axis) {
+      const double h = 1e-5;
+      const auto energy = [&](double shift) {
+        auto moved = moving;
+        moved.position.add(i, 0, axis == 0 ? Vec2(shift, 0) : Vec2(0, shift));
+        return spring_energy(moved, moved.position)[0];
+      };
+      CHECK(kicked.velocity.at(i, 0)[axis] == Catch::Detail::Approx(-(energy(h) - energy(-h)) / (2 * h)).epsilon(1e-6).margin(1e-7));
+    }
+  }
+  CHECK(total.norm() < 1e-12);
+}
+
+TEST_CASE("a lane has the same bits alone and among others") {
+  const auto lattice = build_lattice(*wall(150, 400, 0.02, 2));
+  auto many = at_rest<lanes>(*lattice, 400);
+  for (int lane = 0; lane < lanes; ++lane) shake(many, 0.01 * (lane + 1), lane, 10 + lane);
+  const Lane<lanes> kick = Lane<lanes>::Constant(1e-3), drift = Lane<lanes>::Constant(2e-3);
+  std::vector<Moving<1>> alone;
+  for (int lane = 0; lane < lanes; ++lane) {
+    alone.push_back(at_rest<1>(*lattice, 400));
+    shake(alone.back(), 0.01 * (lane + 1), 0, 10 + lane);
+  }
+  for (int step = 0; step < 50; ++step) {
+    kick_and_drift(many, kick, drift);
+    for (auto& one : alone) kick_and_drift(one, Lane<1>::Constant(1e-3).eval(), Lane<1>::Constant(2e-3).eval());
+  }
+  for (int lane = 0; lane < lanes; ++lane)
+    for (int i = 0; i < lattice->nodes(); ++i) {
+      REQUIRE(many.position.at(i, lane) == alone[lane].position.at(i, 0));
+      REQUIRE(many.velocity.at(i, lane) == alone[lane].velocity.at(i, 0));
+      if (i >= lattice->free) REQUIRE(many.position.at(i, lane) == lattice->points[i]);  // anchors never move
+    }
+}
+
+TEST_CASE("contact forces are minus the gradient of the contact energy, one-sided and two-sided, vertices included") {
+  const auto disk_lattice = build_lattice(*disk(60, 1e4, 0.03, 1));
+  const auto wall_lattice = build_lattice(*wall(150, 100, 0.03, 1));
+  Random random(5, 5);
+  for (const char* sides : {"one", "two"}) {
+    ExponentialRepulsion law;
+    law.sides = sides;
+    law.V0 = 37, law.xi = 250;
+    for (int pose = 0; pose < 60; ++pose) {
+      auto p = at_rest<1>(*disk_lattice, 1e4), t = at_rest<1>(*wall_lattice, 100);
+      const Vec2 shift(random.uniform(-1, 1), 1 + random.uniform(-0.2, 0.08));  // deep overlaps as well
+      for (int i = 0; i < disk_lattice->nodes(); ++i) p.position.add(i, 0, shift);
+      Contact<1> contact(*disk_lattice, *wall_lattice);
+      contact.set(0, &law);
+      const double energy = contact.add_forces(p, t)[0];
+      CHECK(energy == contact.energy(p.position, t.position)[0]);
+      Vec2 total = Vec2::Zero();
+      double largest = 0;
+      for (auto* body : {&p, &t})
+        for (int i = 0; i < body->lattice->nodes(); ++i) total += body->force.at(i, 0), largest = std::max(largest, body->force.at(i, 0).norm());
+      CHECK(total.norm() <= 1e-13 * std::max(1.0, largest) * 100);  // action and reaction
+      for (auto* body : {&p, &t})
+        for (const int node : body->lattice->rim)
+          for (int axis = 0; axis < 2; ++axis) {
+            const double h = 1e-7, force = body->force.at(node, 0)[axis];
+            if (std::abs(force) < 1e-4 * largest || largest < 1e-6) continue;
+            const auto at = [&](double by) {
+              body->position.add(node, 0, axis == 0 ? Vec2(by, 0) : Vec2(0, by));
+              const double value = contact.energy(p.position, t.position)[0];
+              body->position.add(node, 0, axis == 0 ? Vec2(-by, 0) : Vec2(0, -by));
+              return value;
+            };
+            // Deep overlaps cross segments within 2h here and there, where the unsigned distance has its crease: skip the crease itself.
+            const double left = (at(0) - at(-h)) / h, right = (at(h) - at(0)) / h;
+            if (std::abs(left - right) > 0.01 * largest) continue;
+            CHECK(force == Catch::Detail::Approx(-(left + right) / 2).epsilon(1e-5).margin(1e-5 * largest));
+          }
+    }
+  }
+}
+
+TEST_CASE("candidates are exactly the pairs within the distance") {
+  const auto disk_lattice = build_lattice(*disk(200, 1e4, 0.03, 1));
+  const auto wall_lattice = build_lattice(*wall(400, 100, 0.03, 1));
+  Points nodes, rim;
+  for (const int i : disk_lattice->rim) nodes.push_back(disk_lattice->points[i] + Vec2(0.3, 0.95));
+  for (const int i : wall_lattice->rim) rim.push_back(wall_lattice->points[i]);
+  std::size_t expected = 0, k = 0;
+  const auto pairs = pairs_within(nodes, rim, 0.15);
+  for (int i = 0; i < static_cast<int>(nodes.size()); ++i)
+    for (int s = 0; s < static_cast<int>(rim.size()); ++s)
+      if (closest(nodes[i], rim[s], rim[(s + 1) % rim.size()]).distance <= 0.15) {
+        ++expected;
+        REQUIRE(k < pairs.size());
+        CHECK((pairs[k].node == i && pairs[k].segment == s));
+        ++k;
+      }
+  CHECK(pairs.size() == expected);
+  CHECK(expected > 50);
+}
+
+TEST_CASE("a list with a skin never loses a pair while the bodies move") {
+  const auto disk_lattice = build_lattice(*disk(60, 1e4, 0.03, 1));
+  const auto wall_lattice = build_lattice(*wall(150, 100, 0.03, 1));
+  ExponentialRepulsion law;
+  auto p = at_rest<1>(*disk_lattice, 1e4), t = at_rest<1>(*wall_lattice, 100);
+  for (int i = 0; i < disk_lattice->nodes(); ++i) p.position.add(i, 0, {-1, 1.3});
+  Contact<1> kept(*disk_lattice, *wall_lattice);
+  kept.set(0, &law);
+  double most = 0;
+  for (int step = 0; step < 400; ++step) {
+    for (int i = 0; i < disk_lattice->nodes(); ++i) p.position.add(i, 0, {0.005, step < 200 ? -0.0015 : 0.001});
+    Contact<1> fresh(*disk_lattice, *wall_lattice);
+    fresh.set(0, &law);
+    const double energy = kept.energy(p.position, t.position)[0];
+    REQUIRE(energy == fresh.energy(p.position, t.position)[0]);
+    most = std::max(most, energy);
+  }
+  CHECK(most > 1e-3);
+}

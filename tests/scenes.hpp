@@ -1,0 +1,52 @@
+#pragma once
+// Small scenes that the tests share.
+
+#include <cmath>
+#include <numbers>
+
+#include "impact/scene.hpp"
+#include "lattice/lattice.hpp"
+#include "lattice/outline.hpp"
+
+namespace ricochet::test {
+
+inline Points circle(double radius = 1, int corners = 400) {
+  Points points;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    points.push_back(radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return points;
+}
+
+inline Points box(double width, double depth) { return {{-width / 2, -depth}, {width / 2, -depth}, {width / 2, 0}, {-width / 2, 0}}; }
+
+inline BodyNumbers numbers(int nodes, double stiffness, double roughness, int seed, const char* placement = "poisson_disk") {
+  BodyNumbers n;
+  n.nodes = nodes, n.stiffness = stiffness, n.roughness = roughness, n.seed = seed, n.placement = placement;
+  return n;
+}
+
+inline std::shared_ptr<const Body> disk(int nodes, double stiffness, double roughness, int seed) {
+  return std::make_shared<Body>(Body{circle(), numbers(nodes, stiffness, roughness, seed), {}, {}});
+}
+
+inline std::shared_ptr<const Body> wall(int nodes, double stiffness, double roughness, int seed, double width = 4, double depth = 1.5) {
+  Body body{box(width, depth), numbers(nodes, stiffness, roughness, seed), {}, {}};
+  const auto held = [&](const Vec2& p) { return p.y() < -depth + 1e-9 || std::abs(p.x()) > width / 2 - 1e-9; };
+  std::vector<bool> rim;
+  for (const Vec2& p : plan_rim(body.outline, body.numbers)) rim.push_back(held(p));
+  for (const Vec2& p : plan_nodes(body.outline, body.numbers, rim).points) body.anchored.push_back(held(p));
+  for (std::size_t i = 0; i < rim.size(); ++i) body.anchored[i] = rim[i];
+  return std::make_shared<Body>(body);
+}
+
+/// A hard disk of 60 nodes on a soft wall of 150: milliseconds.
+inline Scene small_scene(int seed = 1, double psi1 = 1, double roughness = 0.03) {
+  Scene scene;
+  scene.projectile = disk(60, 1e4, roughness, seed), scene.target = wall(150, 400, roughness, seed);
+  scene.launch.psi1 = psi1;
+  return scene;
+}
+
+}  // namespace ricochet::test
