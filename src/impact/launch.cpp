@@ -138,13 +138,17 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
 
   double radius = 0;
   for (const Vec2& p : rim) radius = std::max(radius, (p - centre).norm());
-  const double fastest = start.velocity.norm() + std::abs(start.spin) * radius;
+  const double fastest = start.velocity.stableNorm() + std::abs(start.spin) * radius;
   // As far as the projectile can be from the target and still approach it: past that it has passed by.
   Vec2 low = target_rim[0], high = target_rim[0];
   for (const Vec2& p : target_rim) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const Vec2 middle = (low + high) / 2;
   const double target_radius = (high - low).norm() / 2;
-  while (distance > reach) {
+  // Each advance closes most of the gap unless the flight is almost parallel to the surface.
+  constexpr int most_advances = 100000;
+  for (int advance = 0; distance > reach; ++advance) {
+    if (advance == most_advances)
+      throw FieldError("launch", fmt::format("the flight is too shallow to find the first touch (normal speed {:g} of {:g} c)", normal_speed, start.velocity.stableNorm()));
     const double time = std::max(distance - reach, 1e-3 * reach) / fastest;
     pose.centre += time * start.velocity, pose.angle += time * start.spin;
     const Vec2 offset = pose.centre - middle;

@@ -1,0 +1,206 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "impact/batch.hpp"
+#include "impact/launch.hpp"
+#include "scenes.hpp"
+
+using namespace ricochet;
+using namespace ricochet::test;
+
+namespace {
+
+const std::atomic<bool> go_on{false};
+
+Outcome outcome_of(const Scene& scene) { return run_scene(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, go_on); }
+
+/// A free disk hits another free disk off centre.
+Scene two_disks() {
+  Scene scene;
+  scene.projectile = disk(60, 1e4, 0.02, 1), scene.target = disk(80, 3e3, 0.02, 2);
+  scene.launch.at = 0.5, scene.launch.psi1 = 0.4, scene.launch.spin = 0.05;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("an impact finishes, closes its ledger, and its centre of mass gains no energy") {
+  for (int seed = 1; seed <= 6; ++seed)
+    for (double psi1 : {0.0, 1.0, 4.0, 8.0}) {
+      const Outcome o = outcome_of(small_scene(seed, psi1));
+      INFO("seed " << seed << " psi1 " << psi1 << " " << o.reason);
+      REQUIRE(o.status == Status::finished);
+      CHECK(o.certified == 1);
+      CHECK(o.energy_closure < 1e-4);  // 60 nodes: one asperity carries the contact; the paper's scene closes to 1e-6
+      CHECK(o.after.projectile_translation + o.after.projectile_rotation <= o.before.total() * (1 + 1e-9));
+      CHECK(o.psi1 == Catch::Detail::Approx(psi1).margin(1e-15));
+      CHECK(std::isnan(o.beta) == (psi1 == 0));
+      CHECK(o.touches >= 1);
+      CHECK(o.contact_time > 0);
+    }
+}
+
+TEST_CASE("the outcome's quantities agree with each other") {
+  const Outcome o = outcome_of(small_scene(2, 2));
+  const double mass = 60, v = 0.1, vn = v / std::sqrt(5.0), vt = 2 * vn;
+  CHECK(o.e == Catch::Detail::Approx(o.vn / vn).epsilon(1e-12));
+  CHECK(o.impulse_n == Catch::Detail::Approx(mass * (o.vn + vn)).epsilon(1e-12));
+  CHECK(o.impulse_t == Catch::Detail::Approx(mass * (o.vt - vt)).epsilon(1e-12));
+  CHECK(o.mu == Catch::Detail::Approx(std::abs(o.impulse_t) / o.impulse_n).epsilon(1e-12));
+  CHECK(o.after.projectile_translation == Catch::Detail::Approx(mass * (o.vn * o.vn + o.vt * o.vt) / 2).epsilon(1e-12));
+  CHECK(o.psi2 == Catch::Detail::Approx(-o.beta * o.psi1).epsilon(1e-12));
+}
+
+TEST_CASE("momentum and angular momentum of two free disks are exact to rounding") {
+  const Scene scene = two_disks();
+  const auto a = build_lattice(*scene.projectile), b = build_lattice(*scene.target);
+  const auto totals = [&](const Snapshot& s) {
+    Vec2 p = Vec2::Zero();
+    double L = 0;
+    for (std::size_t i = 0; i < s.projectile.size(); ++i) p += s.projectile_velocity[i], L += cross(s.projectile[i], s.projectile_velocity[i]);
+    for (std::size_t i = 0; i < s.target.size(); ++i) p += s.target_velocity[i], L += cross(s.target[i], s.target_velocity[i]);
+    return std::pair(p, L);
+  };
+  const Start start = launch(scene, *a, *b);
+  std::pair<Vec2, double> first, last;
+  bool begun = false;
+  double contact = 0;
+  const Observer observer{0, equally_spaced(0, 0.5, 1000, start.step), [&](const Snapshot& s) {
+    if (!begun) first = totals(s), begun = true;
+    last = totals(s), contact = std::max(contact, s.energy.contact);
+  }};
+  const Outcome o = run_scene(*a, *b, scene, go_on, &observer);
+  INFO(o.reason);
+  CHECK(o.status == Status::finished);
+  CHECK(contact > 1e-3);
+  CHECK(o.after.target_translation > 0.01);
+  // 140 nodes of speed 0.1, some thousand steps of rounding 1e-16 each.
+  CHECK((last.first - first.first).norm() < 1e-12 * 6);
+  CHECK(std::abs(last.second - first.second) < 1e-12 * 6);
+}
+
+TEST_CASE("every method shows its order on a real smooth impact") {
+  Scene scene = small_scene(1, 1, 0);
+  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  const auto final_velocity = [&](const char* method, double step) {
+    scene.integration.method = method, scene.integration.step = step;
+    const Snapshot s = run_until(*p, *t, scene, 4.8);  // on the way out: contact passed its climax
+    Vec2 sum = Vec2::Zero();
+    for (const Vec2& v : s.projectile_velocity) sum += v;
+    return Vec2(sum / p->nodes());
+  };
+  const Vec2 exact = final_velocity("pefrl", 0.0003125);
+  for (const auto& [method, step] : {std::pair{"verlet", 0.005}, std::pair{"forest_ruth", 0.005}, std::pair{"pefrl", 0.01}}) {
+    const double coarse = (final_velocity(method, step) - exact).norm(), fine = (final_velocity(method, step / 2) - exact).norm();
+    INFO(method << " " << coarse << " " << fine);
+    CHECK(coarse > 1e-11);
+    CHECK(std::log2(coarse / fine) == Catch::Detail::Approx(method_named(method).order).margin(0.3));
+  }
+}
+
+TEST_CASE("a smooth disk on a smooth wall transmits little tangential impulse: beta = -1") {
+  Scene scene;
+  scene.projectile = disk(300, 1e4, 0, 1), scene.target = wall(1000, 100, 0, 1, 6, 2);
+  scene.launch.psi1 = 4;
+  const Outcome o = outcome_of(scene);
+  REQUIRE(o.status == Status::finished);
+  CHECK(o.beta == Catch::Detail::Approx(-1).margin(0.05));
+}
+
+TEST_CASE("a faster run of the same scene in other units is the same run") {
+  // Lengths as they are, speeds twice, stiffness and V0 four times: the same path in half the time.
+  Scene slow = small_scene(3, 1), fast = slow;
+  slow.integration.step = 0.004, fast.integration.step = 0.002;
+  fast.launch.speed = 0.2;
+  for (auto* body : {&fast.projectile, &fast.target}) {
+    Body scaled = **body;
+    scaled.numbers.stiffness *= 4;
+    *body = std::make_shared<Body>(scaled);
+  }
+  fast.contact.V0 *= 4;
+  const Outcome a = outcome_of(slow), b = outcome_of(fast);
+  CHECK(a.e == Catch::Detail::Approx(b.e).epsilon(1e-9));
+  CHECK(a.contact_time == Catch::Detail::Approx(2 * b.contact_time).epsilon(1e-9));
+}
+
+TEST_CASE("endings are statuses with a reason") {
+  Scene scene = small_scene(1, 1);
+  SECTION("a grazing flight that never falls") {
+    scene.launch.psi1 = not_given, scene.launch.angle = 90;
+    const Outcome o = outcome_of(scene);
+    CHECK(o.status == Status::no_contact);
+    CHECK(o.reason == "the projectile passes by the target");
+  }
+  SECTION("a disk that flies past a free one") {
+    scene = two_disks();
+    scene.launch.at = 1.99, scene.launch.psi1 = 0, scene.launch.spin = 0;
+    scene.projectile = disk(60, 1e4, 0, 1), scene.target = disk(60, 1e4, 0, 2);
+    scene.launch.at = 1.999;
+    const Outcome o = outcome_of(scene);
+    CHECK((o.status == Status::no_contact || o.status == Status::finished));
+  }
+  SECTION("a time limit within the contact") {
+    scene.integration.time_limit = 2;
+    const Outcome o = outcome_of(scene);
+    CHECK(o.status == Status::out_of_time);
+    CHECK_THAT(o.reason, Catch::Matchers::Contains("raise time_limit"));
+  }
+  SECTION("a tolerance that no step can keep") {
+    scene.integration.energy_tolerance = 1e-14;
+    CHECK(outcome_of(scene).status == Status::energy_drift);
+  }
+  SECTION("a projectile too fast for the repulsion") {
+    scene.launch.speed = 3, scene.launch.psi1 = 0, scene.integration.energy_tolerance = 1e6, scene.integration.step = 1e-4;
+    const Outcome o = outcome_of(scene);
+    CHECK(o.certified == 0);
+    CHECK(o.status == Status::tunnelled);
+  }
+  SECTION("positions that overflow") {
+    scene.launch.speed = 1e200, scene.integration.energy_tolerance = 1e300;
+    CHECK(outcome_of(scene).status == Status::not_finite);
+  }
+}
+
+TEST_CASE("scenes that cannot start are refused") {
+  Scene scene = small_scene(1, 1);
+  const auto starts = [&] { check_start(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene); };
+  CHECK_NOTHROW(starts());
+  SECTION("an unstable step, naming bound, node and a step that works") {
+    scene.integration.step = 1;
+    CHECK_THROWS_WITH(starts(), Catch::Matchers::Contains("is unstable: pefrl needs a step below") && Catch::Matchers::Contains("node ") && Catch::Matchers::Contains("works"));
+  }
+  SECTION("bodies that overlap") {
+    scene.launch.height = -0.5;
+    CHECK_THROWS_WITH(starts(), Catch::Matchers::Contains("overlap at the start"));
+  }
+  SECTION("a landing beside the target") {
+    scene.launch.at = 50;
+    CHECK_THROWS_WITH(starts(), Catch::Matchers::Contains("passes beside the target"));
+  }
+}
+
+TEST_CASE("the disk lands where asked, whatever the angle") {
+  for (double psi1 : {0.0, 2.0, 10.0})
+    for (double at : {-0.5, 0.4}) {
+      Scene scene = small_scene(1, psi1, 0);
+      scene.launch.at = at;
+      const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+      const Start start = launch(scene, *p, *t);
+      // From there on to where the smooth outlines touch.
+      const double fall = (start.pose.centre.y() - t->centre().y() - start.overlap_height) / -start.velocity.y();
+      CHECK(start.pose.centre.x() + fall * start.velocity.x() == Catch::Detail::Approx(at).margin(1e-9));
+      CHECK(start.touches);
+    }
+}
+
+TEST_CASE("a launch may be given by speed and angle, by psi1, or by its components") {
+  Launch a, b, c;
+  a.speed = 0.2, a.psi1 = std::tan(0.7);
+  b.speed = 0.2, b.angle = 0.7 * 180 / std::numbers::pi;
+  c.normal_speed = 0.2 * std::cos(0.7), c.tangential_speed = 0.2 * std::sin(0.7);
+  CHECK((a.velocity() - b.velocity()).norm() < 1e-15);
+  CHECK((a.velocity() - c.velocity()).norm() < 1e-15);
+  a.angle = 3;
+  CHECK_THROWS_AS(a.velocity(), FieldError);
+}

@@ -1,0 +1,90 @@
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "force/lane.hpp"
+#include "impact/batch.hpp"
+#include "impact/sweep.hpp"
+#include "scenes.hpp"
+
+using namespace ricochet;
+using namespace ricochet::test;
+
+namespace {
+
+std::string text_of(const Outcome& o) {
+  std::string text = name_of(o.status) + ";";
+  for (const auto& [field, value] : Outcome::fields()) text += fmt::format("{:a};", value(o));
+  return text;
+}
+
+// Three lattices, angles, speeds, ratios of stiffness, one miss, one that runs out of time.
+std::vector<Scene> scenes() {
+  std::vector<Scene> list;
+  for (int seed = 1; seed <= 3; ++seed)
+    for (double psi1 : {0.0, 0.7, 1.5, 3.0, 6.0, 9.0}) {
+      Scene scene = small_scene(seed, psi1);
+      if (psi1 == 1.5) scene.launch.speed = 0.2;
+      if (psi1 == 3.0) {
+        Body stiff = *scene.target;
+        stiff.numbers.stiffness = 2000;
+        scene.target = std::make_shared<Body>(stiff);
+      }
+      if (psi1 == 6.0) scene.contact.sides = "two";
+      if (psi1 == 9.0 && seed == 1) scene.launch.psi1 = not_given, scene.launch.angle = 90;
+      if (psi1 == 9.0 && seed == 2) scene.integration.time_limit = 3;
+      list.push_back(scene);
+    }
+  return list;
+}
+
+std::string hash_of(const std::vector<Scene>& list, int threads, int batch) {
+  std::vector<std::string> texts(list.size());
+  const std::atomic<bool> go_on{false};
+  const bool whole = run_sweep(list, std::vector<bool>(list.size(), true), {threads, batch}, go_on, [&](const std::vector<Result>& results) {
+    for (const Result& r : results) texts[r.index] = text_of(r.outcome);
+  });
+  CHECK(whole);
+  std::string all;
+  for (const std::string& text : texts) all += text;
+  return hash_text(all);
+}
+
+}  // namespace
+
+TEST_CASE("the outcomes have the same bits for 1, 2, 4 threads, for every batch size, and for each scene alone") {
+  const std::vector<Scene> list = scenes();
+  std::string alone;
+  const std::atomic<bool> go_on{false};
+  for (const Scene& scene : list) alone += text_of(run_scene(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, go_on));
+  const std::string expected = hash_text(alone);
+  for (int threads : {1, 2, 4})
+    for (int batch = 1; batch <= lanes; ++batch) {
+      INFO(threads << " threads, batch " << batch);
+      CHECK(hash_of(list, threads, batch) == expected);
+    }
+}
+
+TEST_CASE("an observer does not change a bit") {
+  const Scene scene = small_scene(2, 1);
+  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  const std::atomic<bool> go_on{false};
+  int looks = 0;
+  const Observer observer{0, [](double) { return true; }, [&](const Snapshot&) { ++looks; }};
+  CHECK(text_of(run_scene(*p, *t, scene, go_on, &observer)) == text_of(run_scene(*p, *t, scene, go_on)));
+  CHECK(looks > 100);
+}
+
+TEST_CASE("a scene that cannot start is named by its place in the sweep") {
+  auto list = scenes();
+  list[7].integration.step = 1;
+  const std::atomic<bool> go_on{false};
+  try {
+    run_sweep(list, std::vector<bool>(list.size(), true), {2, 4}, go_on, [](const auto&) {});
+    FAIL("accepted");
+  } catch (const SceneError& error) {
+    CHECK(error.scene == 7);
+    CHECK(error.field == "step");
+  }
+}

@@ -1,0 +1,205 @@
+// What a person sees who makes a mistake: the exact first line, the exit status, and earlier results left whole.
+
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "script/program.hpp"
+
+using namespace ricochet::test;
+
+namespace {
+
+struct Mistake {
+  const char* what;
+  const char* script;  // after the line that requires the module, which is line 1
+  const char* first_line;
+  int status = 1;
+  const char* arguments = "";
+};
+
+const char* bodies = "local d, w = ricochet.disk { nodes = 60 }, ricochet.wall { nodes = 150, width = 4 }\n";  // line 2 where it is used
+
+const std::vector<Mistake> mistakes{
+    {"misspelt field", "local d = ricochet.disk {\n  radus = 0.05,\n}", "error: s.lua:3: disk: unknown field 'radus' (did you mean 'radius'?)"},
+    {"misspelt function", "local d = ricochet.dsik { }", "error: s.lua:2: the module has no 'dsik' (did you mean 'disk'?)"},
+    {"misspelt global", "local d = ricohet.disk { }", "error: s.lua:2: unknown name 'ricohet' (did you mean 'ricochet'?)"},
+    {"assignment to a global", "disk = 3", "error: s.lua:2: 'disk' is not declared; write: local disk = ..."},
+    {"string for a number", "local d = ricochet.disk { radius = 'one' }", "error: s.lua:2: disk: 'radius' must be a number [R], is a string ('one')"},
+    {"fraction for a count", "local d = ricochet.disk { nodes = 10.5 }", "error: s.lua:2: disk: 'nodes' must be a whole number, is 10.5"},
+    {"zero nodes", "local d = ricochet.disk { nodes = 0 }", "error: s.lua:2: disk: 'nodes' must be between 4 and 1e+07, is 0"},
+    {"negative stiffness", "local d = ricochet.disk { stiffness = -1 }", "error: s.lua:2: disk: 'stiffness' must be greater than 0 m0 c^2/R^2, is -1"},
+    {"not a number", "local d = ricochet.disk { roughness = 0/0 }", "error: s.lua:2: disk: 'roughness' must be a finite number, is -nan"},
+    {"infinite", "local d = ricochet.disk { roughness = math.huge }", "error: s.lua:2: disk: 'roughness' must be a finite number, is inf"},
+    {"misspelt choice", "local d = ricochet.disk { placement = 'poison_disk' }",
+     "error: s.lua:2: disk: 'placement' must be one of uniform, poisson_disk, triangular, is 'poison_disk' (did you mean 'poisson_disk'?)"},
+    {"positional table", "local d = ricochet.disk { 5 }", "error: s.lua:2: disk: takes named fields only, has the value 5 without a name"},
+    {"no table", "local d = ricochet.disk(5)", "error: s.lua:2: disk: takes one table of named fields, e.g. ricochet.disk { nodes = 800, roughness = 0.03, seed = 7 }"},
+    {"missing outline", "local b = ricochet.body { nodes = 50 }",
+     "error: s.lua:2: body: 'outline' is missing: corners { {x, y}, ... } in order along the boundary; concave is fine, crossing itself is not"},
+    {"outline of two points", "local b = ricochet.body { nodes = 50, outline = { {0, 0}, {1, 0} } }", "error: s.lua:2: body: 'outline': needs at least 3 points, has 2"},
+    {"outline that crosses itself", "local b = ricochet.body { nodes = 50,\n outline = { {0, 0}, {1, 1}, {1, 0}, {0, 1} } }",
+     "error: s.lua:3: body: 'outline': crosses or touches itself; give its points in order along the boundary"},
+    {"rough rim that crosses itself", "local d = ricochet.disk { nodes = 400,\n  roughness = 0.5 }",
+     "error: s.lua:3: disk: 'roughness': the rough rim crosses itself (roughness 0.5, seed 1); lower the roughness or take another seed"},
+    {"stiffness function without a value", "local d = ricochet.disk { nodes = 60, stiffness = function(x, y) end }",
+     "error: s.lua:2: disk: 'stiffness': the function must return a positive number, gave nil at (1, 0)"},
+    {"everything anchored", "local d = ricochet.disk { nodes = 60, anchored = function(x, y) return true end }",
+     "error: s.lua:2: disk: 'anchored': holds every node; nothing could move"},
+    {"anchored projectile", "local w = ricochet.wall { nodes = 150 }\nlocal s = ricochet.scene { projectile = w, target = w }",
+     "error: s.lua:3: scene: 'projectile': must be free, but this body has anchored nodes"},
+    {"number for a body", "local s = ricochet.scene { projectile = 3, target = 4 }",
+     "error: s.lua:2: scene: 'projectile' must be a body (from ricochet.disk, ricochet.wall or ricochet.body), is 3"},
+    {"misspelt field of an inner table", "local s = ricochet.scene { projectile = d, target = w,\n launch = {\n  spede = 1 } }",
+     "error: s.lua:5: scene: launch: unknown field 'spede' (did you mean 'speed'?)"},
+    {"two ways to say the angle", "local s = ricochet.scene { projectile = d, target = w,\n launch = { psi1 = 1, angle = 3 } }",
+     "error: s.lua:4: scene: 'angle': give psi1 or angle, not both"},
+    {"misspelt method", "local s = ricochet.scene { projectile = d, target = w, method = 'verlett' }",
+     "error: s.lua:3: scene: 'method' must be one of pefrl, forest_ruth, verlet, is 'verlett' (did you mean 'verlet'?)"},
+    {"overlapping bodies", "local s = ricochet.scene { projectile = d, target = w,\n  launch = { height = -0.5 } }\ns:run()",
+     "error: s.lua:4: scene: 'height': the bodies overlap at the start (rims 0 R apart, 0.1 R needed); raise launch.height to -0.4 or more, or leave it out"},
+    {"unknown method of a scene", "local s = ricochet.scene { projectile = d, target = w }\ns:runn()", "error: s.lua:4: ricochet.scene has no a string ('runn')"},
+    {"sweep that returns no scene", "ricochet.sweep { name = 'x', over = { a = {1} }, scene = function(at) end }:run()",
+     "error: s.lua:2: run: the function 'scene' must return a scene (from ricochet.scene), returned nothing"},
+    {"sweep over nothing", "ricochet.sweep { name = 'x', over = {}, scene = function(at) end }", "error: s.lua:2: sweep: 'over' is empty; give at least one name = list of values"},
+    {"sweep over a number", "ricochet.sweep { name = 'x', over = { a = 3 }, scene = function(at) end }", "error: s.lua:2: sweep: over.a must be a list of values that is not empty, is 3"},
+    {"misspelt value of a sweep", "ricochet.sweep { name = 'x', over = { psi1 = {1} }, scene = function(at) return at.psi end }:run()",
+     "error: s.lua:2: index: 'over' has no 'psi'; it has psi1"},
+    {"syntax error", "local d = = 3", "error: s.lua:2: unexpected symbol near '='"},
+    {"Lua's own error", "local x = nil\nprint(x.y)", "error: s.lua:3: attempt to index a nil value (local 'x')"},
+    {"missing module", "require 'no_such'", "error: s.lua:2: require: there is no module 'no_such' in the library or beside the script"},
+    {"module outside", "require '../x'", "error: require: '../x' is no module name"},
+    {"a loop without end", "while true do end", "error: s.lua:2: the script used up its budget of 1000000 instructions; raise --budget or look for a loop without end", 1,
+     "--budget 1000000"},
+    {"the same loop, caught", "while true do pcall(function() while true do end end) end",
+     "error: s.lua:2: the script used up its budget of 1000000 instructions; raise --budget or look for a loop without end", 1, "--budget 1000000"},
+    {"a shell command", "os.execute 'true'", "error: s.lua:2: attempt to call a nil value (field 'execute')"},
+    {"io", "io.open 'x'", "error: s.lua:2: unknown name 'io' (files are below the run's folder, through ricochet.file)"},
+    {"a file outside the run's folder", "ricochet.file.write('../x', 'y')", "error: '../x' is no name below the run's folder; give a relative name without '..'"},
+    {"unknown parameter", "local p = ricochet.parameters { speed = 0.1 }", "error: unknown parameter 'sped' (did you mean 'speed'?)", 1, "sped=0.2"},
+    {"parameter out of range", "local p = ricochet.parameters { speed = { 0.1, min = 0, unit = 'c' } }", "error: parameter 'speed' must be a number [c], that is min 0, is '-1'", 1, "speed=-1"},
+    {"parameter of the wrong type", "local p = ricochet.parameters { n = { 3, int = true, doc = 'count' } }", "error: parameter 'n' must be a whole number, is 'many' (count)", 1, "n=many"},
+    {"parameters nobody declared", "local x = 1", "error: s.lua declares no parameters, but was given 'n=3'", 1, "n=3"},
+    {"an argument that is no parameter", "local x = 1", "error: 'fast' is neither an option nor name=value; see ricochet run --help", 2, "fast"},
+    {"impossible picture", "ricochet.animate { scene = ricochet.scene { projectile = d, target = w },\n  size = { 0, 100 } }",
+     "error: s.lua:4: animate: 'size': a picture has 16 x 16 to 7680 x 4320 pixels, not 0 x 100"},
+    {"unknown column", "local rows = ricochet.sweep { name = 's', over = { a = {1} }, scene = function() return ricochet.scene { projectile = d, target = w } end }:run()\nrows:summary { by = 'a', of = { 'betta' } }",
+     "error: s.lua:4: summary: the rows have no column 'betta' (did you mean 'beta'?)", 1, "--quiet"},
+    {"unstable step", "ricochet.scene { projectile = d, target = w,\n  step = 1 }:run()", "error: s.lua:4: scene: 'step': 1 is unstable: pefrl needs a step below", 1},
+};
+
+}  // namespace
+
+TEST_CASE("every mistake is reported by its exact first line and exit status") {
+  for (const Mistake& mistake : mistakes) {
+    const Workplace here;
+    const std::string text = mistake.script;
+    const bool uses_bodies = text.find("projectile = d") != std::string::npos;
+    const Ended ended = here.script(std::string("local ricochet = require \"ricochet\"\n") + (uses_bodies ? bodies : "") + text + "\n", mistake.arguments);
+    INFO(mistake.what << "\n" << ended.err);
+    if (std::string(mistake.what) == "unstable step") CHECK(ended.first_line().starts_with(mistake.first_line));
+    else CHECK(ended.first_line() == mistake.first_line);
+    CHECK(ended.status == mistake.status);
+  }
+}
+
+TEST_CASE("all mistakes of a table are reported together, each at its line, with carets and the valid fields") {
+  const Workplace here;
+  const Ended ended = here.script("local ricochet = require \"ricochet\"\nlocal d = ricochet.disk {\n  radus = 0.05,\n  seed = -1,\n}\n");
+  CHECK(ended.err ==
+        "error: s.lua:3: disk: unknown field 'radus' (did you mean 'radius'?)\n    3 |   radus = 0.05,\n      |   ^^^^^\n"
+        "error: s.lua:4: disk: 'seed' must be between 0 and 9.0072e+15, is -1\n    4 |   seed = -1,\n      |   ^^^^\n"
+        "  valid fields: anchored, mass, nodes, placement, quartic, radius, roughness, seed, stiffness\n");
+}
+
+TEST_CASE("mistakes outside the script name the file and the remedy") {
+  const Workplace here;
+  here.write("drop.lua", "print 'ran'");
+  Ended ended = here.run("dorp.lua");
+  CHECK(ended.first_line() == "error: there is no script dorp.lua (did you mean 'drop.lua'?)");
+  CHECK(ended.status == 4);
+  ended = here.run("");
+  CHECK(ended.first_line() == "error: run needs a script: ricochet run SCRIPT [name=value ...]");
+  CHECK(ended.status == 2);
+  ended = here.shell("ricochet rnu drop.lua");
+  CHECK_THAT(ended.first_line(), Catch::Matchers::Contains("(did you mean 'run'?)"));
+  CHECK(ended.status == 2);
+  ended = here.run("drop.lua --resume --force");
+  CHECK(ended.status == 2);
+  here.write("out/drop", "a file");
+  ended = here.run("drop.lua");
+  CHECK(ended.first_line() == "error: out/drop is a file; give another folder with --out");
+  CHECK(ended.status == 4);
+  here.write("broken.h5", "not HDF5");
+  ended = here.shell("ricochet info broken.h5");
+  CHECK(ended.first_line() == "error: broken.h5 is not a readable HDF5 file (damaged, or something else)");
+  CHECK(ended.status == 4);
+  here.write("b.lua", std::string("\x1bLua", 4));
+  CHECK(here.run("b.lua").first_line() == "error: b.lua: bytecode is not accepted; give the script's text");
+}
+
+TEST_CASE("existing results are neither overwritten nor lost by a mistake") {
+  const Workplace here;
+  REQUIRE(here.script(small_sweep, "samples=1 --quiet").status == 0);
+  const std::string before = here.read("out/s/results.h5");
+  Ended ended = here.script(small_sweep, "samples=1");
+  CHECK(ended.first_line() == "error: out/s already holds results; --resume continues them, --force replaces them, --out DIR goes elsewhere");
+  CHECK(ended.status == 4);
+  CHECK(here.script(std::string(small_sweep).replace(0, 5, "lcoal"), "samples=1 --force").status == 1);
+  CHECK(here.run("s.lua samples=many --force").status == 1);
+  CHECK(here.read("out/s/results.h5") == before);
+  // Rows of another sweep would be lost by --resume: refused.
+  std::string other = small_sweep;
+  other.replace(other.find("{ 0, 1, 4 }"), 11, "{ 2 }");
+  ended = here.script(other, "samples=1 --resume");
+  CHECK_THAT(ended.first_line(), Catch::Matchers::Contains("rows of other scenes than this sweep's, which --resume would lose"));
+  CHECK(ended.status == 4);
+  CHECK(here.read("out/s/results.h5") == before);
+  CHECK(here.script(small_sweep, "samples=1 --quiet --force").status == 0);
+}
+
+TEST_CASE("a sweep of which nothing finishes exits with 3") {
+  const Workplace here;
+  std::string text = small_sweep;
+  text.replace(text.find("launch ="), 0, "time_limit = 0.5, ");
+  const Ended ended = here.script(text, "samples=1 --quiet");
+  CHECK(ended.status == 3);
+  CHECK(ended.first_line() == "error: not one impact finished; the column 'reason' of results.csv says why");
+}
+
+TEST_CASE("the sandbox holds") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+print(pcall(function() return string.dump(print) end))
+print(load("\27Lua"))
+print(getmetatable(""), getmetatable(_G))
+print(pcall(function() local t = {} while true do t[#t + 1] = ("x"):rep(1e8) end end))
+print(math.random(1000))
+print(dofile == nil and "" or "dofile")
+)");
+  INFO(ended.out << ended.err);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("attempt to call a nil value"));
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("attempt to load a binary chunk"));
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("false\tfalse"));
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("not enough memory"));
+  CHECK(ended.first_line() == "error: s.lua:7: unknown name 'dofile'");
+  CHECK(here.run("s.lua").out == ended.out);  // the same random number too
+}
+
+TEST_CASE("a full disk and an unwritable folder are file errors that say how to go on") {
+  const Workplace here;
+  // A tmpfs of 64 kB: too small for the parts of 12 rows. Needs root, as in CI.
+  if (geteuid() != 0 || here.shell("mkdir out && mount -t tmpfs -o size=64k none out").status != 0) {
+    WARN("no right to mount a tmpfs here");
+    return;
+  }
+  const Ended full = here.script(small_sweep, "--quiet");
+  here.shell("umount out");
+  INFO(full.err);
+  CHECK(full.status == 4);
+  CHECK_THAT(full.err, Catch::Matchers::Contains("No space left on device; free some space or give another folder with --out, then --resume"));
+  here.shell("mount -t tmpfs -o ro none out");
+  const Ended locked = here.script(small_sweep, "--quiet");
+  here.shell("umount out");
+  CHECK(locked.status == 4);
+  CHECK(locked.first_line() == "error: cannot make folder out/s: Read-only file system; give a writable folder with --out");
+}

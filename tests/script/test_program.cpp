@@ -1,0 +1,155 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <set>
+
+#include "script/program.hpp"
+#include "script/specification.hpp"
+#include "store/table.hpp"
+
+using namespace ricochet;
+using namespace ricochet::test;
+
+TEST_CASE("a sweep leaves rows, CSV, log and provenance") {
+  const Workplace here;
+  const Ended ended = here.script(small_sweep, "--quiet");
+  INFO(ended.err);
+  REQUIRE(ended.status == 0);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("s: 12 of 12 impacts finished; out/s/results.h5"));
+  const Table table = read_table(here.path / "out/s/results.h5");
+  REQUIRE(table.rows() == 12);
+  // Combinations in order, the last name fastest; the sweep's psi1 beside what the impact had.
+  CHECK(table.number("sample")->values == std::vector<double>{1, 2, 3, 4, 1, 2, 3, 4, 1, 2, 3, 4});
+  CHECK(table.number("over_psi1")->values == std::vector<double>{0, 0, 0, 0, 1, 1, 1, 1, 4, 4, 4, 4});
+  CHECK(std::set<std::string>(table.text("scene_hash")->values.begin(), table.text("scene_hash")->values.end()).size() == 12);
+  const Provenance provenance = read_provenance(here.path / "out/s/results.h5");
+  CHECK(provenance.at("script") == small_sweep);
+  CHECK_THAT(provenance.at("required_files"), Catch::Matchers::Contains("ricochet/init.lua"));
+  for (const char* name : {"version", "commit", "compiler", "host", "start", "end", "script_hash"}) CHECK_FALSE(provenance.at(name).empty());
+  CHECK_THAT(here.read("out/s/run.log"), Catch::Matchers::Contains("12 of 12") && Catch::Matchers::Contains("finished  failed"));
+  const std::string csv_text = here.read("out/s/results.csv");
+  CHECK(std::count(csv_text.begin(), csv_text.end(), '\n') == 13);
+  CHECK_FALSE(fs::exists(here.path / "out/s/parts"));
+  const Ended info = here.shell("ricochet info out/s/results.h5");
+  CHECK_THAT(info.out, Catch::Matchers::Contains("12 rows") && Catch::Matchers::Contains("finished       12"));
+}
+
+TEST_CASE("the summary is the mean, deviation and error of finished rows") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+local list = {}
+for i, v in ipairs { 1, 2, 3, 10 } do list[i] = v end
+local rows = ricochet.sweep { name = "s", over = { v = list }, scene = function(at)
+  return ricochet.scene {
+    projectile = ricochet.disk { nodes = 60, seed = 1 }, target = ricochet.wall { nodes = 150, stiffness = 400, width = 4 },
+    launch = { psi1 = at.v == 10 and 3 or 0 }, time_limit = at.v == 10 and 0.5 or nil } end }:run()
+for i, row in ipairs(rows) do row.x = row.v end
+rows[1].x, rows[2].x, rows[3].x = 1, 2, 6
+for _, row in ipairs(rows) do row.g = "all" end
+local line = rows:summary { by = "g", of = { "x" } }[1]
+print(line.x.mean, ("%.6f"):format(line.x.sd), ("%.6f"):format(line.x.se), line.x.count, line.count, line.failed, rows[4].status)
+)", "--quiet");
+  INFO(ended.err);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("3.0\t2.645751\t1.527525\t3\t3\t1\tout_of_time"));
+}
+
+TEST_CASE("declared parameters have help, types and values") {
+  const Workplace here;
+  const char* script = R"(local ricochet = require "ricochet"
+local p = ricochet.parameters {
+  speed = { 0.1, unit = "c", min = 0, doc = "impact speed" }, angles = { { 0, 1 }, doc = "angles" }, n = { 3, int = true },
+  rough = true, kind = { "soft", choices = { "soft", "hard" } } }
+print(p.speed, #p.angles, p.angles[1], p.n, p.rough, p.kind)
+)";
+  CHECK(here.script(script).out == "0.1\t2\t0\t3\ttrue\tsoft\n");
+  CHECK(here.script(script, "speed=1/4 angles=7 n=5 rough=false kind=hard").out == "0.25\t1\t7.0\t5\tfalse\thard\n");
+  CHECK_THAT(here.script(script, "--help").out, Catch::Matchers::Contains("speed=0.1              [c] impact speed; min 0") && Catch::Matchers::Contains("angles=0,1"));
+  CHECK(here.script(script, "--help").status == 0);
+}
+
+TEST_CASE("--check builds every scene, runs none and writes nothing") {
+  const Workplace here;
+  const Ended ended = here.script(small_sweep, "--check");
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("s: 12 scenes are sound"));
+  CHECK_FALSE(fs::exists(here.path / "out"));
+}
+
+TEST_CASE("stiffness and anchors may depend on the place") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+local block = ricochet.body { outline = { {-2, -1}, {2, -1}, {2, 0}, {-2, 0} }, nodes = 150,
+  stiffness = function(x, y) return 100 * (2 + y) end, anchored = function(x, y) return y < -0.99 end }
+local ball = ricochet.disk { nodes = 60 }
+local row = ricochet.scene { projectile = ball, target = block }:run()
+print(row.status, row.e > 0.2 and row.e < 1)
+)");
+  INFO(ended.err);
+  CHECK(ended.out == "finished\ttrue\n");
+}
+
+TEST_CASE("a scene's text and hash follow its content only") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+local function scene(psi1, seed) return ricochet.scene { projectile = ricochet.disk { nodes = 60, seed = seed }, target = ricochet.wall { nodes = 150 }, launch = { psi1 = psi1 } } end
+print(scene(1, 1):hash() == scene(1, 1):hash(), scene(1, 1):hash() == scene(2, 1):hash(), scene(1, 1):hash() == scene(1, 2):hash(), #scene(1, 1):hash())
+)");
+  CHECK(ended.out == "true\tfalse\tfalse\t32\n");
+}
+
+TEST_CASE("frames and a recorded trajectory appear without a display and without environment") {
+  const Workplace here;
+  here.write("s.lua", R"(local ricochet = require "ricochet"
+local scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, stiffness = 400, width = 4 } }
+ricochet.animate { scene = scene, frames = 5, size = { 160, 90 } }
+ricochet.record { scene = scene, frames = 4 }
+)");
+  const Ended ended = here.shell(std::string("env -i '") + RICOCHET_PROGRAM + "' run s.lua");
+  INFO(ended.err);
+  REQUIRE(ended.status == 0);
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(here.path / "out/s/frames")) names.insert(entry.path().filename().string());
+  CHECK(names == std::set<std::string>{"000000.png", "000001.png", "000002.png", "000003.png", "000004.png"});
+  const std::string first = here.read("out/s/frames/000002.png");
+  CHECK(first.find("ricochet.scene") != std::string::npos);
+  CHECK(here.shell("ricochet run s.lua --force").status == 0);
+  CHECK(here.read("out/s/frames/000002.png") == first);
+  CHECK(fs::file_size(here.path / "out/s/trajectory.h5") > 1000);
+  CHECK_THAT(here.read("out/s/trajectory.xdmf"), Catch::Matchers::Contains("trajectory.h5:/particles/trajectory/position/value|3 0 0:1 1 1:1"));
+}
+
+TEST_CASE("a plot leaves its gnuplot script, an SVG and a PNG") {
+  const Workplace here;
+  const Ended ended = here.script(std::string(small_sweep) + "ricochet.plot { rows = rows, x = \"psi1\", y = { \"e\", \"mu\" }, name = \"p\", title = \"a \\\"quoted\\\" title\" }\n", "samples=2 --quiet");
+  INFO(ended.err);
+  REQUIRE(ended.status == 0);
+  CHECK(ended.err.empty());
+  for (const char* name : {"p.gp", "p.svg", "p.png"}) CHECK(fs::file_size(here.path / "out/s" / name) > 500);
+}
+
+TEST_CASE("scripts and examples of the project run short") {
+  const Workplace here;
+  const std::string root = RICOCHET_SOURCE;
+  for (const std::string command : {"examples/01_drop.lua nodes=60 frames=3", "scripts/elasticity.lua samples=1 height=3", "scripts/soft_wall.lua --check samples=1"}) {
+    const Ended ended = here.run("--quiet " + root + "/" + command);
+    INFO(command << "\n" << ended.err);
+    CHECK(ended.status == 0);
+  }
+}
+
+TEST_CASE("the reference page and the editor stubs in the tree are current") {
+  const Workplace tree;
+  const auto text = [](const std::string& name) {
+    std::ifstream file(std::string(RICOCHET_SOURCE) + "/lua/" + name);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  CHECK((text("REFERENCE.md") == reference_page()));  // else: ricochet reference > lua/REFERENCE.md
+  CHECK((text("ricochet.d.lua") == editor_stubs()));  // else: ricochet reference --stubs > lua/ricochet.d.lua
+}
+
+TEST_CASE("the repl answers and survives mistakes") {
+  const Workplace here;
+  const Ended ended = here.shell("printf '1 + 1\\nricochet.disk { nods = 3 }\\nlocal x = 2; print(x)\\n' | ricochet repl");
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("> 2\n") );
+  CHECK_THAT(ended.err, Catch::Matchers::Contains("did you mean 'nodes'"));
+}

@@ -1,0 +1,65 @@
+// Other programs read our files. ricochet_tests "[.slow]" needs python3-h5py python3-mdanalysis python3-vtk9.
+
+#include <catch2/catch.hpp>
+
+#include "script/program.hpp"
+
+using namespace ricochet::test;
+
+namespace {
+
+const char* recorded = R"(local ricochet = require "ricochet"
+local scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, stiffness = 400, width = 4 } }
+ricochet.record { scene = scene, frames = 7 }
+)";
+
+Ended python(const Workplace& here, const std::string& text) {
+  here.write("read.py", text);
+  return here.shell("/usr/bin/python3 read.py");
+}
+
+}  // namespace
+
+TEST_CASE("results.h5 opens in h5py", "[.slow]") {
+  const Workplace here;
+  REQUIRE(here.script(small_sweep, "--quiet").status == 0);
+  const Ended ended = python(here, R"(import h5py
+f = h5py.File("out/s/results.h5")
+print(len(f["rows/e"]), f["rows/vn"].attrs["unit"].decode(), f["rows/status"][0].decode(), f["provenance/script_name"][0].decode())
+)");
+  INFO(ended.err);
+  CHECK(ended.out == "12 c finished s.lua\n");
+}
+
+TEST_CASE("trajectory.h5 opens in MDAnalysis", "[.slow]") {
+  const Workplace here;
+  REQUIRE(here.script(recorded, "--quiet").status == 0);
+  const Ended ended = python(here, R"(import warnings; warnings.simplefilter("ignore")
+import MDAnalysis as mda, numpy as np
+u = mda.Universe.empty(210, trajectory=False)
+u.load_new("out/s/trajectory.h5", format="H5MD", convert_units=False)
+heights = [ts.positions[:60, 1].mean() for ts in u.trajectory]
+print(len(u.trajectory), u.trajectory.n_atoms, u.trajectory.has_velocities if hasattr(u.trajectory, "has_velocities") else True, min(heights) < heights[0] and heights[-1] > min(heights))
+)");
+  INFO(ended.err);
+  CHECK(ended.out == "7 210 True True\n");
+}
+
+TEST_CASE("the .xdmf opens in VTK's reader", "[.slow]") {
+  const Workplace here;
+  REQUIRE(here.script(recorded, "--quiet").status == 0);
+  const Ended ended = python(here, R"(import vtk
+r = vtk.vtkXdmfReader()
+r.SetFileName("out/s/trajectory.xdmf")
+r.UpdateInformation()
+info = r.GetOutputInformation(0)
+times = info.Get(vtk.vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+r.UpdateTimeStep(times[3])
+d = r.GetOutputDataObject(0)
+g = d
+while g.IsA("vtkMultiBlockDataSet"): g = g.GetBlock(0)
+print(len(times), g.GetNumberOfPoints(), g.GetNumberOfCells() > 300, g.GetPointData().GetArray("velocity").GetNumberOfComponents())
+)");
+  INFO(ended.err);
+  CHECK(ended.out == "7 210 True 3\n");
+}
