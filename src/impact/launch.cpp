@@ -129,9 +129,14 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
     return start;
   }
   // Upstream along the line of flight: at `height` above touching.
-  const double ahead = normal_speed > 0 ? height / normal_speed : 0.0;
-  Pose pose{Vec2(scene.launch.at - start.velocity.x() * ahead, centre.y() + lift + height), 0.0};
+  const auto upstream = [&](double above) {
+    const double ahead = normal_speed > 0 ? above / normal_speed : 0.0;
+    return Pose{Vec2(scene.launch.at - start.velocity.x() * ahead, centre.y() + lift + above), 0.0};
+  };
+  Pose pose = upstream(height);
   double distance = chain_distance(posed(rim, centre, pose), target_rim);
+  // Where the outlines slope, a height is less of a distance: go higher until the rims are apart.
+  for (double above = 2 * height; !given && distance < reach && above < 1e3 * height; above *= 2) pose = upstream(above), distance = chain_distance(posed(rim, centre, pose), target_rim);
   if (scene.contact.V0 * std::exp(-scene.contact.xi * distance) > 1e-6 * std::max(start.energy, 1e-300))
     throw FieldError("height", fmt::format("the bodies overlap at the start (rims {:.3g} R apart, {:.3g} R needed); raise launch.height to {:.3g} or more, or leave it out",
                                            distance, reach, height - distance + reach));

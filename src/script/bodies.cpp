@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/hash.hpp"
+#include "core/spelling.hpp"
 #include "impact/batch.hpp"
 #include "lattice/elasticity.hpp"
 #include "lattice/outline.hpp"
@@ -156,8 +157,18 @@ int unknown_method(lua_State* L) {
   luaL_getmetafield(L, 1, "methods");
   lua_pushvalue(L, 2);
   if (lua_rawget(L, -2) != LUA_TNIL) return 1;
+  lua_pop(L, 1);
+  std::vector<std::string> names;
+  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) names.push_back(lua_tostring(L, -2));
+  std::sort(names.begin(), names.end());
+  std::string all;
+  for (const std::string& n : names) all += (all.empty() ? "; it has " : ", ") + n;
   luaL_getmetafield(L, 1, "__name");
-  throw Error(fmt::format("{}: {} has no '{}'", call_site(L).line > 0 ? fmt::format("{}:{}", call_site(L).file, call_site(L).line) : "?", lua_tostring(L, -1), shown(L, 2)));
+  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2), type = lua_tostring(L, -1);
+  const CallSite site = call_site(L);
+  const std::string nearest = did_you_mean(name, names);
+  throw Error(fmt::format("{}:{}: a {} has no '{}'{}\n{}", site.file, site.line, type.substr(type.find('.') + 1), name, nearest.empty() ? all : nearest,
+                          excerpt(session_of(L).sources[site.file], {site.line, 1, 0})));
 }
 
 void make_type(lua_State* L, const char* type, lua_CFunction collector, std::initializer_list<luaL_Reg> methods) {

@@ -177,7 +177,7 @@ std::string shown(lua_State* L, int index) {
   switch (lua_type(L, index)) {
     case LUA_TNIL: return "nil";
     case LUA_TBOOLEAN: return lua_toboolean(L, index) ? "true" : "false";
-    case LUA_TNUMBER: return lua_isinteger(L, index) ? fmt::format("{}", lua_tointeger(L, index)) : fmt::format("{}", lua_tonumber(L, index));
+    case LUA_TNUMBER: return lua_isinteger(L, index) ? fmt::format("{}", lua_tointeger(L, index)) : (lua_tonumber(L, index) != lua_tonumber(L, index) ? "nan" : fmt::format("{}", lua_tonumber(L, index)));
     case LUA_TSTRING: return fmt::format("a string ('{:.40}')", lua_tostring(L, index));
     case LUA_TUSERDATA: return luaL_getmetafield(L, index, "__name") == LUA_TSTRING ? (lua_pop(L, 1), std::string("a ") + (is_userdata(L, index, "body") ? "body" : "scene")) : "an object";
     default: return fmt::format("a {}", luaL_typename(L, index));

@@ -36,7 +36,8 @@ void* allocate(void* opaque, void* block, std::size_t old_size, std::size_t size
 void watch(lua_State* L, lua_Debug*) {
   if (stop_requested) {
     lua_sethook(L, watch, LUA_MASKCOUNT, 1);
-    luaL_error(L, "interrupted");
+    lua_pushliteral(L, "interrupted");
+    lua_error(L);
   }
   const Session& session = session_of(L);
   if (session.options.budget <= 0) return;
@@ -46,7 +47,10 @@ void watch(lua_State* L, lua_Debug*) {
   count += hook_period;
   if (count <= session.options.budget) return;
   lua_sethook(L, watch, LUA_MASKCOUNT, 1);
-  luaL_error(L, "the script used up its budget of %d instructions; raise --budget or look for a loop without end", static_cast<int>(session.options.budget));
+  luaL_where(L, 0);
+  lua_pushstring(L, fmt::format("the script used up its budget of {} instructions; raise --budget or look for a loop without end", session.options.budget).c_str());
+  lua_concat(L, 2);
+  lua_error(L);
 }
 
 std::string displayed(lua_State* L, int index) {
@@ -70,6 +74,7 @@ int unknown_global(lua_State* L) {
   lua_pushglobaltable(L);
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
     if (lua_type(L, -2) == LUA_TSTRING) names.push_back(lua_tostring(L, -2));
+  names.push_back("ricochet");
   std::string hint = did_you_mean(name, names);
   if (name == "io") hint = " (files are below the run's folder, through ricochet.file)";
   if (name == "ricochet") hint = " (begin the script with: local ricochet = require \"ricochet\")";

@@ -151,7 +151,7 @@ TEST_CASE("candidates are exactly the pairs within the distance") {
         ++k;
       }
   CHECK(pairs.size() == expected);
-  CHECK(expected > 50);
+  CHECK(expected > 20);
 }
 
 TEST_CASE("a list with a skin never loses a pair while the bodies move") {

