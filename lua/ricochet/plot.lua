@@ -35,14 +35,16 @@ local function plot(given)
     lines[#lines + 1] = table.concat(cells, " ")
   end
   lines[#lines + 1] = "END"
+  local low, high = summary[1][t.x], summary[#summary][t.x]
+  local room = high > low and 0.04 * (high - low) or math.max(0.5, math.abs(low) / 2)
   local height = 110 + 300 * #t.y
   local caption = ("mean and standard error of %d impacts, %d failed"):format(finished, failed)
   local title = t.title and quoted(t.title) .. '."\\n".' .. quoted(caption) or quoted(caption)
   local function panels()
     lines[#lines + 1] = ("set multiplot layout %d,1 title %s"):format(#t.y, title)
     for i, column in ipairs(t.y) do
-      -- Room around the first and last point, so that no error bar lies on the frame.
-      lines[#lines + 1] = "set offsets graph 0.03, graph 0.03, graph 0.08, graph 0.08"
+      -- The same margins and range along x in every panel, with room around the first and last point.
+      lines[#lines + 1] = ("set lmargin 11\nset xrange [%.17g:%.17g]\nset offsets 0, 0, graph 0.08, graph 0.08"):format(low - room, high + room)
       lines[#lines + 1] = ("set xlabel %s"):format(i == #t.y and quoted(t.xlabel or label(t.x)) or '""')
       lines[#lines + 1] = ("set ylabel %s"):format(quoted(label(column)))
       lines[#lines + 1] = ("plot $data using 1:%d:%d with yerrorbars pt 7 ps 0.8 lw 1.5 lc rgb %s notitle, \\"):format(2 * i, 2 * i + 1, quoted(colours[(i - 1) % #colours + 1]))
