@@ -66,7 +66,7 @@ print(p.speed, #p.angles, p.angles[1], p.n, p.rough, p.kind)
   CHECK(here.script(script, "--help").status == 0);
 }
 
-TEST_CASE("--check builds every scene, runs none and writes nothing") {
+TEST_CASE("with --check every scene is built, none runs, and nothing is written") {
   const Workplace here;
   const Ended ended = here.script(small_sweep, "--check");
   CHECK(ended.status == 0);
