@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <functional>
 #include <fmt/format.h>
 #include <random>
 #include <thread>
@@ -28,8 +29,8 @@ std::string rows_hash(const fs::path& file) {
   return hash_text(text);
 }
 
-/// Starts the program in its own process group, kills it after a while; the exit status, or minus the signal.
-int run_and_kill(const Workplace& here, const std::vector<std::string>& arguments, std::chrono::milliseconds after, int signal) {
+/// Starts the program, waits, and sends it a signal; the exit status, or minus the signal.
+int run_and_kill(const Workplace& here, const std::vector<std::string>& arguments, const std::function<void()>& wait, int signal) {
   const pid_t child = fork();
   if (child == 0) {
     if (chdir(here.path.c_str()) != 0) _exit(99);
@@ -41,7 +42,7 @@ int run_and_kill(const Workplace& here, const std::vector<std::string>& argument
     execv(RICOCHET_PROGRAM, words.data());
     _exit(99);
   }
-  std::this_thread::sleep_for(after);
+  wait();
   kill(child, signal);
   int status = 0;
   waitpid(child, &status, 0);
@@ -63,7 +64,7 @@ TEST_CASE("after 20 kills at random moments and --resume every row is there once
     // Every few trials begin anew, so that kills hit young sweeps as well as nearly finished ones.
     const bool anew = trial % 5 == 0;
     if (anew) stored = 0, fs::remove_all(here.path / "out");
-    const int status = run_and_kill(here, {"run", "s.lua", "samples=10", "--quiet", "--resume", "--batch", "1"}, after, SIGKILL);
+    const int status = run_and_kill(here, {"run", "s.lua", "samples=10", "--quiet", "--resume", "--batch", "1"}, [&] { std::this_thread::sleep_for(after); }, SIGKILL);
     killed += status == -SIGKILL;
     std::size_t now = 0;
     if (fs::exists(here.path / "out/s/results.h5")) now += read_table(here.path / "out/s/results.h5").rows();
@@ -84,7 +85,10 @@ TEST_CASE("after 20 kills at random moments and --resume every row is there once
 TEST_CASE("^C stores what is done, says how to resume, and exits with 130") {
   const Workplace here;
   here.write("s.lua", small_sweep);
-  const int status = run_and_kill(here, {"run", "s.lua", "samples=300", "--quiet"}, std::chrono::milliseconds(1500), SIGINT);
+  const int status = run_and_kill(here, {"run", "s.lua", "samples=300", "--quiet"}, [&] {
+    for (int i = 0; i < 6000 && !fs::exists(here.path / "out/s/parts"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }, SIGINT);
   CHECK(status == 130);
   const Table table = read_table(here.path / "out/s/results.h5");
   CHECK(table.rows() > 0);

@@ -153,3 +153,13 @@ TEST_CASE("the repl answers and survives mistakes") {
   CHECK_THAT(ended.out, Catch::Matchers::Contains("> 2\n") );
   CHECK_THAT(ended.err, Catch::Matchers::Contains("did you mean 'nodes'"));
 }
+
+TEST_CASE("./workbench without root or sudo says which packages to install and how") {
+  const Workplace here;
+  // A machine that has nothing installed, no sudo, and a user that is not root.
+  const Ended ended = here.shell(std::string("mkdir bin; ln -s $(command -v dirname) $(command -v sh) bin/; printf '#!/bin/sh\nexit 1\n' > bin/dpkg-query; "
+                                             "printf '#!/bin/sh\necho 1000\n' > bin/id; chmod +x bin/*; PATH=$PWD/bin sh ") + RICOCHET_SOURCE + "/workbench test");
+  CHECK(ended.status == 4);
+  CHECK_THAT(ended.first_line(), Catch::Matchers::StartsWith("error: workbench: these Debian packages are missing and need root to install: g++ cmake"));
+  CHECK_THAT(ended.err, Catch::Matchers::Contains("as root: apt-get install --no-install-recommends g++ cmake"));
+}
