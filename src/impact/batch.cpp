@@ -50,6 +50,9 @@ struct Run {
 
 template <int W>
 class Engine {
+  template <int V>
+  friend class Engine;
+
  public:
   Engine(const Lattice& projectile, const Lattice& target, const Method& method)
       : projectile_{&projectile}, target_{&target}, method_(method), contact_(projectile, target) {
@@ -89,6 +92,22 @@ class Engine {
     threshold_[lane] = touch_share * run.start.energy;
     drift_ahead(lane);
     return std::nullopt;
+  }
+
+  /// Takes over an impact from a lane of another engine, between two steps.
+  template <int V>
+  void take(int lane, const Engine<V>& from, int from_lane) {
+    const auto copy = [&](const Moving<V>& old, Moving<W>& body) {
+      for (int i = 0; i < body.lattice->nodes(); ++i) {
+        body.position.set(i, lane, old.position.at(i, from_lane));
+        body.velocity.set(i, lane, old.velocity.at(i, from_lane));
+        body.force.set(i, lane, Vec2::Zero());  // as after every kick
+      }
+      body.stiffness[lane] = old.stiffness[from_lane];
+    };
+    copy(from.projectile_, projectile_), copy(from.target_, target_);
+    runs_[lane] = from.runs_[from_lane], h_[lane] = from.h_[from_lane], threshold_[lane] = from.threshold_[from_lane];
+    contact_.set(lane, &runs_[lane].scene->contact);
   }
 
   void clear(int lane) { runs_[lane] = Run{}, h_[lane] = 0, contact_.set(lane, nullptr); }
@@ -136,6 +155,7 @@ class Engine {
     return shot;
   }
 
+  const Method& method() const { return method_; }
   int steps_between_looks() const { return std::max(1, evaluations_between_looks / method_.evaluations()); }
 
  private:
@@ -314,36 +334,56 @@ class Engine {
   Lane<W> h_ = Lane<W>::Zero(), contact_energy_ = Lane<W>::Zero(), threshold_ = Lane<W>::Zero();
 };
 
+/// What is left to do of a batch.
+struct Queue {
+  const Lattice &projectile, &target;
+  std::span<const Scene> scenes;
+  const std::atomic<bool>& stop;
+  const Finished& finished;
+  std::size_t next = 0;
+};
+
+// Runs what is in the engine's lanes and in the queue, `width` lanes at a time. When the queue is empty and half of the lanes
+// would idle, the rest moves into an engine of half the width.
 template <int W>
-bool run_lanes(const Lattice& projectile, const Lattice& target, std::span<const Scene> scenes, int width, const std::atomic<bool>& stop,
-               const Finished& finished) {
-  Engine<W> engine(projectile, target, method_named(scenes.front().integration.method));
-  std::size_t next = 0, running = 0;
+bool drain(Engine<W>& engine, Queue& queue, int width) {
   const auto fill = [&](int lane) {
-    while (next < scenes.size() && engine.idle(lane)) {
-      const std::size_t index = next++;
+    while (queue.next < queue.scenes.size() && engine.idle(lane)) {
+      const std::size_t index = queue.next++;
       try {
-        if (const auto outcome = engine.begin(lane, scenes[index], index)) finished(index, *outcome, 0);
-        else ++running;
+        if (const auto outcome = engine.begin(lane, queue.scenes[index], index)) queue.finished(index, *outcome, 0);
       } catch (const FieldError& error) {
         throw SceneError(error, index);
       }
     }
   };
-  for (int lane = 0; lane < width; ++lane) fill(lane);
-  while (running > 0) {
+  for (;;) {
+    std::vector<int> busy;
+    for (int lane = 0; lane < W; ++lane) {
+      if (lane < width) fill(lane);
+      if (!engine.idle(lane)) busy.push_back(lane);
+    }
+    if (busy.empty()) return true;
+    if constexpr (W > 1)
+      if (queue.next == queue.scenes.size() && static_cast<int>(busy.size()) <= W / 2) {
+        Engine<W / 2> narrow(queue.projectile, queue.target, engine.method());
+        for (std::size_t i = 0; i < busy.size(); ++i) narrow.take(static_cast<int>(i), engine, busy[i]);
+        return drain(narrow, queue, W / 2);
+      }
     for (int i = 0; i < engine.steps_between_looks(); ++i) engine.advance_one_step();
-    if (stop) return false;
+    if (queue.stop) return false;
     engine.look([&](int lane, const Outcome& outcome) {
-      const double seconds = std::chrono::duration<double>(Clock::now() - engine.run(lane).began).count() / width;
-      finished(engine.run(lane).index, outcome, seconds);
+      const double seconds = std::chrono::duration<double>(Clock::now() - engine.run(lane).began).count() / static_cast<double>(busy.size());
+      queue.finished(engine.run(lane).index, outcome, seconds);
       engine.clear(lane);
-      --running;
     });
-    for (int lane = 0; lane < width; ++lane)
-      if (engine.idle(lane)) fill(lane);
   }
-  return true;
+}
+
+template <int W>
+bool run_lanes(Queue queue, int width) {
+  Engine<W> engine(queue.projectile, queue.target, method_named(queue.scenes.front().integration.method));
+  return drain(engine, queue, width);
 }
 
 }  // namespace
@@ -351,8 +391,9 @@ bool run_lanes(const Lattice& projectile, const Lattice& target, std::span<const
 bool run_batch(const Lattice& projectile, const Lattice& target, std::span<const Scene> scenes, int width, const std::atomic<bool>& stop,
                const Finished& finished) {
   const int used = std::min<int>(width, static_cast<int>(scenes.size()));
+  const Queue queue{projectile, target, scenes, stop, finished};
   // One impact alone is faster without lanes; from two on, full registers win even if some lanes idle.
-  return used == 1 ? run_lanes<1>(projectile, target, scenes, 1, stop, finished) : run_lanes<lanes>(projectile, target, scenes, used, stop, finished);
+  return used == 1 ? run_lanes<1>(queue, 1) : run_lanes<lanes>(queue, used);
 }
 
 Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop, const Observer* observer) {
