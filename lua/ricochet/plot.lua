@@ -6,8 +6,9 @@ local summarise = require("ricochet.rows").summarise
 local colours = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9" }
 local greek = { mu = "μ", beta = "β", psi1 = "Ψ_1", psi2 = "Ψ_2", tan_alpha = "tan α", e_alpha = "e_α", theta = "θ", omega = "ω" }
 
+-- In single quotes: within double ones gnuplot runs what stands in backquotes as a shell command.
 local function quoted(text)
-  return '"' .. text:gsub('[\\"]', "\\%0"):gsub("%c", " ") .. '"'
+  return "'" .. text:gsub("'", "''"):gsub("%c", " ") .. "'"
 end
 
 local function label(column)
@@ -45,7 +46,7 @@ local function plot(given)
     for i, column in ipairs(t.y) do
       -- The same margins and range along x in every panel, with room around the first and last point.
       lines[#lines + 1] = ("set lmargin 11\nset xrange [%.17g:%.17g]\nset offsets 0, 0, graph 0.08, graph 0.08"):format(low - room, high + room)
-      lines[#lines + 1] = ("set xlabel %s"):format(i == #t.y and quoted(t.xlabel or label(t.x)) or '""')
+      lines[#lines + 1] = ("set xlabel %s"):format(i == #t.y and quoted(t.xlabel or label(t.x)) or "''")
       lines[#lines + 1] = ("set ylabel %s"):format(quoted(label(column)))
       lines[#lines + 1] = ("plot $data using 1:%d:%d with yerrorbars pt 7 ps 0.8 lw 1.5 lc rgb %s notitle, \\"):format(2 * i, 2 * i + 1, quoted(colours[(i - 1) % #colours + 1]))
       lines[#lines + 1] = ("     $data using 1:%d with lines lw 1 lc rgb %s notitle"):format(2 * i, quoted(colours[(i - 1) % #colours + 1]))

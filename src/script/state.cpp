@@ -108,6 +108,12 @@ void load_file(lua_State* L, const fs::path& path, const std::string& name) {
 int require(lua_State* L) {
   Session& session = session_of(L);
   const std::string name = luaL_checkstring(L, 1);
+  if (name == "ricochet.core") {
+    // The native part trusts its caller (it hands text to gnuplot, which may run anything): only the library gets it.
+    lua_Debug caller;
+    const bool known = lua_getstack(L, 1, &caller) && lua_getinfo(L, "S", &caller);
+    if (!known || !std::string(caller.source).starts_with("@" + session.library.string() + "/")) throw Error("require: 'ricochet.core' is for the library alone");
+  }
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   if (lua_getfield(L, -1, name.c_str()) != LUA_TNIL) return 1;
   lua_pop(L, 1);

@@ -187,6 +187,18 @@ print(dofile == nil and "" or "dofile")
   CHECK(here.run("s.lua").out == ended.out);  // the same random number too
 }
 
+TEST_CASE("no text of a plot reaches a shell, and the module's native part stays with the library") {
+  const Workplace here;
+  const Ended ended = here.script(std::string(small_sweep) + R"(
+ricochet.plot { rows = rows, x = "psi1", y = { "e" }, name = "p", title = "`touch a`", xlabel = "$(touch b) `touch c` 'it'" }
+print(pcall(require, "ricochet.core"))
+)", "samples=2 --quiet");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+  for (const char* name : {"a", "b", "c"}) CHECK_FALSE((fs::exists(here.path / name) || fs::exists(here.path / "out/s" / name)));
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("false\trequire: 'ricochet.core' is for the library alone"));
+}
+
 TEST_CASE("a full disk and an unwritable folder are file errors that say how to go on") {
   const Workplace here;
   // A tmpfs of 64 kB: too small for the parts of 12 rows. Needs root, as in CI.
