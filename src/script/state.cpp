@@ -136,6 +136,40 @@ int require(lua_State* L) {
   throw Error(fmt::format("{}:{}: require: there is no module '{}' in the library or beside the script", site.file, site.line, name));
 }
 
+// xpcall(f, handler, ...): the handler runs after the error has unwound. Lua's own runs it inside the hook that ended the script,
+// where no hook is called any more, so that a loop in it could not be ended.
+int protected_call(lua_State* L) {
+  luaL_checktype(L, 2, LUA_TFUNCTION);
+  const int arguments = lua_gettop(L) - 2;
+  lua_pushvalue(L, 1);
+  for (int i = 0; i < arguments; ++i) lua_pushvalue(L, 3 + i);
+  const int before = lua_gettop(L) - arguments - 1;
+  const bool fine = lua_pcall(L, arguments, LUA_MULTRET, 0) == LUA_OK;
+  if (!fine) {
+    lua_pushvalue(L, 2);
+    lua_insert(L, -2);
+    lua_call(L, 1, LUA_MULTRET);
+  }
+  lua_pushboolean(L, fine);
+  lua_insert(L, before + 1);
+  return lua_gettop(L) - before;
+}
+
+// setmetatable, without finalizers: Lua calls no hook in them either.
+int set_metatable(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  if (!lua_isnoneornil(L, 2)) luaL_checktype(L, 2, LUA_TTABLE);
+  lua_settop(L, 2);
+  if (lua_istable(L, 2)) {
+    lua_pushliteral(L, "__gc");
+    if (lua_rawget(L, 2) != LUA_TNIL) return luaL_error(L, "setmetatable: __gc is not for scripts (--unsafe lifts this)");
+    lua_pop(L, 1);
+  }
+  if (luaL_getmetafield(L, 1, "__metatable") != LUA_TNIL) return luaL_error(L, "cannot change a protected metatable");
+  lua_setmetatable(L, 1);
+  return 1;
+}
+
 // load, for text only.
 int load_text(lua_State* L) {
   std::size_t length = 0;
@@ -235,6 +269,8 @@ void open_sandbox(lua_State* L, bool unsafe) {
     remove(L, "string", {"dump"});
     for (const char* name : {"dofile", "loadfile", "collectgarbage"}) lua_pushnil(L), lua_setglobal(L, name);
     lua_register(L, "load", load_text);
+    lua_register(L, "xpcall", protected_call);
+    lua_register(L, "setmetatable", set_metatable);
     lua_pushliteral(L, "");  // the methods of strings belong to everyone
     lua_getmetatable(L, -1);
     lua_pushboolean(L, false);

@@ -72,6 +72,9 @@ const std::vector<Mistake> mistakes{
      "--budget 1000000"},
     {"the same loop, caught", "while true do pcall(function() while true do end end) end",
      "error: s.lua:2: the script used up its budget of 1000000 instructions; raise --budget or look for a loop without end", 1, "--budget 1000000"},
+    {"a loop in the handler of an error", "print(xpcall(function() while true do end end, function(m) while true do end end))",
+     "error: s.lua:2: the script used up its budget of 1000000 instructions; raise --budget or look for a loop without end", 1, "--budget 1000000"},
+    {"a finalizer, which no hook can end", "setmetatable({}, { __gc = function() while true do end end })", "error: s.lua:2: setmetatable: __gc is not for scripts (--unsafe lifts this)"},
     {"a shell command", "os.execute 'true'", "error: s.lua:2: attempt to call a nil value (field 'execute')"},
     {"io", "io.open 'x'", "error: s.lua:2: unknown name 'io' (files are below the run's folder, through ricochet.file)"},
     {"a file outside the run's folder", "ricochet.file.write('../x', 'y')", "error: '../x' is no name below the run's folder; give a relative name without '..'"},
@@ -176,6 +179,7 @@ print(load("\27Lua"))
 print(getmetatable(""), getmetatable(_G))
 print(pcall(function() local s = "x" while true do s = s .. s end end))
 print(math.random(1000))
+print((select(2, xpcall(function(a, b) return a + b end, print, 1, 2))), (select(2, xpcall(error, function(m) return m .. "!" end, "x"))))
 print(dofile == nil and "" or "dofile")
 )");
   INFO(ended.out << ended.err);
@@ -183,7 +187,8 @@ print(dofile == nil and "" or "dofile")
   CHECK_THAT(ended.out, Catch::Matchers::Contains("attempt to load a binary chunk"));
   CHECK_THAT(ended.out, Catch::Matchers::Contains("false\tfalse"));
   CHECK_THAT(ended.out, Catch::Matchers::Contains("not enough memory"));
-  CHECK(ended.first_line() == "error: s.lua:7: unknown name 'dofile'");
+  CHECK(ended.first_line() == "error: s.lua:8: unknown name 'dofile'");
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("3\tx!"));
   CHECK(here.run("s.lua").out == ended.out);  // the same random number too
 }
 
