@@ -17,6 +17,7 @@ local function groups(rows, by)
   local list, of = {}, {}
   for _, row in ipairs(rows) do
     local key = row[by]
+    if key ~= key then core.fail(("column '%s' is undefined in some rows and cannot group them"):format(by)) end
     if of[key] == nil then
       of[key] = { key = key, members = {}, failed = 0 }
       list[#list + 1] = of[key]

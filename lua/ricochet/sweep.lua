@@ -7,11 +7,18 @@ Sweep.__index = function(_, name)
   return Sweep[name] or core.fail(("a sweep has no '%s'; it has run"):format(tostring(name)))
 end
 
+-- Names that a parameter must not take, because a row's outcome would be hidden. psi1, seed and step are what was asked for in
+-- the row, and what came of it in the file.
+local outcome = core.columns()
+for _, name in ipairs { "status", "reason", "scene_hash", "wall_seconds" } do outcome[name] = "" end
+for _, name in ipairs { "psi1", "seed", "step" } do outcome[name] = nil end
+
 -- Names in order, and the list of points: every combination, the last name fastest.
 local function combinations(over)
   local names = {}
   for name, values in pairs(over) do
     if type(name) ~= "string" then core.fail "'over' takes name = list of values" end
+    if outcome[name] then core.fail(("over.%s: '%s' is a column of the outcome; take another name"):format(name, name)) end
     if type(values) ~= "table" or #values == 0 then
       core.fail(("over.%s must be a list of values that is not empty, is %s"):format(name, type(values) == "table" and "an empty table" or tostring(values)))
     end

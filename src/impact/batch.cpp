@@ -248,9 +248,30 @@ class Engine {
       double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
       for (const int i : projectile_.lattice->rim) lowest = std::min(lowest, n.dot(position_[0].at(i, lane)));
       for (const int i : target_.lattice->rim) highest = std::max(highest, n.dot(position_[1].at(i, lane)));
-      return lowest > highest;
+      return lowest > highest && stays_clear(lane, p, n, velocity.dot(n), highest);
     };
-    return (clear_along(Vec2(0, 1)) || (!target_.lattice->anchored() && clear_along(line))) && contact_.apart(lane, position_[0], position_[1]);
+    return (clear_along(Vec2(0, 1)) || clear_along(line)) && contact_.apart(lane, position_[0], position_[1]);
+  }
+
+  // True if the projectile, flying on as a rigid body, never comes down to `level` along n: a spinning bar may, however fast it
+  // leaves. Its lowest point falls no faster than spin times radius, so time can advance by the gap over that speed.
+  bool stays_clear(int lane, const RigidMotion<W>& p, const Vec2& n, double speed, double level) const {
+    const Vec2 centre(p.x[lane], p.y[lane]);
+    const double spin = p.omega[lane];
+    Points arms;
+    double radius = 0;
+    for (const int i : projectile_.lattice->rim) arms.push_back(position_[0].at(i, lane) - centre), radius = std::max(radius, arms.back().norm());
+    double time = 0;
+    for (int advance = 0; advance < 1000; ++advance) {
+      const double height = n.dot(centre) + speed * time - level;
+      if (height > radius) return true;
+      const double c = std::cos(spin * time), s = std::sin(spin * time);
+      double lowest = radius;
+      for (const Vec2& a : arms) lowest = std::min(lowest, n.dot(Vec2(c * a.x() - s * a.y(), s * a.x() + c * a.y())));
+      if (height + lowest <= 0) return false;
+      time += spin == 0 ? radius / speed : std::min((height + lowest) / (std::abs(spin) * radius), radius / speed);
+    }
+    return false;  // too close to tell: asked again at the next look
   }
 
   bool tunnelled(int lane) const {

@@ -93,6 +93,9 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
   if (scene.contact.xi * scene.contact.reach < 20)
     throw FieldError("contact", fmt::format("xi reach = {:g} cuts the repulsion at more than exp(-20); raise reach to {:g} or more",
                                             scene.contact.xi * scene.contact.reach, 20 / scene.contact.xi));
+  if (scene.contact.xi * scene.contact.reach > 700)
+    throw FieldError("contact", fmt::format("xi reach = {:g} is beyond exp(-700), the smallest number there is; lower reach to {:g} or less",
+                                            scene.contact.xi * scene.contact.reach, 700 / scene.contact.xi));
   Start start;
   const auto [step, theta] = choose_step(scene, projectile, target);
   start.step = step, start.theta = theta;

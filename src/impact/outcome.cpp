@@ -35,7 +35,7 @@ const std::vector<std::pair<Field, double (*)(const Outcome&)>>& Outcome::fields
       {{"after_contact", "number", "m0 c^2", "energy after: contact"}, [](O o) { return o.after.contact; }},
       {{"energy_closure", "number", "", "|total after - before| / before"}, [](O o) { return o.energy_closure; }},
       {{"energy_drift", "number", "", "greatest |total - before| / before seen during the impact"}, [](O o) { return o.energy_drift; }},
-      {{"certified", "number", "", "1 if the total energy is below V0, so that nothing can tunnel"}, [](O o) { return o.certified; }},
+      {{"certified", "number", "", "1 if the total energy is below V0, so that no projectile node can cross a target segment (nor the reverse, if two-sided)"}, [](O o) { return o.certified; }},
       {{"time", "number", "R/c", "simulated time, from the rims' coming within reach to the end"}, [](O o) { return o.time; }},
       {{"step", "number", "R/c", "time step"}, [](O o) { return o.step; }},
       {{"theta", "number", "", "step times the bound of the highest frequency"}, [](O o) { return o.theta; }},

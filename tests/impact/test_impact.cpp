@@ -167,6 +167,39 @@ TEST_CASE("endings are statuses with a reason") {
   }
 }
 
+TEST_CASE("a disk that rolls off a post has parted from it") {
+  Scene scene;
+  Body post{box(2, 2), numbers(200, 1e4, 0, 1, "triangular"), {}, {}};
+  for (const Vec2& q : plan_nodes(post.outline, post.numbers, {}).points) post.anchored.push_back(q.y() < -1.99);
+  scene.projectile = disk(100, 1e4, 0, 1), scene.target = std::make_shared<Body>(post);
+  scene.launch.at = 1.85, scene.launch.psi1 = 0;
+  CHECK(outcome_of(scene).status == Status::finished);
+}
+
+TEST_CASE("a spinning bar has not parted before its ends can no longer come down") {
+  Scene scene;
+  scene.projectile = std::make_shared<Body>(Body{Points{{-1, -.15}, {1, -.15}, {1, .15}, {-1, .15}}, numbers(60, 1e4, 0, 1, "triangular"), {}, {}});
+  scene.target = wall(300, 1e3, 0, 1, 8, 2);
+  scene.launch.speed = 0.05, scene.launch.psi1 = 0, scene.launch.at = 0;
+  int multiple = 0;
+  for (const double spin : {0.1, 0.3, -0.3})
+    for (const double height : {0.12, 0.5, 1.2, 2.0}) {
+      scene.launch.spin = spin, scene.launch.height = height;
+      const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+      const Outcome o = outcome_of(scene);
+      REQUIRE(o.status == Status::finished);
+      multiple += o.touches > 1;
+      // Watched for another 60 R/c, the centre's velocity does not change any more.
+      Snapshot last;
+      const Observer observer{o.time + 60, equally_spaced(o.time, 60, 2, o.step), [&](const Snapshot& s) { last = s; }};
+      run_scene(*p, *t, scene, go_on, &observer);
+      Vec2 v = Vec2::Zero();
+      for (const Vec2& u : last.projectile_velocity) v += u / p->nodes();
+      CHECK(v.y() == Catch::Detail::Approx(o.vn).epsilon(1e-6));
+    }
+  CHECK(multiple >= 1);
+}
+
 TEST_CASE("scenes that cannot start are refused") {
   Scene scene = small_scene(1, 1);
   const auto starts = [&] { check_start(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene); };
