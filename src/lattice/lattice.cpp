@@ -56,6 +56,9 @@ std::string Body::geometry_text() const {
 Points plan_rim(const Points& outline, const BodyNumbers& numbers) {
   if (outline.size() < 3) throw FieldError("outline", fmt::format("needs at least 3 points, has {}", outline.size()));
   if (!is_simple(outline)) throw FieldError("outline", "crosses or touches itself; give its points in order along the boundary");
+  // Extents whose square is no number, or nothing, would leave no spacing to place nodes by.
+  const double area = signed_area(outline);
+  if (!(area > 1e-100 && area < 1e100)) throw FieldError("outline", fmt::format("encloses an area of {:g} R^2; scale it to lie between 1e-100 and 1e100", area));
   Points rim = resample(outline, spacing_of(outline, numbers));
   if (static_cast<int>(rim.size()) > numbers.nodes)
     throw FieldError("nodes", fmt::format("{} nodes cannot cover this outline, which needs {} for itself", numbers.nodes, rim.size()));

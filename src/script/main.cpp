@@ -20,7 +20,8 @@ int run(RunOptions options, const std::string& script, const std::vector<std::st
       throw Error(fmt::format("'{}' is neither an option nor name=value; see ricochet run --help", argument), Exit::usage);
   if (options.resume && options.force) throw Error("--resume continues earlier results and --force replaces them; give one of them", Exit::usage);
   Session session(std::move(options), script, arguments);
-  if (!session.options.help) session.refuse_earlier_results(session.own_folder());
+  // With arguments, a misspelt one is reported first: ricochet.parameters then looks at the folder.
+  if (!session.options.help && arguments.empty()) session.refuse_earlier_results(session.own_folder());
   State state(session);
   try {
     state.run_script();

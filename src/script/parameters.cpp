@@ -161,6 +161,17 @@ Parameter declared(lua_State* L, const std::string& name) {
   return p;
 }
 
+// A misspelt p.name is an error, not nil: nil would mean the default of whatever field it is given to.
+int unknown_parameter(lua_State* L) {
+  std::vector<std::string> names;
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) names.push_back(lua_tostring(L, -2));
+  std::sort(names.begin(), names.end());
+  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2);
+  const CallSite site = call_site(L);
+  throw Error(fmt::format("{}:{}: no parameter is called '{}'{}\n{}", site.file, site.line, name, did_you_mean(name, names),
+                          excerpt(session_of(L).sources[site.file], {site.line, 1, 0})));
+}
+
 int parameters(lua_State* L) {
   Session& session = session_of(L);
   if (!lua_istable(L, 1)) throw Error(report(session, call_site(L), {{{}, "takes one table of parameters"}}));
@@ -192,7 +203,12 @@ int parameters(lua_State* L) {
   for (const Given& argument : given)
     if (std::find(names.begin(), names.end(), argument.name) == names.end())
       throw Error(fmt::format("unknown parameter '{}'{}\n  parameters of {}:\n{}", argument.name, did_you_mean(argument.name, names), session.script.string(), help));
+  session.refuse_earlier_results(session.own_folder());
   lua_settop(L, values);
+  lua_createtable(L, 0, 1);
+  lua_pushcfunction(L, guarded<unknown_parameter>);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, values);
   return 1;
 }
 

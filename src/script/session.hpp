@@ -49,6 +49,9 @@ class Session {
   /// Makes a folder ready for writing, once: with --force, earlier products in it are removed.
   void claim(const std::filesystem::path& folder);
 
+  /// True the first time a sweep of this name runs; a second one would replace its results.
+  bool first_sweep_named(const std::string& name) { return sweeps_.insert(name).second; }
+
   /// Prints to the terminal and into run.log.
   void print(const std::string& text);
   /// Only into run.log.
@@ -60,6 +63,7 @@ class Session {
 
  private:
   std::set<std::filesystem::path> claimed_;
+  std::set<std::string> sweeps_;
   std::string log_, start_;
 };
 

@@ -250,6 +250,8 @@ Parameters read_parameters(lua_State* L, int names, int points) {
 int run_sweep_from_lua(lua_State* L) {
   Session& session = session_of(L);
   const std::string name = luaL_checkstring(L, 1);
+  if (!session.first_sweep_named(name))
+    throw Error(report(session, call_site(L), {{{}, fmt::format("a sweep called '{}' has run already and its results would be replaced; give this one another name", name)}}));
   const Parameters parameters = read_parameters(L, 2, 3);
   std::vector<Scene> scenes;
   std::vector<std::string> hashes;

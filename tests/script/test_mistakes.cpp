@@ -64,6 +64,11 @@ const std::vector<Mistake> mistakes{
     {"sweep over an outcome", "ricochet.sweep { name = 'x', over = { omega = {1} }, scene = function(at) end }", "error: s.lua:2: sweep: over.omega: 'omega' is a column of the outcome; take another name"},
     {"a reach beyond the smallest number", "ricochet.scene { projectile = d, target = w,\n  contact = { reach = 3 } }:run()",
      "error: s.lua:4: scene: 'contact': xi reach = 900 is beyond exp(-700), the smallest number there is; lower reach to 2.33333 or less"},
+    {"misspelt parameter in the script", "local p = ricochet.parameters { nodes = 100 }\nlocal d = ricochet.disk { nodes = p.node }", "error: s.lua:3: no parameter is called 'node' (did you mean 'nodes'?)"},
+    {"two sweeps of one name", "for i = 1, 2 do ricochet.sweep { name = 's', over = { a = {1} }, scene = function() return ricochet.scene { projectile = d, target = w } end }:run() end",
+     "error: s.lua:3: run: a sweep called 's' has run already and its results would be replaced; give this one another name", 1, "--quiet"},
+    {"an immense outline", "local b = ricochet.body { nodes = 50, outline = { {0, 0}, {1e200, 0}, {0, 1e200} } }",
+     "error: s.lua:2: body: 'outline': encloses an area of inf R^2; scale it to lie between 1e-100 and 1e100"},
     {"sweep over a number", "ricochet.sweep { name = 'x', over = { a = 3 }, scene = function(at) end }", "error: s.lua:2: sweep: over.a must be a list of values that is not empty, is 3"},
     {"misspelt value of a sweep", "ricochet.sweep { name = 'x', over = { psi1 = {1} }, scene = function(at) return at.psi end }:run()",
      "error: s.lua:2: index: 'over' has no 'psi'; it has psi1"},
@@ -152,6 +157,7 @@ TEST_CASE("existing results are neither overwritten nor lost by a mistake") {
   Ended ended = here.script(small_sweep, "samples=1");
   CHECK(ended.first_line() == "error: out/s already holds results; --resume continues them, --force replaces them, --out DIR goes elsewhere");
   CHECK(ended.status == 4);
+  CHECK_THAT(here.run("s.lua sampels=2").first_line(), Catch::Matchers::StartsWith("error: unknown parameter 'sampels' (did you mean 'samples'?)"));
   CHECK(here.script(std::string(small_sweep).replace(0, 5, "lcoal"), "samples=1 --force").status == 1);
   CHECK(here.run("s.lua samples=many --force").status == 1);
   CHECK(here.read("out/s/results.h5") == before);
