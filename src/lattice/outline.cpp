@@ -68,6 +68,25 @@ bool contains(const Points& outline, const Vec2& p) {
   return inside;
 }
 
+bool outlines_overlap(const Points& a, const Points& b) {
+  // Only the edges of either that reach into the other's box can meet.
+  const auto edges_near = [](const Points& outline, const Points& other) {
+    Vec2 low = other[0], high = other[0];
+    for (const Vec2& p : other) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    std::vector<std::pair<Vec2, Vec2>> edges;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vec2 &from = outline[i], &to = outline[(i + 1) % outline.size()];
+      if ((from.cwiseMax(to).array() >= low.array()).all() && (from.cwiseMin(to).array() <= high.array()).all()) edges.emplace_back(from, to);
+    }
+    return edges;
+  };
+  const auto of_b = edges_near(b, a);
+  for (const auto& [p, q] : edges_near(a, b))
+    for (const auto& [r, s] : of_b)
+      if (segments_meet(p, q, r, s)) return true;
+  return contains(a, b[0]) || contains(b, a[0]);
+}
+
 Points resample(const Points& outline, double spacing) {
   const std::size_t n = outline.size();
   const double cos_turn = std::sqrt(3.0) / 2;  // 30 degrees

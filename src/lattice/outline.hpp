@@ -15,6 +15,9 @@ bool is_simple(const Points& outline);
 /// Even-odd rule; points on the outline may fall on either side.
 bool contains(const Points& outline, const Vec2& point);
 
+/// True if two outlines have area in common: an edge of one meets one of the other, or one lies inside the other.
+bool outlines_overlap(const Points& a, const Points& b);
+
 /// Points along the outline, `spacing` apart as nearly as an even division allows. Corners (a turn of more than 30
 /// degrees) keep their place; between corners, and around an outline that has none, the points are evenly spaced by arc length.
 Points resample(const Points& outline, double spacing);

@@ -154,6 +154,18 @@ TEST_CASE("candidates are exactly the pairs within the distance") {
   CHECK(expected > 20);
 }
 
+TEST_CASE("the distance of two outlines is 0 as soon as they share area, even if no corner lies inside") {
+  const Points bar{{-2, -0.1}, {2, -0.1}, {2, 0.1}, {-2, 0.1}}, post{{-0.1, -2}, {0.1, -2}, {0.1, 2}, {-0.1, 2}};
+  CHECK(chain_distance(bar, post) == 0);
+  Points moved = post;
+  for (Vec2& p : moved) p.x() += 2.6;
+  CHECK(chain_distance(bar, moved) == Catch::Detail::Approx(0.5));
+  CHECK(chain_distance(moved, bar) == Catch::Detail::Approx(0.5));
+  const Points inside{{-0.05, -0.05}, {0.05, -0.05}, {0, 0.05}};
+  CHECK(chain_distance(bar, inside) == 0);
+  CHECK(chain_distance(inside, bar) == 0);
+}
+
 TEST_CASE("a list with a skin never loses a pair while the bodies move") {
   const auto disk_lattice = build_lattice(*disk(60, 1e4, 0.03, 1));
   const auto wall_lattice = build_lattice(*wall(150, 100, 0.03, 1));

@@ -40,6 +40,8 @@ std::vector<Pair> pairs_within(const Points& nodes, const Points& rim, double di
     extents.push_back({left, right, s});
     longest = std::max(longest, right - left);
   }
+  // A rim that has blown up has no neighbours; its impact is ended by its ledger.
+  std::erase_if(extents, [](const Extent& e) { return std::isnan(e.left) || std::isnan(e.right); });
   std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) { return std::pair(a.left, a.segment) < std::pair(b.left, b.segment); });
   std::vector<Pair> pairs;
   for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
@@ -61,12 +63,15 @@ double box_distance(const Points& a, const Points& b) {
 }
 
 double chain_distance(const Points& a, const Points& b) {
-  if (contains(a, b[0]) || contains(b, a[0])) return 0;
+  if (outlines_overlap(a, b)) return 0;
   double least = std::numeric_limits<double>::infinity();
   const auto one_way = [&](const Points& nodes, const Points& rim) {
+    double longest = 0;
+    for (std::size_t s = 0; s < rim.size(); ++s) longest = std::max(longest, (rim[(s + 1) % rim.size()] - rim[s]).norm());
     for (const Vec2& p : nodes)
       for (std::size_t s = 0; s < rim.size(); ++s) {
-        if (std::abs(p.x() - rim[s].x()) > least + (rim[(s + 1) % rim.size()] - rim[s]).norm()) continue;
+        const double skip = least + longest;  // a segment whose start is farther than this is no nearer
+        if (std::abs(p.y() - rim[s].y()) > skip || std::abs(p.x() - rim[s].x()) > skip) continue;
         least = std::min(least, closest(p, rim[s], rim[(s + 1) % rim.size()]).distance);
       }
   };

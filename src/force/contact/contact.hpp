@@ -8,6 +8,7 @@
 
 #include "force/contact/candidates.hpp"
 #include "force/contact/exponential_repulsion.hpp"
+#include "force/contact/gaps.hpp"
 #include "force/lane.hpp"
 #include "lattice/lattice.hpp"
 
@@ -65,25 +66,28 @@ class Contact {
   template <class Use>
   double each(int lane, const NodeVectors<W>& projectile, const NodeVectors<W>& target, Use&& use) const {
     if (!law_[lane]) return 0;
-    const ExponentialRepulsion& law = *law_[lane];
-    double energy = 0;
+    double sum = 0;
     for (int direction = 0; direction < 2; ++direction) {
       const NodeVectors<W>& nodes = direction == 0 ? projectile : target;
       const NodeVectors<W>& chain = direction == 0 ? target : projectile;
-      const std::vector<int>&node_rim = *rims_[direction], &chain_rim = *rims_[1 - direction];
-      for (const Pair& pair : pairs_[lane][direction]) {
-        const int node = node_rim[pair.node], from = chain_rim[pair.segment];
-        const int to = chain_rim[pair.segment + 1 < static_cast<int>(chain_rim.size()) ? pair.segment + 1 : 0];
-        const Closest gap = closest(nodes.at(node, lane), chain.at(from, lane), chain.at(to, lane));
-        if (gap.distance >= law.reach) continue;
-        const double pair_energy = law.energy(gap.distance);
-        energy += pair_energy;
-        // On the segment itself the direction is undefined and the force 0; no scene that conserves energy gets there below V0.
-        const double scale = gap.distance > 0 ? law.xi * pair_energy / gap.distance : 0.0;
-        use(Push{direction, node, from, to, gap.along, scale * gap.away});
+      const std::vector<Pair>& pairs = pairs_[lane][direction];
+      if (pairs.empty()) continue;
+      gaps_.resize(pairs.size());
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const Ends ends = ends_of(pairs[i], direction);
+        gaps_.px[i] = nodes.x(ends.node)[lane], gaps_.py[i] = nodes.y(ends.node)[lane];
+        gaps_.ax[i] = chain.x(ends.from)[lane], gaps_.ay[i] = chain.y(ends.from)[lane];
+        gaps_.bx[i] = chain.x(ends.to)[lane], gaps_.by[i] = chain.y(ends.to)[lane];
+      }
+      measure(gaps_, *law_[lane]);
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (gaps_.energy[i] == 0) continue;
+        sum += gaps_.energy[i];
+        const Ends ends = ends_of(pairs[i], direction);
+        use(Push{direction, ends.node, ends.from, ends.to, gaps_.along[i], Vec2(gaps_.fx[i], gaps_.fy[i])});
       }
     }
-    return energy;
+    return sum;
   }
 
   /// True if no pair of the lane is within reach at the last evaluation's positions.
@@ -131,11 +135,21 @@ class Contact {
     if (law_[lane]->two_sided()) pairs_[lane][1] = pairs_within(rim[1], rim[0], reach + skin);
   }
 
+  struct Ends {
+    int node, from, to;
+  };
+
+  Ends ends_of(const Pair& pair, int direction) const {
+    const std::vector<int>& chain = *rims_[1 - direction];
+    return {(*rims_[direction])[pair.node], chain[pair.segment], chain[pair.segment + 1 < static_cast<int>(chain.size()) ? pair.segment + 1 : 0]};
+  }
+
   std::array<const std::vector<int>*, 2> rims_;
   std::array<NodeVectors<W>, 2> reference_;              // rim positions when a lane's list was built
   Lane<W> allowance_;
   std::array<const ExponentialRepulsion*, W> law_{};
   std::array<std::array<std::vector<Pair>, 2>, W> pairs_;  // [lane][direction]
+  mutable Gaps gaps_;                                    // of the lane at hand; kept for its memory
 };
 
 }  // namespace ricochet
