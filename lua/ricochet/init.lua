@@ -31,6 +31,6 @@ ricochet.range = core.wrap(function(first, last, step)
 end)
 
 return setmetatable(ricochet, {
-  __index = function(_, name) core.unknown_function(tostring(name)) end,
+  __index = function(_, name) core.unknown("the module", name, core.function_names()) end,
   __newindex = function() core.fail "the module takes no new fields" end,
 })

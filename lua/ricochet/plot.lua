@@ -18,35 +18,47 @@ end
 
 local function plot(given)
   local t = core.check("plot", given)
-  if not t.name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name)) end
-  local summary = summarise(t.rows, t.x, t.y)
+  if not t.name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name") end
+  local summary = summarise(t.rows, t.x, t.y, { by = "x", of = "y" })
   if core.is_check() then return end
   if #summary == 0 then core.fail "there are no rows to plot" end
-  if type(summary[1][t.x]) ~= "number" then core.fail(("'x' must be a column of numbers, '%s' is not"):format(t.x)) end
+  if type(summary[1][t.x]) ~= "number" then core.fail(("'x' must be a column of numbers, '%s' is not"):format(t.x), "x") end
   local lines = { "$data << END" }
-  local finished, failed = 0, 0
+  local finished, failed, samples = 0, 0, 0
+  local ranges = {}
   for _, row in ipairs(summary) do
     local cells = { ("%.17g"):format(row[t.x]) }
-    for _, column in ipairs(t.y) do
+    for i, column in ipairs(t.y) do
       local s = row[column]
+      local se = s.count > 1 and s.se or 0
       cells[#cells + 1] = s.count > 0 and ("%.17g"):format(s.mean) or "NaN"
-      cells[#cells + 1] = s.count > 1 and ("%.17g"):format(s.se) or "0"
+      cells[#cells + 1] = ("%.17g"):format(se)
+      if s.count > 0 then
+        local range = ranges[i] or { low = math.huge, high = -math.huge }
+        ranges[i] = { low = math.min(range.low, s.mean - se), high = math.max(range.high, s.mean + se) }
+      end
+      samples = math.max(samples, s.count)
     end
     finished, failed = finished + row.count, failed + row.failed
     lines[#lines + 1] = table.concat(cells, " ")
   end
   lines[#lines + 1] = "END"
-  local low, high = summary[1][t.x], summary[#summary][t.x]
-  local room = high > low and 0.04 * (high - low) or math.max(0.5, math.abs(low) / 2)
+  -- Room around the first and last point, also where there is only one.
+  local function roomy(low, high, share)
+    local room = high > low and share * (high - low) or math.max(0.5, math.abs(low) / 2)
+    return ("[%.17g:%.17g]"):format(low - room, high + room)
+  end
   local height = 110 + 300 * #t.y
-  local caption = ("mean and standard error of %d impacts, %d failed"):format(finished, failed)
+  local what = samples > 1 and "mean and standard error of %d impacts, %d failed" or "%d impacts, one a point, %d failed"
+  local caption = what:format(finished, failed)
   local title = t.title and quoted(t.title) .. '."\\n".' .. quoted(caption) or quoted(caption)
   local function panels()
-    lines[#lines + 1] = ("set multiplot layout %d,1 title %s"):format(#t.y, title)
+    lines[#lines + 1] = ("set multiplot layout %d,1 title %s noenhanced"):format(#t.y, title)
     for i, column in ipairs(t.y) do
-      -- The same margins and range along x in every panel, with room around the first and last point.
-      lines[#lines + 1] = ("set lmargin 11\nset xrange [%.17g:%.17g]\nset offsets 0, 0, graph 0.08, graph 0.08"):format(low - room, high + room)
-      lines[#lines + 1] = ("set xlabel %s"):format(i == #t.y and quoted(t.xlabel or label(t.x)) or "''")
+      -- The same margins and range along x in every panel.
+      local range = ranges[i] or { low = 0, high = 1 }
+      lines[#lines + 1] = ("set lmargin 11\nset xrange %s\nset yrange %s"):format(roomy(summary[1][t.x], summary[#summary][t.x], 0.04), roomy(range.low, range.high, 0.08))
+      lines[#lines + 1] = ("set xlabel %s%s"):format(i == #t.y and quoted(t.xlabel or label(t.x)) or "''", t.xlabel and " noenhanced" or " enhanced")
       lines[#lines + 1] = ("set ylabel %s"):format(quoted(label(column)))
       lines[#lines + 1] = ("plot $data using 1:%d:%d with yerrorbars pt 7 ps 0.8 lw 1.5 lc rgb %s notitle, \\"):format(2 * i, 2 * i + 1, quoted(colours[(i - 1) % #colours + 1]))
       lines[#lines + 1] = ("     $data using 1:%d with lines lw 1 lc rgb %s notitle"):format(2 * i, quoted(colours[(i - 1) % #colours + 1]))

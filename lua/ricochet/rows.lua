@@ -1,15 +1,18 @@
 -- Rows of a sweep: an array of tables, one an impact, with summaries.
 local core = require "ricochet.core"
 
-local Rows, Summary = {}, {}
+local Rows, Summary = { __name = "rows" }, { __name = "a summary" }
 Summary.__index = Summary
 Rows.__index = function(_, name)
   if type(name) == "number" then return nil end
-  return Rows[name] or core.fail(("rows have no '%s'; they have summary"):format(tostring(name)))
+  return rawget(Rows, name) or core.unknown("the table of rows", name, { "summary" })
 end
 
-local function known_column(rows, name)
-  if #rows > 0 and rows[1][name] == nil then core.unknown_column(name, rows[1]) end
+local function known_column(rows, name, ...)
+  if #rows == 0 or rawget(rows[1], name) ~= nil then return end
+  local names = {}
+  for column in pairs(rows[1]) do names[#names + 1] = column end
+  core.fail(("the rows have no column '%s'%s"):format(name, core.did_you_mean(name, names)), ...)
 end
 
 -- Groups of finished rows by a column, in rising order: { { key, members = {...}, failed = n }, ... }.
@@ -50,9 +53,10 @@ local function statistics(members, column)
   return { mean = mean, sd = sd, se = sd / math.sqrt(n), count = n }
 end
 
-local function summarise(rows, by, of)
-  known_column(rows, by)
-  for _, column in ipairs(of) do known_column(rows, column) end
+-- `fields`: what the user's call names `by` and `of`, for its mistakes.
+local function summarise(rows, by, of, fields)
+  known_column(rows, by, fields.by)
+  for _, column in ipairs(of) do known_column(rows, column, fields.of) end
   local summary = setmetatable({ by = by, of = of }, Summary)
   for i, group in ipairs(groups(rows, by)) do
     local line = { [by] = group.key, count = #group.members, failed = group.failed }
@@ -63,8 +67,9 @@ local function summarise(rows, by, of)
 end
 
 Rows.summary = core.wrap(function(self, given)
+  if type(self) ~= "table" or getmetatable(self) ~= Rows then core.fail "is a method of rows: write rows:summary { ... }, with a colon" end
   local t = core.check("rows:summary", given)
-  return summarise(self, t.by, t.of)
+  return summarise(self, t.by, t.of, { by = "by", of = "of" })
 end)
 
 local function shown(value)

@@ -2,9 +2,9 @@
 local core = require "ricochet.core"
 local rows_of = require("ricochet.rows").rows_of
 
-local Sweep = {}
+local Sweep = { __name = "sweep" }
 Sweep.__index = function(_, name)
-  return Sweep[name] or core.fail(("a sweep has no '%s'; it has run"):format(tostring(name)))
+  return rawget(Sweep, name) or core.unknown("a sweep", name, { "run" })
 end
 
 -- Names that a parameter must not take, because a row's outcome would be hidden. psi1, seed and step are what was asked for in
@@ -17,22 +17,22 @@ for _, name in ipairs { "psi1", "seed", "step" } do outcome[name] = nil end
 local function combinations(over)
   local names = {}
   for name, values in pairs(over) do
-    if type(name) ~= "string" then core.fail "'over' takes name = list of values" end
-    if outcome[name] then core.fail(("over.%s: '%s' is a column of the outcome; take another name"):format(name, name)) end
+    if type(name) ~= "string" then core.fail("'over' takes name = list of values", "over") end
+    if outcome[name] then core.fail(("over.%s: '%s' is a column of the outcome; take another name"):format(name, name), "over", name) end
     if type(values) ~= "table" or #values == 0 then
-      core.fail(("over.%s must be a list of values that is not empty, is %s"):format(name, type(values) == "table" and "an empty table" or tostring(values)))
+      core.fail(("over.%s must be a list of values that is not empty, is %s"):format(name, type(values) == "table" and "an empty table" or tostring(values)), "over", name)
     end
     for i, value in ipairs(values) do
       local kind = type(value)
       if kind ~= "number" and kind ~= "string" and kind ~= "boolean" then
-        core.fail(("over.%s: value %d is a %s; numbers, strings and booleans are accepted"):format(name, i, kind))
+        core.fail(("over.%s: value %d is a %s; numbers, strings and booleans are accepted"):format(name, i, kind), "over", name)
       end
-      if kind ~= type(values[1]) then core.fail(("over.%s mixes a %s and a %s"):format(name, type(values[1]), kind)) end
-      if value ~= value then core.fail(("over.%s: value %d is not a number (nan)"):format(name, i)) end
+      if kind ~= type(values[1]) then core.fail(("over.%s mixes a %s and a %s"):format(name, type(values[1]), kind), "over", name) end
+      if value ~= value then core.fail(("over.%s: value %d is not a number (nan)"):format(name, i), "over", name) end
     end
     names[#names + 1] = name
   end
-  if #names == 0 then core.fail "'over' is empty; give at least one name = list of values" end
+  if #names == 0 then core.fail("'over' is empty; give at least one name = list of values", "over") end
   table.sort(names)
   local points = { {} }
   for _, name in ipairs(names) do
@@ -55,19 +55,21 @@ local function strict(point, names)
   return setmetatable({}, {
     __index = function(_, key)
       local value = point[key]
-      if value == nil then core.fail(("'over' has no '%s'; it has %s"):format(tostring(key), table.concat(names, ", "))) end
+      if value == nil then core.unknown("'over'", key, names) end
       return value
     end,
   })
 end
 
 local run = core.wrap(function(self)
+  if type(self) ~= "table" or getmetatable(self) ~= Sweep then core.fail "is a method of a sweep: write sweep:run(), with a colon" end
   local names, points = self.names, self.points
   local scenes = {}
   for i, point in ipairs(points) do
     local scene = self.scene(strict(point, names))
     if not core.is_scene(scene) then
-      core.fail(("the function 'scene' must return a scene (from ricochet.scene), returned %s"):format(scene == nil and "nothing" or "a " .. type(scene)))
+      core.fail_in(self.scene, "scene", scene == nil and "the function returned nothing; it must return a scene (is a 'return' missing?)"
+        or ("the function must return a scene (from ricochet.scene), returned a %s"):format(type(scene)))
     end
     scenes[i] = scene
   end
@@ -76,7 +78,7 @@ end)
 
 local function sweep(given)
   local t = core.check("sweep", given)
-  if not t.name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name)) end
+  if not t.name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name") end
   local names, points = combinations(t.over)
   return setmetatable({ name = t.name, scene = t.scene, names = names, points = points }, Sweep)
 end

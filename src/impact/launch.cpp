@@ -55,12 +55,20 @@ struct Step {
   double step, theta;
 };
 
-Step choose_step(const Scene& scene, const Lattice& projectile, const Lattice& target) {
+// The repulsion of a node that arrives with speed v grows e-fold in 1/(xi v), and its stiffness is xi^2 m v^2 / 2: a step this
+// share of that time resolves both, however soft the springs. With the paper's disk it counts from 0.3 c on.
+constexpr double onset_share = 0.3;
+
+// `fastest`: no node of the projectile is faster [c].
+Step choose_step(const Scene& scene, const Lattice& projectile, const Lattice& target, double fastest) {
   const Method& method = method_named(scene.integration.method);
   const FrequencyBound a = frequency_bound(projectile, scene.projectile->numbers.stiffness);
   const FrequencyBound b = frequency_bound(target, scene.target->numbers.stiffness);
   const double omega = std::max(a.omega, b.omega);
-  if (std::isnan(scene.integration.step)) return {method.usual / omega, method.usual};
+  if (std::isnan(scene.integration.step)) {
+    const double step = std::min(method.usual / omega, onset_share / (scene.contact.xi * fastest));
+    return {step, step * omega};
+  }
   const double theta = scene.integration.step * omega;
   if (theta > method.stability_limit) {
     const bool first = a.omega >= b.omega;
@@ -97,10 +105,15 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
     throw FieldError("contact", fmt::format("xi reach = {:g} is beyond exp(-700), the smallest number there is; lower reach to {:g} or less",
                                             scene.contact.xi * scene.contact.reach, 700 / scene.contact.xi));
   Start start;
-  const auto [step, theta] = choose_step(scene, projectile, target);
-  start.step = step, start.theta = theta;
   start.velocity = scene.launch.velocity();
   start.spin = scene.launch.spin;
+  const Vec2 centre = projectile.centre();
+  const Points rim = rim_of(projectile), target_rim = rim_of(target);
+  double radius = 0;
+  for (const Vec2& p : rim) radius = std::max(radius, (p - centre).norm());
+  const double fastest = start.velocity.stableNorm() + std::abs(start.spin) * radius;
+  const auto [step, theta] = choose_step(scene, projectile, target, fastest);
+  start.step = step, start.theta = theta;
   const double normal_speed = -start.velocity.y();
   start.time_limit = !std::isnan(scene.integration.time_limit) ? scene.integration.time_limit : 100 + 2 / std::max(normal_speed, 1e-9);
   // Of the relative motion, in the frame where the energy is least: an anchored target is infinitely heavy.
@@ -110,8 +123,6 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
   start.energy = mass * start.velocity.squaredNorm() / 2 + rotation;
   start.certified = reduced * start.velocity.squaredNorm() / 2 + rotation < scene.contact.V0;
 
-  const Vec2 centre = projectile.centre();
-  const Points rim = rim_of(projectile), target_rim = rim_of(target);
   // The smooth outlines, projectile moved so that its centre lies above `at`, resting on the target.
   Points smooth = projectile.smooth_rim;
   for (Vec2& p : smooth) p.x() += scene.launch.at - centre.x();
@@ -144,9 +155,6 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
     throw FieldError("height", fmt::format("the bodies overlap at the start (rims {:.3g} R apart, {:.3g} R needed); raise launch.height to {:.3g} or more, or leave it out",
                                            distance, reach, height - distance + reach));
 
-  double radius = 0;
-  for (const Vec2& p : rim) radius = std::max(radius, (p - centre).norm());
-  const double fastest = start.velocity.stableNorm() + std::abs(start.spin) * radius;
   // As far as the projectile can be from the target and still approach it: past that it has passed by.
   Vec2 low = target_rim[0], high = target_rim[0];
   for (const Vec2& p : target_rim) low = low.cwiseMin(p), high = high.cwiseMax(p);

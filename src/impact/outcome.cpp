@@ -18,7 +18,7 @@ const std::vector<std::pair<Field, double (*)(const Outcome&)>>& Outcome::fields
       {{"contact_time", "number", "R/c", "from the first touch to the end of the last (contact energy above 1e-6 of the kinetic energy)"},
        [](O o) { return o.contact_time; }},
       {{"touches", "number", "", "how many separate touches"}, [](O o) { return o.touches; }},
-      {{"indentation", "number", "R", "greatest overlap of the smooth, undeformed outlines along the normal"}, [](O o) { return o.indentation; }},
+      {{"indentation", "number", "R", "greatest overlap along the normal of the smooth outlines, undeformed, unrotated, above the landing point launch.at"}, [](O o) { return o.indentation; }},
       {{"contact_length", "number", "R", "|x_b - x_a| of the contact at the greatest indentation"}, [](O o) { return o.contact_length; }},
       {{"centre_offset", "number", "R", "|x_c - x_a|: from the trailing end of the contact to the projectile's centre"}, [](O o) { return o.centre_offset; }},
       {{"tan_alpha", "number", "", "slope of the chord between the ends of the contact, up in the direction of motion"}, [](O o) { return o.tan_alpha; }},

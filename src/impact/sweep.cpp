@@ -94,7 +94,7 @@ bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, 
       throw SceneError(error, batch.scenes[error.scene]);
     }
     if (--batch.group->batches_left == 0) batch.group->projectile.reset(), batch.group->target.reset();
-    if (!whole) return;
+    if (!whole && results.empty()) return;  // stopped: keep what had finished
     const std::lock_guard lock(done);
     batch_done(results);
   });

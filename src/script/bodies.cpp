@@ -120,6 +120,7 @@ int scene_run(lua_State* L) {
     throw_at(session_of(L), object.site, error);
   }
   if (stop_requested) throw Error("interrupted", Exit::interrupted);
+  if (!session_of(L).options.check) session_of(L).count(outcome.status == Status::finished);
   push_row(L, row_of(scene, outcome, 0));
   return 1;
 }
@@ -160,15 +161,9 @@ int unknown_method(lua_State* L) {
   lua_pop(L, 1);
   std::vector<std::string> names;
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) names.push_back(lua_tostring(L, -2));
-  std::sort(names.begin(), names.end());
-  std::string all;
-  for (const std::string& n : names) all += (all.empty() ? "; it has " : ", ") + n;
   luaL_getmetafield(L, 1, "__name");
   const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2), type = lua_tostring(L, -1);
-  const CallSite site = call_site(L);
-  const std::string nearest = did_you_mean(name, names);
-  throw Error(fmt::format("{}:{}: a {} has no '{}'{}\n{}", site.file, site.line, type.substr(type.find('.') + 1), name, nearest.empty() ? all : nearest,
-                          excerpt(session_of(L).sources[site.file], {site.line, 1, 0})));
+  throw unknown_name(L, "a " + type.substr(type.find('.') + 1), name, names);
 }
 
 void make_type(lua_State* L, const char* type, lua_CFunction collector, std::initializer_list<luaL_Reg> methods) {

@@ -9,6 +9,7 @@
 #include "force/lane.hpp"
 #include "script/specification.hpp"
 #include "script/state.hpp"
+#include "store/trajectory.hpp"
 
 namespace {
 
@@ -18,6 +19,7 @@ int run(RunOptions options, const std::string& script, const std::vector<std::st
   for (const std::string& argument : arguments)
     if (argument.find('=') == std::string::npos)
       throw Error(fmt::format("'{}' is neither an option nor name=value; see ricochet run --help", argument), Exit::usage);
+  if (options.out.empty()) throw Error("--out needs a folder", Exit::usage);
   if (options.resume && options.force) throw Error("--resume continues earlier results and --force replaces them; give one of them", Exit::usage);
   Session session(std::move(options), script, arguments);
   // With arguments, a misspelt one is reported first: ricochet.parameters then looks at the folder.
@@ -35,7 +37,7 @@ int run(RunOptions options, const std::string& script, const std::vector<std::st
     throw;
   }
   session.write_log();
-  if (session.failures > 0 && session.finished == 0) throw Error("not one impact finished; the column 'reason' of results.csv says why", Exit::numerical);
+  if (session.nothing_finished()) throw Error("not one impact finished; the column 'reason' of results.csv says why", Exit::numerical);
   return 0;
 }
 
@@ -59,7 +61,10 @@ int info(const std::string& path) {
   const Provenance provenance = read_provenance(path);
   for (const auto& [name, text] : provenance)
     if (name != "script" && !text.empty()) fmt::print("{:<14} {}\n", name, text.substr(0, text.find('\n')));
-  if (path.find("trajectory") != std::string::npos) return 0;
+  if (is_trajectory(path)) {
+    fmt::print("a trajectory (H5MD)\n");
+    return 0;
+  }
   const Table table = read_table(path);
   fmt::print("{} rows\n", table.rows());
   if (const TextColumn* status = table.text("status")) {
@@ -88,7 +93,7 @@ int program(int count, char** words) {
   run_command->add_option("--threads", options.threads, "worker threads; all cores unless given")->check(CLI::Range(1, 1024));
   run_command->add_option("--batch", options.batch, fmt::format("impacts that advance together, 1 to {}; never changes a result", lanes))->check(CLI::Range(1, lanes));
   run_command->add_option("--out", options.out, "folder of the results (default: out)");
-  run_command->add_option("--budget", options.budget, "greatest number of Lua instructions")->check(CLI::PositiveNumber);
+  run_command->add_option("--budget", options.budget, "greatest number of Lua instructions")->check(CLI::Range(1LL, 1000000000000000LL));
   run_command->add_flag("--resume", options.resume, "go on with earlier results");
   run_command->add_flag("--force", options.force, "replace earlier results");
   run_command->add_flag("--check", options.check, "build every scene, run none");

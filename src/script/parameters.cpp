@@ -158,6 +158,17 @@ Parameter declared(lua_State* L, const std::string& name) {
     default: wrong("needs a default: a number, a string, true, false, or a list of numbers");
   }
   p.initial = text_of(L, -1);
+  const auto sound = [&](int index) {
+    const double value = lua_tonumber(L, index);
+    if (!std::isfinite(value)) wrong("the default must be finite");
+    if (p.whole && value != std::floor(value)) wrong(fmt::format("the default {} is no whole number, but int = true", p.initial));
+    if (!p.field.range.contains(value)) wrong(fmt::format("the default {} is outside its own range,{}", p.initial, range_of(p)));
+  };
+  if (p.kind == Parameter::Kind::number) sound(-1);
+  if (p.kind == Parameter::Kind::numbers)
+    for (lua_Integer i = 1; i <= luaL_len(L, -1); ++i) lua_geti(L, -1, i), sound(-1), lua_pop(L, 1);
+  if (p.kind == Parameter::Kind::string && !p.field.choices.empty() && std::find(p.field.choices.begin(), p.field.choices.end(), p.initial) == p.field.choices.end())
+    wrong(fmt::format("the default '{}' is none of its own choices", p.initial));
   return p;
 }
 
@@ -165,11 +176,7 @@ Parameter declared(lua_State* L, const std::string& name) {
 int unknown_parameter(lua_State* L) {
   std::vector<std::string> names;
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) names.push_back(lua_tostring(L, -2));
-  std::sort(names.begin(), names.end());
-  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2);
-  const CallSite site = call_site(L);
-  throw Error(fmt::format("{}:{}: no parameter is called '{}'{}\n{}", site.file, site.line, name, did_you_mean(name, names),
-                          excerpt(session_of(L).sources[site.file], {site.line, 1, 0})));
+  throw unknown_name(L, "the table of parameters", lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2), names);
 }
 
 int parameters(lua_State* L) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "core/hash.hpp"
 #include "force/springs.hpp"
@@ -144,6 +145,29 @@ double number_field(lua_State* L, const char* name, double initial) {
   return value;
 }
 
+// With --check: looks at the start, pushes a row of an impact that has not run, and returns true.
+bool only_checked(lua_State* L, const Joined& joined, const Scene& scene) {
+  if (!session_of(L).options.check) return false;
+  check_start(*joined.projectile, *joined.target, scene);
+  push_row(L, row_of(scene, Outcome{}, 0));
+  return true;
+}
+
+// The time between frames; a frame falls on the end of a step, so it cannot be shorter than one.
+double frame_spacing(double duration, int frames, double step) {
+  const double spacing = duration / std::max(1, frames - 1);
+  if (frames > 1 && spacing < step)
+    throw FieldError("frames", fmt::format("{} frames in {:.4g} R/c are closer than the time step {:.3g} R/c; ask for {} or fewer, or give the scene a smaller step",
+                                           frames, duration, step, static_cast<std::int64_t>(duration / step) + 1));
+  return spacing;
+}
+
+// Mistakes in fields of this call stand at this call, the others in the scene's own table.
+[[noreturn]] void throw_at_call_or_scene(lua_State* L, const SceneObject& object, const FieldError& error) {
+  static const std::set<std::string> own{"size", "frames", "scene"};
+  throw_at(session_of(L), own.count(error.field) ? call_site(L) : object.site, error);
+}
+
 int animate(lua_State* L) {
   check_table(L, 1, function_named("animate"));
   Session& session = session_of(L);
@@ -164,17 +188,14 @@ int animate(lua_State* L) {
   try {
     render::Context context(size[0], size[1]);
     const Joined joined = join(scene);
-    if (session.options.check) {
-      check_start(*joined.projectile, *joined.target, scene);
-      push_row(L, row_of(scene, Outcome{}, 0));
-      return 1;
-    }
+    if (only_checked(L, joined, scene)) return 1;
     const fs::path folder = below_folder(session, text_field(L, "out", "frames"));
     session.claim(session.own_folder());
     make_folder(folder);
     const Sequence sequence = survey(scene, joined, number_field(L, "from", -1), number_field(L, "duration", not_given));
     const Provenance provenance = session.provenance();
-    const double spacing = (sequence.until - sequence.from) / std::max(1, frames - 1);
+    const Start start = launch(scene, *joined.projectile, *joined.target);
+    const double spacing = frame_spacing(sequence.until - sequence.from, frames, start.step);
     int drawn = 0;
     const auto draw = [&](double time, const Points& projectile, const Points& target) {
       render::Frame frame{all_points(projectile, target), {}};
@@ -186,7 +207,6 @@ int animate(lua_State* L) {
                                                      {"ricochet.time", fmt::format("{:.6g} R/c", time)}};
       write_atomically(folder / fmt::format("{:06}.png", drawn++), render::png(render::draw(context, size[0], size[1], joined.mesh, frame, sequence.view), texts));
     };
-    const Start start = launch(scene, *joined.projectile, *joined.target);
     // Frames before the touch are free flight; the others are the observer's, which begins at 0.
     while (drawn < frames && sequence.from + drawn * spacing < 0) draw(sequence.from + drawn * spacing, before_touch(joined, start, sequence.from + drawn * spacing), joined.target->points);
     const double first = sequence.from + drawn * spacing;
@@ -194,11 +214,15 @@ int animate(lua_State* L) {
                             [&](const Snapshot& shot) { draw(shot.time, shot.projectile, shot.target); }};
     run_scene(*joined.projectile, *joined.target, scene, stop_requested, &observer);
     if (stop_requested) throw Error(fmt::format("interrupted: {} of {} frames are in {}", drawn, frames, folder.string()), Exit::interrupted);
+    // Frames of an earlier, longer sequence would pass for the end of this one.
+    for (int stale = drawn; fs::remove(folder / fmt::format("{:06}.png", stale)); ++stale) {
+    }
     session.print(fmt::format("{} frames in {}\n", drawn, folder.string()));
+    session.count(sequence.outcome.status == Status::finished);
     push_row(L, row_of(scene, sequence.outcome, 0));
     return 1;
   } catch (const FieldError& error) {
-    throw_at(session, error.field == "size" ? call_site(L) : object.site, error);
+    throw_at_call_or_scene(L, object, error);
   }
 }
 
@@ -211,11 +235,7 @@ int record(lua_State* L) {
   const int frames = static_cast<int>(number_field(L, "frames", 120));
   try {
     const Joined joined = join(scene);
-    if (session.options.check) {
-      check_start(*joined.projectile, *joined.target, scene);
-      push_row(L, row_of(scene, Outcome{}, 0));
-      return 1;
-    }
+    if (only_checked(L, joined, scene)) return 1;
     const fs::path path = below_folder(session, text_field(L, "out", "trajectory") + ".h5");
     session.claim(session.own_folder());
     double duration = number_field(L, "duration", not_given);
@@ -226,16 +246,18 @@ int record(lua_State* L) {
     const std::vector<Field> observables{{"projectile_translation", "number", "m0 c^2", "energy of the projectile's centre of mass"},
                                          {"projectile_rotation", "number", "m0 c^2", "energy of the projectile's spin"},
                                          {"projectile_vibration", "number", "m0 c^2", "energy of the projectile's vibration"},
+                                         {"target_translation", "number", "m0 c^2", "energy of the target's centre of mass (0 if anchored)"},
+                                         {"target_rotation", "number", "m0 c^2", "energy of the target's spin (0 if anchored)"},
                                          {"target_vibration", "number", "m0 c^2", "energy of the target's vibration"},
                                          {"contact", "number", "m0 c^2", "contact energy"},
                                          {"total", "number", "m0 c^2", "total energy"}};
     const Start start = launch(scene, *joined.projectile, *joined.target);
     if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to record");
-    const auto due = equally_spaced(0, duration / std::max(1, frames - 1), frames, start.step);
+    const auto due = equally_spaced(0, frame_spacing(duration, frames, start.step), frames, start.step);
     const Observer observer{duration, due, [&](const Snapshot& shot) {
       trajectory.add(shot.time, shot.time / start.step, all_points(shot.projectile, shot.target), all_points(shot.projectile_velocity, shot.target_velocity),
-                     {shot.energy.projectile_translation, shot.energy.projectile_rotation, shot.energy.projectile_vibration, shot.energy.target_vibration,
-                      shot.energy.contact, shot.energy.total()});
+                     {shot.energy.projectile_translation, shot.energy.projectile_rotation, shot.energy.projectile_vibration, shot.energy.target_translation,
+                      shot.energy.target_rotation, shot.energy.target_vibration, shot.energy.contact, shot.energy.total()});
     }};
     run_scene(*joined.projectile, *joined.target, scene, stop_requested, &observer);
     if (stop_requested) throw Error("interrupted", Exit::interrupted);
@@ -244,10 +266,11 @@ int record(lua_State* L) {
     make_folder(path.parent_path());
     trajectory.write(path, observables, provenance);
     session.print(fmt::format("{} frames in {}\n", trajectory.frames(), path.string()));
+    session.count(outcome.status == Status::finished);
     push_row(L, row_of(scene, outcome, 0));
     return 1;
   } catch (const FieldError& error) {
-    throw_at(session, object.site, error);
+    throw_at_call_or_scene(L, object, error);
   }
 }
 

@@ -34,6 +34,19 @@ std::string accepted_range(const Field& field) {
 
 bool is_userdata(lua_State* L, int index, const char* type) { return luaL_testudata(L, index, ("ricochet." + std::string(type)).c_str()) != nullptr; }
 
+// Rows of a sweep, or a list of some of them.
+bool is_rows(lua_State* L, int index) {
+  if (!lua_istable(L, index)) return false;
+  if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) {
+    const bool rows = std::string(lua_tostring(L, -1)) == "rows";
+    lua_pop(L, 1);
+    return rows;
+  }
+  const bool list = lua_geti(L, index, 1) == LUA_TTABLE;
+  lua_pop(L, 1);
+  return list;
+}
+
 // The mistake in a value, or nothing.
 std::string mistake_in(lua_State* L, int index, const Field& field) {
   const std::string& type = field.type;
@@ -61,7 +74,8 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
     const char* makers = type == "body" ? "a body (from ricochet.disk, ricochet.wall or ricochet.body)" : "a scene (from ricochet.scene)";
     return is_userdata(L, index, type.c_str()) ? "" : must_be(makers);
   }
-  if (!lua_istable(L, index)) return must_be(type == "points" ? "a list of points { {x, y}, ... }" : type == "rows" ? "rows (from sweep:run())" : "a table");
+  if (type == "rows") return is_rows(L, index) ? "" : must_be("rows (from sweep:run())");
+  if (!lua_istable(L, index)) return must_be(type == "points" ? "a list of points { {x, y}, ... }" : "a table");
   if (type == "numbers" || type == "strings" || type == "points") {
     const lua_Integer n = luaL_len(L, index);
     if (n == 0) return fmt::format("'{}' must not be empty", field.name);
@@ -83,6 +97,19 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
   return "";
 }
 
+bool has_field(const std::vector<Field>& fields, const std::string& name) {
+  return std::any_of(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
+}
+
+// Where an unknown field belongs: in a table inside this one, or in the scene around it; else the nearest spelling.
+std::string belongs_elsewhere(const std::string& name, const std::vector<Field>& fields, const std::vector<std::string>& path, const std::string& nearest) {
+  for (const Field& field : fields)
+    if ((field.type == "launch" || field.type == "contact") && has_field(function_named(field.type).fields, name))
+      return fmt::format(" (it belongs in {} = {{ {} = ... }})", field.name, name);
+  if (!path.empty() && has_field(function_named("scene").fields, name)) return " (it belongs in the scene itself, beside this table)";
+  return nearest;
+}
+
 void collect(lua_State* L, int index, const std::vector<Field>& fields, const std::vector<std::string>& path, std::vector<Mistake>& mistakes, std::string& valid) {
   index = lua_absindex(L, index);
   const std::vector<std::string> names = names_of(fields);
@@ -100,7 +127,7 @@ void collect(lua_State* L, int index, const std::vector<Field>& fields, const st
     }
     const std::string name = lua_tostring(L, -2);
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    unknown.push_back({below(name), fmt::format("{}unknown field '{}'{}", where, name, did_you_mean(name, names))});
+    unknown.push_back({below(name), fmt::format("{}unknown field '{}'{}", where, name, belongs_elsewhere(name, fields, path, did_you_mean(name, names)))});
     valid = joined(names);
   }
   std::sort(unknown.begin(), unknown.end(), [](const Mistake& a, const Mistake& b) { return a.path < b.path; });
@@ -130,8 +157,10 @@ CallSite call_site(lua_State* L) {
     lua_getinfo(L, "Sl", &frame);
     const std::string source = frame.source[0] == '@' ? frame.source + 1 : "";
     if (frame.currentline <= 0 || source.starts_with(session.library.string())) {
+      // Called through pcall, a function has no name here: that of the one it called will do.
       lua_getinfo(L, "n", &frame);
-      site.function = frame.name ? frame.name : "?";
+      const std::string name = frame.name ? frame.name : "";
+      if (!name.empty() && name != "pcall" && name != "xpcall") site.function = name;
       continue;
     }
     site.file = source, site.line = frame.currentline;
@@ -163,10 +192,20 @@ std::string report(const Session& session, const CallSite& site, const std::vect
   return result;
 }
 
+bool is_module(lua_State* L, int index) {
+  lua_getfield(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+  lua_getfield(L, -1, "ricochet");
+  const bool same = lua_rawequal(L, index, -1);
+  lua_pop(L, 2);
+  return same;
+}
+
 void check_table(lua_State* L, int index, const Function& function) {
   CallSite site = call_site(L);
   const Session& session = session_of(L);
+  if (site.function.empty() || site.function == "check") site.function = function.name;
   if (!lua_istable(L, index)) throw Error(report(session, site, {{{}, fmt::format("takes one table of named fields, e.g. {}", function.example)}}));
+  if (is_module(L, index)) throw Error(report(session, site, {{{}, fmt::format("is called with a dot, not a colon: ricochet.{} {{ ... }}", function.name)}}));
   std::vector<Mistake> mistakes;
   std::string valid;
   collect(L, index, function.fields, {}, mistakes, valid);
@@ -180,8 +219,27 @@ std::string shown(lua_State* L, int index) {
     case LUA_TNUMBER: return lua_isinteger(L, index) ? fmt::format("{}", lua_tointeger(L, index)) : (lua_tonumber(L, index) != lua_tonumber(L, index) ? "nan" : fmt::format("{}", lua_tonumber(L, index)));
     case LUA_TSTRING: return fmt::format("a string ('{:.40}')", lua_tostring(L, index));
     case LUA_TUSERDATA: return luaL_getmetafield(L, index, "__name") == LUA_TSTRING ? (lua_pop(L, 1), std::string("a ") + (is_userdata(L, index, "body") ? "body" : "scene")) : "an object";
-    default: return fmt::format("a {}", luaL_typename(L, index));
+    default:
+      if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) {
+        const std::string name = lua_tostring(L, -1);
+        lua_pop(L, 1);
+        return name == "sweep" ? "a sweep; run it first" : name;
+      }
+      return fmt::format("a {}", luaL_typename(L, index));
   }
+}
+
+Error at_line(lua_State* L, const std::string& message) {
+  const CallSite site = call_site(L);
+  const Session& session = session_of(L);
+  const auto text = session.sources.find(site.file);
+  return Error(fmt::format("{}:{}: {}\n{}", site.file, site.line, message, text == session.sources.end() ? "" : excerpt(text->second, {site.line, 1, 0})));
+}
+
+Error unknown_name(lua_State* L, const std::string& what, const std::string& name, std::vector<std::string> names) {
+  std::sort(names.begin(), names.end());
+  const std::string nearest = did_you_mean(name, names);
+  return at_line(L, fmt::format("{} has no '{}'{}", what, name, nearest.empty() ? (names.empty() ? "" : "; it has " + joined(names)) : nearest));
 }
 
 void throw_at(const Session& session, const CallSite& site, const FieldError& error) {

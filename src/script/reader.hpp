@@ -32,7 +32,10 @@ struct Mistake {
 /// "file:line: function: message" with an excerpt of the source, for each mistake; `valid` is listed at the end if not empty.
 std::string report(const Session& session, const CallSite& site, const std::vector<Mistake>& mistakes, const std::string& valid = "");
 
-/// Checks the table at `index` against the fields of a function; throws Error with every mistake. `label` replaces the function's name.
+/// True if the value is the module itself: a function was called with a colon instead of a dot.
+bool is_module(lua_State* L, int index);
+
+/// Checks the table at `index` against the fields of a function; throws Error with every mistake.
 void check_table(lua_State* L, int index, const Function& function);
 
 /// Reads the table's members into a plain struct; absent fields keep their values. The table must have been checked.
@@ -71,6 +74,12 @@ int guarded(lua_State* L) {
   lua_setfield(L, LUA_REGISTRYINDEX, "ricochet.exit");
   return lua_error(L);
 }
+
+/// An error at the line of the user's that runs: "file:line: message" with that line.
+Error at_line(lua_State* L, const std::string& message);
+
+/// The error of a name that `what` has not: "file:line: what has no 'name' (did you mean ...?)" or the names there are.
+Error unknown_name(lua_State* L, const std::string& what, const std::string& name, std::vector<std::string> names);
 
 /// Throws the error of a field as a report at the site, looking for the field in the table, or in its launch or contact table.
 [[noreturn]] void throw_at(const Session& session, const CallSite& site, const FieldError& error);

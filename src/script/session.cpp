@@ -22,9 +22,15 @@ std::atomic<bool> stop_requested{false};
 
 namespace {
 
+// Seconds in which a run must have stored what is done once it is told to stop.
+constexpr unsigned grace = 20;
+
 extern "C" void on_signal(int) {
   if (stop_requested.exchange(true)) _exit(130);
+  alarm(grace);  // a pattern match in a script may not come back; files are whole at any moment
 }
+
+extern "C" void on_alarm(int) { _exit(130); }
 
 bool is_product(const fs::path& entry) {
   static const std::set<std::string> names{"results.h5", "results.csv", "run.log", "parts"}, kinds{".svg", ".png", ".gp", ".h5", ".xdmf", ".new"};
@@ -43,6 +49,8 @@ void catch_signals() {
   action.sa_handler = on_signal;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  action.sa_handler = on_alarm;
+  sigaction(SIGALRM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
 }
 
@@ -84,6 +92,8 @@ void Session::claim(const fs::path& place) {
   if (claimed_.count(place)) return;
   refuse_earlier_results(place);
   make_folder(place);
+  locks_.emplace_back(place);
+  refuse_earlier_results(place);  // what another run left while this one waited to begin
   if (options.force) {
     std::vector<fs::path> old;
     for (const auto& entry : fs::directory_iterator(place))
@@ -97,6 +107,11 @@ void Session::print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
   std::fflush(stdout);
   log(text);
+}
+
+void Session::warn(const std::string& text) {
+  fmt::print(stderr, "warning: {}\n", text);
+  log("warning: " + text + "\n");
 }
 
 void Session::write_log() const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lattice/lattice.hpp"
+#include "store/files.hpp"
 #include "store/table.hpp"
 
 namespace ricochet {
@@ -37,7 +38,6 @@ class Session {
   std::vector<std::string> arguments;                  ///< name=value, as given
   bool parameters_declared = false;
   bool done = false;                                   ///< the script ended early without an error: after --help
-  int failures = 0, finished = 0;                      ///< impacts of all sweeps that failed numerically, that finished
   std::map<std::string, std::shared_ptr<const NodePlan>> plans;  ///< planned nodes of bodies, by their geometry
 
   /// The folder of a name: OUT/<name>. The script's own is that of its file name.
@@ -46,14 +46,20 @@ class Session {
 
   /// Refuses a folder that holds earlier results, unless --resume or --force is given. Throws FileError.
   void refuse_earlier_results(const std::filesystem::path& folder) const;
-  /// Makes a folder ready for writing, once: with --force, earlier products in it are removed.
+  /// Makes a folder ready for writing, once, and locks it against other runs; with --force, earlier products in it are removed.
   void claim(const std::filesystem::path& folder);
+
+  /// Counts an impact that ran, for the exit status: 3 if some ran and none finished.
+  void count(bool impact_finished) { ++(impact_finished ? finished_ : failed_); }
+  bool nothing_finished() const { return failed_ > 0 && finished_ == 0; }
 
   /// True the first time a sweep of this name runs; a second one would replace its results.
   bool first_sweep_named(const std::string& name) { return sweeps_.insert(name).second; }
 
   /// Prints to the terminal and into run.log.
   void print(const std::string& text);
+  /// To the terminal's error stream, and into run.log.
+  void warn(const std::string& text);
   /// Only into run.log.
   void log(const std::string& text) { log_ += text; }
   /// Writes run.log, if the run has written anything else.
@@ -63,7 +69,9 @@ class Session {
 
  private:
   std::set<std::filesystem::path> claimed_;
+  std::vector<FolderLock> locks_;
   std::set<std::string> sweeps_;
+  int failed_ = 0, finished_ = 0;
   std::string log_, start_;
 };
 

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int hook_period = 10000;
 
+// Called from within Lua: only what allocates none of its memory.
 void* allocate(void* opaque, void* block, std::size_t old_size, std::size_t size) {
   auto& limits = *static_cast<Limits*>(opaque);
   const std::size_t before = block ? old_size : 0;
@@ -25,7 +26,10 @@ void* allocate(void* opaque, void* block, std::size_t old_size, std::size_t size
     limits.used -= before;
     return nullptr;
   }
-  if (size > before && limits.used + (size - before) > limits.most) return nullptr;
+  if (size > before && limits.used + (size - before) > limits.most) {
+    limits.note_line();
+    return nullptr;
+  }
   void* result = std::realloc(block, size);
   if (result) limits.used += size - before;
   return result;
@@ -64,7 +68,7 @@ std::string displayed(lua_State* L, int index) {
 int print(lua_State* L) {
   std::string line;
   for (int i = 1; i <= lua_gettop(L); ++i) line += (i > 1 ? "\t" : "") + displayed(L, i);
-  session_of(L).print(line + "\n");
+  if (!session_of(L).options.check) session_of(L).print(line + "\n");  // with --check nothing ran that could be told of
   return 0;
 }
 
@@ -78,15 +82,12 @@ int unknown_global(lua_State* L) {
   std::string hint = did_you_mean(name, names);
   if (name == "io") hint = " (files are below the run's folder, through ricochet.file)";
   if (name == "ricochet") hint = " (begin the script with: local ricochet = require \"ricochet\")";
-  const CallSite site = call_site(L);
-  throw Error(fmt::format("{}:{}: unknown name '{}'{}\n{}", site.file, site.line, name, hint, excerpt(session_of(L).sources[site.file], {site.line, 1, 0})));
+  throw at_line(L, fmt::format("unknown name '{}'{}", name, hint));
 }
 
 int new_global(lua_State* L) {
-  const CallSite site = call_site(L);
-  const std::string name = lua_tostring(L, 2);
-  throw Error(fmt::format("{}:{}: '{}' is not declared; write: local {} = ...\n{}", site.file, site.line, name, name,
-                          excerpt(session_of(L).sources[site.file], {site.line, 1, 0})));
+  const std::string name = displayed(L, 2);
+  throw at_line(L, fmt::format("'{}' is not declared; write: local {} = ...", name, name));
 }
 
 void load_file(lua_State* L, const fs::path& path, const std::string& name) {
@@ -132,8 +133,7 @@ int require(lua_State* L) {
     lua_setfield(L, 2, name.c_str());
     return 1;
   }
-  const CallSite site = call_site(L);
-  throw Error(fmt::format("{}:{}: require: there is no module '{}' in the library or beside the script", site.file, site.line, name));
+  throw at_line(L, fmt::format("require: there is no module '{}' in the library or beside the script", name));
 }
 
 // xpcall(f, handler, ...): the handler runs after the error has unwound. Lua's own runs it inside the hook that ended the script,
@@ -170,11 +170,16 @@ int set_metatable(lua_State* L) {
   return 1;
 }
 
-// load, for text only.
+// load(text, name, mode, environment), for text only.
 int load_text(lua_State* L) {
   std::size_t length = 0;
   const char* text = luaL_checklstring(L, 1, &length);
-  if (luaL_loadbufferx(L, text, length, luaL_optstring(L, 2, "=(load)"), "t") == LUA_OK) return 1;
+  const bool environment = lua_gettop(L) >= 4;
+  if (std::string(luaL_optstring(L, 3, "t")).find('t') == std::string::npos) return luaL_error(L, "load: only text is accepted, mode 't'");
+  if (luaL_loadbufferx(L, text, length, luaL_optstring(L, 2, "=(load)"), "t") == LUA_OK) {
+    if (environment) lua_pushvalue(L, 4), lua_setupvalue(L, -2, 1);
+    return 1;
+  }
   lua_pushnil(L);
   lua_insert(L, -2);
   return 2;
@@ -211,25 +216,45 @@ int check(lua_State* L) {
   return 1;
 }
 
-// fail(message): an error at the user's call.
-int fail(lua_State* L) { throw Error(report(session_of(L), call_site(L), {{{}, luaL_checkstring(L, 1)}})); }
-
-// unknown_function(name), unknown_column(name, row): errors at the user's call, with the nearest spelling.
-int unknown_function(lua_State* L) {
-  std::vector<std::string> names;
-  for (const Function& f : functions())
-    if (f.name.find(':') == std::string::npos) names.push_back(f.name.substr(0, f.name.find('.')));
-  const std::string name = luaL_checkstring(L, 1);
-  const CallSite site = call_site(L);
-  throw Error(fmt::format("{}:{}: the module has no '{}'{}\n{}", site.file, site.line, name, did_you_mean(name, names),
-                          excerpt(session_of(L).sources[site.file], {site.line, 1, 0})));
+// fail(message, field, inner field ...): an error at a field of the user's call, or at the call itself.
+int fail(lua_State* L) {
+  std::vector<std::string> path;
+  for (int i = 2; i <= lua_gettop(L); ++i) path.push_back(luaL_checkstring(L, i));
+  throw Error(report(session_of(L), call_site(L), {{path, luaL_checkstring(L, 1)}}));
 }
 
-int unknown_column(lua_State* L) {
+// fail_in(function, name, message): an error at a function of the user's, called `name` by us.
+int fail_in(lua_State* L) {
+  const std::string name = luaL_checkstring(L, 2), message = luaL_checkstring(L, 3);
+  lua_Debug info;
+  lua_pushvalue(L, 1);
+  lua_getinfo(L, ">S", &info);
+  throw Error(report(session_of(L), {info.source[0] == '@' ? info.source + 1 : "", name, info.linedefined}, {{{}, message}}));
+}
+
+// unknown(what, name, names): an error at the user's line, with the nearest of the names.
+int unknown(lua_State* L) {
+  const std::string what = luaL_checkstring(L, 1), name = displayed(L, 2);
   std::vector<std::string> names;
-  for (lua_pushnil(L); lua_next(L, 2) != 0; lua_pop(L, 1)) names.push_back(lua_tostring(L, -2));
-  const std::string name = luaL_checkstring(L, 1);
-  throw Error(report(session_of(L), call_site(L), {{{}, fmt::format("the rows have no column '{}'{}", name, did_you_mean(name, names))}}));
+  for (lua_Integer i = 1; i <= luaL_len(L, 3); ++i) lua_geti(L, 3, i), names.push_back(displayed(L, -1)), lua_pop(L, 1);
+  throw unknown_name(L, what, name, names);
+}
+
+// did_you_mean(name, names): " (did you mean 'x'?)", or nothing.
+int nearest(lua_State* L) {
+  std::vector<std::string> names;
+  for (lua_Integer i = 1; i <= luaL_len(L, 2); ++i) lua_geti(L, 2, i), names.push_back(displayed(L, -1)), lua_pop(L, 1);
+  lua_pushstring(L, did_you_mean(luaL_checkstring(L, 1), names).c_str());
+  return 1;
+}
+
+// function_names(): the names of the module.
+int function_names(lua_State* L) {
+  lua_newtable(L);
+  for (const Function& f : functions())
+    if (f.name.find(':') == std::string::npos && f.name != "launch" && f.name != "contact")
+      lua_pushstring(L, f.name.substr(0, f.name.find('.')).c_str()), lua_seti(L, -2, luaL_len(L, -2) + 1);
+  return 1;
 }
 
 int is_scene(lua_State* L) {
@@ -299,29 +324,30 @@ void close_globals(lua_State* L) {
 
 }  // namespace
 
+void Limits::note_line() {
+  if (!state) return;
+  lua_Debug frame;
+  for (int level = 0; lua_getstack(state, level, &frame); ++level) {
+    lua_getinfo(state, "Sl", &frame);
+    if (frame.currentline <= 0) continue;
+    refused_at = fmt::format("{}:{}", frame.source[0] == '@' ? frame.source + 1 : frame.source, frame.currentline);
+    return;
+  }
+}
+
 State::State(Session& session) : session_(session) {
   L_ = lua_newstate(allocate, limits_.get());
   if (!L_) throw Error("no memory for Lua");
+  limits_->state = L_;
   *static_cast<Session**>(lua_getextraspace(L_)) = &session_;
   lua_pushlightuserdata(L_, &limits_->instructions);
   lua_setfield(L_, LUA_REGISTRYINDEX, "ricochet.instructions");
   open_sandbox(L_, session.options.unsafe);
 
   lua_newtable(L_);  // the module's native part, which lua/ricochet/init.lua requires as "ricochet.core"
-  lua_pushcfunction(L_, guarded<check>);
-  lua_setfield(L_, -2, "check");
-  lua_pushcfunction(L_, guarded<fail>);
-  lua_setfield(L_, -2, "fail");
-  lua_pushcfunction(L_, wrap);
-  lua_setfield(L_, -2, "wrap");
-  lua_pushcfunction(L_, is_check);
-  lua_setfield(L_, -2, "is_check");
-  lua_pushcfunction(L_, is_scene);
-  lua_setfield(L_, -2, "is_scene");
-  lua_pushcfunction(L_, guarded<unknown_function>);
-  lua_setfield(L_, -2, "unknown_function");
-  lua_pushcfunction(L_, guarded<unknown_column>);
-  lua_setfield(L_, -2, "unknown_column");
+  const luaL_Reg natives[] = {{"check", guarded<check>}, {"fail", guarded<fail>}, {"fail_in", guarded<fail_in>}, {"unknown", guarded<unknown>},
+                              {"function_names", function_names}, {"did_you_mean", nearest}, {"wrap", wrap}, {"is_check", is_check}, {"is_scene", is_scene}};
+  for (const luaL_Reg& f : natives) lua_pushcfunction(L_, f.func), lua_setfield(L_, -2, f.name);
   add_parameters(L_), add_bodies(L_), add_sweeps(L_), add_pictures(L_);
   luaL_getsubtable(L_, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   lua_insert(L_, -2);
@@ -345,7 +371,9 @@ void State::call_chunk(int results) {
   const int status = lua_pcall(L_, 0, results, handler);
   lua_remove(L_, handler);
   if (status == LUA_OK || session_.done) return;
-  if (status == LUA_ERRMEM) throw Error("the script needs more than 2 GiB of memory");
+  if (status == LUA_ERRMEM)
+    throw Error(fmt::format("{}the script needs more than 2 GiB of memory; look for a table or string that grows without end, or recursion without end",
+                            limits_->refused_at.empty() ? "" : limits_->refused_at + ": "));
   const std::string message = lua_isstring(L_, -1) ? lua_tostring(L_, -1) : "the script raised an error without a message";
   lua_pop(L_, 1);
   lua_getfield(L_, LUA_REGISTRYINDEX, "ricochet.exit");
@@ -366,7 +394,8 @@ void State::run_script() {
     std::vector<std::string> near;
     for (const auto& entry : fs::directory_iterator(session_.script.has_parent_path() ? session_.script.parent_path() : fs::path("."), error))
       near.push_back(entry.path().filename().string());
-    throw FileError(fmt::format("there is no script {}{}", session_.script.string(), did_you_mean(session_.script.filename().string(), near)));
+    const std::string hint = did_you_mean(session_.script.filename().string(), near);
+    throw FileError(fmt::format("there is no script {}{}", session_.script.string(), hint.empty() ? fmt::format(" (looked for {})", fs::absolute(session_.script, error).string()) : hint));
   }
   load_file(L_, session_.script, session_.script.string());
   call_chunk(0);

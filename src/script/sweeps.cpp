@@ -8,8 +8,11 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "core/hash.hpp"
+#include "core/spelling.hpp"
 #include "force/lane.hpp"
 #include "impact/sweep.hpp"
 #include "script/objects.hpp"
@@ -29,6 +32,19 @@ Row row_of(const Scene& scene, const Outcome& outcome, double seconds) {
   return row;
 }
 
+namespace {
+
+// A misspelt row.name is an error, not nil.
+int unknown_column(lua_State* L) {
+  std::vector<std::string> names;
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
+    if (lua_type(L, -2) == LUA_TSTRING) names.push_back(lua_tostring(L, -2));
+  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2), nearest = did_you_mean(name, names);
+  throw at_line(L, fmt::format("a row has no column '{}'{}", name, nearest.empty() ? "; lua/REFERENCE.md lists them" : nearest));
+}
+
+}  // namespace
+
 void push_row(lua_State* L, const Row& row) {
   lua_createtable(L, 0, static_cast<int>(row.values.size()) + 5);
   for (std::size_t i = 0; i < row.values.size(); ++i) lua_pushnumber(L, row.values[i]), lua_setfield(L, -2, Outcome::fields()[i].first.name.c_str());
@@ -37,6 +53,8 @@ void push_row(lua_State* L, const Row& row) {
   lua_pushstring(L, row.hash.c_str()), lua_setfield(L, -2, "scene_hash");
   lua_pushstring(L, row.seed.c_str()), lua_setfield(L, -2, "seed");
   lua_pushnumber(L, row.seconds), lua_setfield(L, -2, "wall_seconds");
+  if (luaL_newmetatable(L, "row")) lua_pushcfunction(L, guarded<unknown_column>), lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
 }
 
 namespace {
@@ -98,13 +116,14 @@ class Store {
  public:
   Store(Session& session, const std::string& name, const std::vector<std::string>& hashes, const Parameters& parameters)
       : session_(session), folder_(session.folder(name)), hashes_(hashes), parameters_(parameters), rows_(hashes.size()), done_(hashes.size(), false) {
+    for (std::size_t i = 0; i < hashes_.size(); ++i) scenes_[hashes_[i]].push_back(i);
     session.claim(folder_);
     if (session.options.resume) load();
   }
 
   const std::vector<bool>& done() const { return done_; }
   const std::vector<Row>& rows() const { return rows_; }
-  std::size_t count() const { return static_cast<std::size_t>(std::count(done_.begin(), done_.end(), true)); }
+  std::size_t count() const { return count_; }
 
   /// Keeps a finished batch as a part file: from then on it survives a kill.
   void add(const std::vector<std::pair<std::size_t, Row>>& batch) {
@@ -145,10 +164,10 @@ class Store {
  private:
   // Rows of equal scenes are the same row.
   bool take(const Row& row) {
-    bool known = false;
-    for (std::size_t i = 0; i < hashes_.size(); ++i)
-      if (hashes_[i] == row.hash) rows_[i] = row, done_[i] = true, known = true;
-    return known;
+    const auto scenes = scenes_.find(row.hash);
+    if (scenes == scenes_.end()) return false;
+    for (const std::size_t i : scenes->second) count_ += !done_[i], rows_[i] = row, done_[i] = true;
+    return true;
   }
 
   void load() {
@@ -170,8 +189,10 @@ class Store {
   fs::path folder_;
   const std::vector<std::string>& hashes_;
   const Parameters& parameters_;
+  std::unordered_map<std::string, std::vector<std::size_t>> scenes_;  // by hash
   std::vector<Row> rows_;
   std::vector<bool> done_;
+  std::size_t count_ = 0;
 };
 
 /// One line on a terminal, plain lines elsewhere, nothing with --quiet.
@@ -205,10 +226,15 @@ std::string left_behind(const Store& store, std::size_t total) {
   return fmt::format("{} of {} impacts are stored in {}; --resume goes on from there", store.count(), total, store.folder().string());
 }
 
+std::size_t scenes_once(const std::vector<std::string>& hashes) { return std::unordered_set<std::string>(hashes.begin(), hashes.end()).size(); }
+
 void run_and_store(Session& session, Store& store, const std::string& name, const std::vector<Scene>& scenes, const std::vector<std::string>& hashes) {
   std::vector<bool> todo(scenes.size());
   std::map<std::string, std::size_t> first;  // a scene that occurs twice runs once
   for (std::size_t i = 0; i < scenes.size(); ++i) todo[i] = !store.done()[i] && first.emplace(hashes[i], i).second;
+  const std::size_t twins = scenes.size() - scenes_once(hashes);
+  if (twins > 0)
+    session.warn(fmt::format("{}: {} of {} scenes repeat another one exactly, so they are no samples of their own; does every name of 'over' reach the scene?", name, twins, scenes.size()));
   Progress progress(session, name, scenes.size(), store.count());
   SweepOptions options;
   options.threads = session.options.threads;
@@ -282,7 +308,7 @@ int run_sweep_from_lua(lua_State* L) {
       std::size_t finished = 0;
       for (const Row& row : rows) finished += row.status == "finished";
       const std::string line = fmt::format("{}: {} of {} impacts finished; {}\n", name, finished, rows.size(), (store.folder() / "results.h5").string());
-      session.finished += static_cast<int>(finished), session.failures += static_cast<int>(rows.size() - finished);
+      for (const Row& row : rows) session.count(row.status == "finished");
       session.print(line);
     }
   } catch (const SceneError& error) {

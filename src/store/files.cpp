@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -42,11 +43,25 @@ void sync_folder(const std::filesystem::path& folder) {
 
 }  // namespace
 
+FolderLock::FolderLock(const std::filesystem::path& folder) : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (descriptor_ < 0) fail(folder, "open", errno);
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+  const int error = errno;
+  close(descriptor_);
+  if (error != EWOULDBLOCK) fail(folder, "lock", error);
+  throw FileError(fmt::format("another run is writing into {}; wait for its end, or give another folder with --out", folder.string()));
+}
+
+FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
 void write_atomically(const std::filesystem::path& path, std::string_view bytes) {
   std::filesystem::path beside = path;
   beside += ".new";
   {
-    const Descriptor file(open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+    unlink(beside.c_str());  // left by a run that was killed; and no link is ever followed
+    const Descriptor file(open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644));
     if (file.value() < 0) fail(path, "write", errno);
     while (!bytes.empty()) {
       const ssize_t written = write(file.value(), bytes.data(), bytes.size());

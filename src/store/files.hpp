@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace ricochet {
 
@@ -14,5 +15,17 @@ void make_folder(const std::filesystem::path& path);
 
 /// The whole file. Throws FileError.
 std::string read_file(const std::filesystem::path& path);
+
+/// Holds a folder against other processes until it goes out of scope (or the process dies). Throws FileError if another holds it.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::filesystem::path& folder);
+  FolderLock(FolderLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  FolderLock& operator=(FolderLock&&) = delete;
+  ~FolderLock();
+
+ private:
+  int descriptor_;
+};
 
 }  // namespace ricochet

@@ -108,4 +108,6 @@ void Trajectory::write(const std::filesystem::path& path, const std::vector<Fiel
   write_atomically(beside.replace_extension(".xdmf"), xdmf);
 }
 
+bool is_trajectory(const std::filesystem::path& path) { return H5Lexists(hdf5::open_file(path), "h5md", H5P_DEFAULT) > 0; }
+
 }  // namespace ricochet

@@ -40,4 +40,7 @@ class Trajectory {
   std::vector<std::vector<double>> observable_;  // [observable][frame]
 };
 
+/// True if the file is one of these.
+bool is_trajectory(const std::filesystem::path& path);
+
 }  // namespace ricochet

@@ -167,6 +167,44 @@ TEST_CASE("endings are statuses with a reason") {
   }
 }
 
+TEST_CASE("the default step resolves the contact of springs however soft, and of flights however fast") {
+  for (const double stiffness : {0.1, 1.0, 10.0, 1e4})
+    for (const double speed : {0.01, 0.1, 0.3}) {
+      Scene scene;
+      scene.projectile = disk(100, stiffness, 0.02, 3), scene.target = wall(300, 4e3, 0.02, 3, 6, 2);
+      scene.launch.speed = speed, scene.launch.psi1 = 0.5;
+      scene.integration.time_limit = 3 / speed;  // soft enough a disk wraps around the wall: only its energy is watched
+      scene.integration.energy_tolerance = 2e-4;
+      const Outcome o = outcome_of(scene);
+      INFO(stiffness << " " << speed << " " << o.reason << " drift " << o.energy_drift);
+      CHECK((o.status == Status::finished || o.status == Status::out_of_time));
+      CHECK(o.theta <= 0.8);
+    }
+}
+
+TEST_CASE("a spike of the target that slips between two nodes of the projectile is found out") {
+  Scene scene;
+  scene.projectile = disk(60, 1e4, 0, 1);
+  Body spike{Points{{-0.2, -2}, {0.2, -2}, {0, 0}}, numbers(200, 1e4, 0, 1, "uniform"), {}, {}};
+  for (const Vec2& q : plan_nodes(spike.outline, spike.numbers, {}).points) spike.anchored.push_back(q.y() < -1.9);
+  scene.target = std::make_shared<Body>(spike);
+  scene.launch.psi1 = 0, scene.launch.at = 0;
+  int found = 0;
+  for (const double at : {-0.01, 0.0, 0.01}) {
+    scene.launch.at = at, scene.contact.sides = "one";
+    const Outcome one = outcome_of(scene);
+    if (one.status == Status::tunnelled) {
+      ++found;
+      CHECK_THAT(one.reason, Catch::Matchers::Contains("set contact = { sides = \"two\" }"));
+    } else {
+      CHECK((one.status != Status::finished || one.indentation < 0.5));
+    }
+    scene.contact.sides = "two";
+    CHECK(outcome_of(scene).status != Status::tunnelled);
+  }
+  CHECK(found >= 1);
+}
+
 TEST_CASE("a disk that rolls off a post has parted from it") {
   Scene scene;
   Body post{box(2, 2), numbers(200, 1e4, 0, 1, "triangular"), {}, {}};

@@ -59,19 +59,36 @@ const std::vector<Mistake> mistakes{
      "error: s.lua:4: scene: 'height': the bodies overlap at the start (rims *"},
     {"unknown method of a scene", "local s = ricochet.scene { projectile = d, target = w }\ns:runn()", "error: s.lua:4: a scene has no 'runn' (did you mean 'run'?)"},
     {"sweep that returns no scene", "ricochet.sweep { name = 'x', over = { a = {1} }, scene = function(at) end }:run()",
-     "error: s.lua:2: run: the function 'scene' must return a scene (from ricochet.scene), returned nothing"},
+     "error: s.lua:2: scene: the function returned nothing; it must return a scene (is a 'return' missing?)"},
     {"sweep over nothing", "ricochet.sweep { name = 'x', over = {}, scene = function(at) end }", "error: s.lua:2: sweep: 'over' is empty; give at least one name = list of values"},
     {"sweep over an outcome", "ricochet.sweep { name = 'x', over = { omega = {1} }, scene = function(at) end }", "error: s.lua:2: sweep: over.omega: 'omega' is a column of the outcome; take another name"},
     {"a reach beyond the smallest number", "ricochet.scene { projectile = d, target = w,\n  contact = { reach = 3 } }:run()",
      "error: s.lua:4: scene: 'contact': xi reach = 900 is beyond exp(-700), the smallest number there is; lower reach to 2.33333 or less"},
-    {"misspelt parameter in the script", "local p = ricochet.parameters { nodes = 100 }\nlocal d = ricochet.disk { nodes = p.node }", "error: s.lua:3: no parameter is called 'node' (did you mean 'nodes'?)"},
+    {"launch field beside launch", "local s = ricochet.scene { projectile = d, target = w,\n  speed = 0.2 }", "error: s.lua:4: scene: unknown field 'speed' (it belongs in launch = { speed = ... })"},
+    {"scene field in launch", "local s = ricochet.scene { projectile = d, target = w, launch = {\n  method = 'verlet' } }",
+     "error: s.lua:4: scene: launch: unknown field 'method' (it belongs in the scene itself, beside this table)"},
+    {"colon for a dot", "ricochet:animate { scene = 1 }", "error: s.lua:2: animate: is called with a dot, not a colon: ricochet.animate { ... }"},
+    {"dot for a colon", "ricochet.sweep { name = 'x', over = { a = {1} },\n  scene = function(at) end }.run()", "error: s.lua:2: run: is a method of a sweep: write sweep:run(), with a colon"},
+    {"plot of a sweep that has not run", "ricochet.plot { x = 'psi1', y = {'e'}, name = 'p',\n  rows = ricochet.sweep { name = 'x', over = { a = {1} }, scene = function(at) end } }",
+     "error: s.lua:3: plot: 'rows' must be rows (from sweep:run()), is a sweep; run it first"},
+    {"over at its own line", "ricochet.sweep { name = 'x',\n  scene = function(at) end,\n  over = {\n    a = 3 } }", "error: s.lua:5: sweep: over.a must be a list of values that is not empty, is 3"},
+    {"misspelt column of a row", "local s = ricochet.scene { projectile = d, target = w, time_limit = 0.1 }\nlocal row = s:run()\nprint(row.indentaton)",
+     "error: s.lua:5: a row has no column 'indentaton' (did you mean 'indentation'?)"},
+    {"caught and raised again", "local fine, message = pcall(ricochet.disk, { nodes = 0 })\nerror(message, 0)", "error: s.lua:2: disk: 'nodes' must be between 4 and 1e+07, is 0"},
+    {"a default outside its own range", "local p = ricochet.parameters {\n  samples = { 0, int = true, min = 1 } }", "error: s.lua:3: parameters: 'samples': the default 0 is outside its own range, min 1"},
+    {"memory without end", "local t = {}\nfor i = 1, 1e9 do t[i] = {\n  ('x'):rep(1000000) .. i } end",
+     "error: s.lua:4: the script needs more than 2 GiB of memory; look for a table or string that grows without end, or recursion without end"},
+    {"more frames than steps", "ricochet.animate { scene = ricochet.scene { projectile = d, target = w },\n  frames = 100000 }", "error: s.lua:4: animate: 'frames': 100000 frames in *"},
+    {"no instructions", "print(1)", "error: --budget: Value 0 not in range 1 to 1000000000000000; see ricochet --help", 2, "--budget 0"},
+    {"no folder", "print(1)", "error: --out needs a folder", 2, "--out ''"},
+    {"misspelt parameter in the script", "local p = ricochet.parameters { nodes = 100 }\nlocal d = ricochet.disk { nodes = p.node }", "error: s.lua:3: the table of parameters has no 'node' (did you mean 'nodes'?)"},
     {"two sweeps of one name", "for i = 1, 2 do ricochet.sweep { name = 's', over = { a = {1} }, scene = function() return ricochet.scene { projectile = d, target = w } end }:run() end",
      "error: s.lua:3: run: a sweep called 's' has run already and its results would be replaced; give this one another name", 1, "--quiet"},
     {"an immense outline", "local b = ricochet.body { nodes = 50, outline = { {0, 0}, {1e200, 0}, {0, 1e200} } }",
      "error: s.lua:2: body: 'outline': encloses an area of inf R^2; scale it to lie between 1e-100 and 1e100"},
     {"sweep over a number", "ricochet.sweep { name = 'x', over = { a = 3 }, scene = function(at) end }", "error: s.lua:2: sweep: over.a must be a list of values that is not empty, is 3"},
     {"misspelt value of a sweep", "ricochet.sweep { name = 'x', over = { psi1 = {1} }, scene = function(at) return at.psi end }:run()",
-     "error: s.lua:2: index: 'over' has no 'psi'; it has psi1"},
+     "error: s.lua:2: 'over' has no 'psi' (did you mean 'psi1'?)"},
     {"syntax error", "local d = = 3", "error: s.lua:2: unexpected symbol near '='"},
     {"Lua's own error", "local x = nil\nprint(x.y)", "error: s.lua:3: attempt to index a nil value (local 'x')"},
     {"missing module", "require 'no_such'", "error: s.lua:2: require: there is no module 'no_such' in the library or beside the script"},
@@ -178,6 +195,46 @@ TEST_CASE("a sweep of which nothing finishes exits with 3") {
   const Ended ended = here.script(text, "samples=1 --quiet");
   CHECK(ended.status == 3);
   CHECK(ended.first_line() == "error: not one impact finished; the column 'reason' of results.csv says why");
+}
+
+TEST_CASE("a scene that does not finish on its own exits with 3 as well") {
+  const Workplace here;
+  const Ended ended = here.script("local ricochet = require 'ricochet'\nricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 }, time_limit = 0.1 }:run()");
+  CHECK(ended.status == 3);
+}
+
+TEST_CASE("scenes that are one and the same are not taken for independent samples in silence") {
+  const Workplace here;
+  std::string text = small_sweep;
+  for (std::size_t at; (at = text.find("seed = at.sample")) != std::string::npos;) text.replace(at, 16, "seed = 1");
+  const Ended ended = here.script(text, "--quiet");
+  CHECK(ended.status == 0);
+  CHECK(ended.first_line() == "warning: s: 9 of 12 scenes repeat another one exactly, so they are no samples of their own; does every name of 'over' reach the scene?");
+}
+
+TEST_CASE("two runs do not write into one folder at a time") {
+  const Workplace here;
+  here.write("s.lua", small_sweep);
+  const Ended both = here.shell("ricochet run s.lua samples=40 --quiet >/dev/null 2>first.txt & while [ ! -d out/s ]; do sleep 0.01; done; sleep 0.1; ricochet run s.lua samples=40 --quiet --resume; s=$?; wait; exit $s");
+  CHECK(both.status == 4);
+  CHECK(both.first_line() == "error: another run is writing into out/s; wait for its end, or give another folder with --out");
+  CHECK(here.read("first.txt").empty());
+  CHECK(here.run("s.lua samples=40 --quiet --resume").status == 0);
+}
+
+TEST_CASE("a shorter sequence leaves no frames of an earlier, longer one behind, and info knows a trajectory by its content") {
+  const Workplace here;
+  const std::string text = "local ricochet = require 'ricochet'\nlocal p = ricochet.parameters { frames = 6 }\n"
+    "local scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 } }\n"
+    "ricochet.animate { scene = scene, frames = p.frames, size = {64, 48} }\nricochet.record { scene = scene, frames = 5, out = 'path' }\n";
+  REQUIRE(here.script(text).status == 0);
+  CHECK(fs::exists(here.path / "out/s/frames/000005.png"));
+  REQUIRE(here.script(text, "frames=3 --resume").status == 0);
+  CHECK(fs::exists(here.path / "out/s/frames/000002.png"));
+  CHECK_FALSE(fs::exists(here.path / "out/s/frames/000003.png"));
+  const Ended info = here.shell("ricochet info out/s/path.h5");
+  CHECK(info.status == 0);
+  CHECK_THAT(info.out, Catch::Matchers::Contains("a trajectory (H5MD)"));
 }
 
 TEST_CASE("the sandbox holds") {

@@ -1,0 +1,73 @@
+#include "impact/endings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "force/contact/candidates.hpp"
+#include "lattice/outline.hpp"
+
+namespace ricochet {
+namespace {
+
+// True if the projectile never comes down to `level` along n. Its lowest point falls no faster than spin times radius, so time
+// can advance by the gap over that speed.
+bool stays_clear(const Points& projectile, const Flight& flight, const Vec2& n, double speed, double level) {
+  Points arms;
+  double radius = 0;
+  for (const Vec2& p : projectile) arms.push_back(p - flight.centre), radius = std::max(radius, arms.back().norm());
+  double time = 0;
+  for (int advance = 0; advance < 1000; ++advance) {
+    const double height = n.dot(flight.centre) + speed * time - level;
+    if (height > radius) return true;
+    const double c = std::cos(flight.spin * time), s = std::sin(flight.spin * time);
+    double lowest = radius;
+    for (const Vec2& a : arms) lowest = std::min(lowest, n.dot(Vec2(c * a.x() - s * a.y(), s * a.x() + c * a.y())));
+    if (height + lowest <= 0) return false;
+    time += flight.spin == 0 ? radius / speed : std::min((height + lowest) / (std::abs(flight.spin) * radius), radius / speed);
+  }
+  return false;  // too close to tell: asked again at the next look
+}
+
+// Calls `found(node)` for every node inside the outline until it returns true.
+template <class Found>
+bool any_inside(const Points& nodes, const Points& outline, Found&& found) {
+  Vec2 low = outline[0], high = outline[0];
+  for (const Vec2& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  for (const Vec2& p : nodes)
+    if ((p.array() >= low.array()).all() && (p.array() <= high.array()).all() && contains(outline, p) && found(p)) return true;
+  return false;
+}
+
+}  // namespace
+
+bool clear_for_good(const Points& projectile, const Points& target, const Flight& flight) {
+  const auto clear_along = [&](const Vec2& n) {
+    const double speed = flight.velocity.dot(n);
+    if (speed <= 0) return false;
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (const Vec2& p : projectile) lowest = std::min(lowest, n.dot(p));
+    for (const Vec2& p : target) highest = std::max(highest, n.dot(p));
+    return lowest > highest && stays_clear(projectile, flight, n, speed, highest);
+  };
+  return clear_along(Vec2(0, 1)) || clear_along((flight.centre - flight.target_centre).normalized());
+}
+
+std::string inside_one_another(const Points& projectile, const Points& target, bool two_sided, double gap) {
+  if (any_inside(projectile, target, [](const Vec2&) { return true; }))
+    return "a projectile node was inside the target; raise contact.V0, lower the speed, or take a smaller step";
+  double depth = 0;
+  const auto deep = [&](const Vec2& p) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t s = 0; s < projectile.size(); ++s) nearest = std::min(nearest, closest(p, projectile[s], projectile[(s + 1) % projectile.size()]).distance);
+    depth = nearest;
+    return two_sided || nearest > gap;
+  };
+  if (!any_inside(target, projectile, deep)) return "";
+  return two_sided ? "a target node was inside the projectile; raise contact.V0, lower the speed, or take a smaller step"
+                   : fmt::format("a target node was {:.2g} R inside the projectile: the one-sided contact pushes projectile nodes only; set contact = {{ sides = \"two\" }}", depth);
+}
+
+}  // namespace ricochet

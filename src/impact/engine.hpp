@@ -1,0 +1,326 @@
+#pragma once
+// W impacts that share their lattices, advancing together: the state, one step, and the look at every lane between steps.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "force/contact/contact.hpp"
+#include "force/springs.hpp"
+#include "impact/batch.hpp"
+#include "impact/endings.hpp"
+#include "impact/launch.hpp"
+#include "impact/rigid_motion.hpp"
+#include "integrate/compose.hpp"
+#include "lattice/outline.hpp"
+
+namespace ricochet {
+
+// Ledgers, endings and the contact's shape are looked at every so many force evaluations: 64 cost about 2 % of the time.
+inline constexpr int evaluations_between_looks = 64;
+
+// Contact shows when its energy exceeds this share of the energy at launch.
+inline constexpr double touch_share = 1e-6;
+
+/// What is followed of one impact while it runs.
+struct Run {
+  const Scene* scene = nullptr;  // nullptr: the lane is idle
+  std::size_t index = 0;
+  Start start;
+  Ledger before;
+  double energy_before = 0;
+  double reference_height = 0;  // overlap of the smooth outlines is this minus the height between the centres
+  double projectile_radius = 0, target_radius = 0;
+  std::int64_t steps = 0;
+  bool touching = false;
+  int touches = 0;
+  double first_touch = 0, last_touch = 0;
+  double indentation = 0;
+  bool indented = false;
+  double contact_length = Outcome::undefined, centre_offset = Outcome::undefined, tan_alpha = Outcome::undefined;
+  double drift = 0;
+  std::chrono::steady_clock::time_point began;
+
+  double time() const { return static_cast<double>(steps) * start.step; }
+};
+
+template <int W>
+class Engine {
+  template <int V>
+  friend class Engine;
+
+ public:
+  Engine(const Lattice& projectile, const Lattice& target, const Method& method)
+      : projectile_{&projectile}, target_{&target}, method_(method), contact_(projectile, target) {
+    for (Moving<W>* body : {&projectile_, &target_}) {
+      body->position.resize(body->lattice->nodes());
+      body->velocity.resize(body->lattice->nodes());
+      body->force.resize(body->lattice->nodes());
+      for (int i = 0; i < body->lattice->nodes(); ++i)  // idle lanes rest
+        for (int lane = 0; lane < W; ++lane) body->position.set(i, lane, body->lattice->points[i]);
+    }
+    const std::vector<int>& nodes = projectile.rim;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      rim_gap_ = std::max(rim_gap_, (projectile.points[nodes[k]] - projectile.points[nodes[(k + 1) % nodes.size()]]).norm());
+  }
+
+  const Run& run(int lane) const { return runs_[lane]; }
+  bool idle(int lane) const { return runs_[lane].scene == nullptr; }
+
+  /// Puts a scene into a lane. Returns the outcome at once if it never touches.
+  std::optional<Outcome> begin(int lane, const Scene& scene, std::size_t index) {
+    Run run;
+    run.scene = &scene, run.index = index, run.began = std::chrono::steady_clock::now();
+    run.start = launch(scene, *projectile_.lattice, *target_.lattice);
+    if (!run.start.touches) {
+      Outcome outcome;
+      outcome.status = Status::no_contact;
+      outcome.reason = "the projectile passes by the target";
+      return outcome;
+    }
+    place(lane, run.start, scene);
+    runs_[lane] = run;
+    // The ledger before: the state is still at the end of step 0, a first drift short.
+    const auto [p, t, contact] = motions(projectile_.position, target_.position);
+    Run& now = runs_[lane];
+    now.before = ledger(lane, p, t, contact);
+    now.energy_before = now.before.total();
+    now.projectile_radius = support(projectile_.lattice->smooth_rim, Vec2(0, -1)) + projectile_.lattice->centre().y();
+    now.target_radius = support(target_.lattice->smooth_rim, Vec2(0, 1)) - target_.lattice->centre().y();
+    now.reference_height = run.start.overlap_height;
+    threshold_[lane] = touch_share * run.start.energy;
+    drift_ahead(lane);
+    return std::nullopt;
+  }
+
+  /// Takes over an impact from a lane of another engine, between two steps.
+  template <int V>
+  void take(int lane, const Engine<V>& from, int from_lane) {
+    const auto copy = [&](const Moving<V>& old, Moving<W>& body) {
+      for (int i = 0; i < body.lattice->nodes(); ++i) {
+        body.position.set(i, lane, old.position.at(i, from_lane));
+        body.velocity.set(i, lane, old.velocity.at(i, from_lane));
+        body.force.set(i, lane, Vec2::Zero());  // as after every kick
+      }
+      body.stiffness[lane] = old.stiffness[from_lane];
+    };
+    copy(from.projectile_, projectile_), copy(from.target_, target_);
+    runs_[lane] = from.runs_[from_lane], h_[lane] = from.h_[from_lane], threshold_[lane] = from.threshold_[from_lane];
+    contact_.set(lane, &runs_[lane].scene->contact);
+  }
+
+  void clear(int lane) { runs_[lane] = Run{}, h_[lane] = 0, contact_.set(lane, nullptr); }
+
+  void advance_one_step() {
+    step(method_, h_, [&](const Lane<W>& kick, const Lane<W>& drift) {
+      contact_energy_ = contact_.add_forces(projectile_, target_);
+      kick_and_drift(projectile_, Lane<W>(kick / projectile_.lattice->mass), drift);
+      kick_and_drift(target_, Lane<W>(kick / target_.lattice->mass), drift);
+    });
+    for (int lane = 0; lane < W; ++lane) {
+      Run& run = runs_[lane];
+      if (!run.scene) continue;
+      ++run.steps;
+      const bool touching = contact_energy_[lane] > threshold_[lane];
+      if (touching && !run.touching && run.touches++ == 0) run.first_touch = run.time();
+      if (touching) run.last_touch = run.time();
+      run.touching = touching;
+    }
+  }
+
+  /// Looks at every lane; calls `ended(lane, outcome)` for those that have come to an end.
+  template <class Ended>
+  void look(Ended&& ended) {
+    at_step_end();
+    const auto [p, t, contact] = motions(position_[0], position_[1]);
+    for (int lane = 0; lane < W; ++lane) {
+      if (!runs_[lane].scene) continue;
+      Outcome outcome;
+      outcome.status = follow(lane, p, t, contact, outcome.reason);
+      if (outcome.status == Status::not_run) continue;
+      write(lane, p, t, contact, outcome);
+      ended(lane, outcome);
+    }
+  }
+
+  Snapshot snapshot(int lane) {
+    at_step_end();
+    const auto [p, t, contact] = motions(position_[0], position_[1]);
+    Snapshot shot{runs_[lane].time(), {}, {}, {}, {}, ledger(lane, p, t, contact)};
+    for (int i = 0; i < projectile_.lattice->nodes(); ++i)
+      shot.projectile.push_back(position_[0].at(i, lane)), shot.projectile_velocity.push_back(projectile_.velocity.at(i, lane));
+    for (int i = 0; i < target_.lattice->nodes(); ++i)
+      shot.target.push_back(position_[1].at(i, lane)), shot.target_velocity.push_back(target_.velocity.at(i, lane));
+    return shot;
+  }
+
+  const Method& method() const { return method_; }
+  int steps_between_looks() const { return std::max(1, evaluations_between_looks / method_.evaluations()); }
+
+ private:
+  using Motions = std::tuple<RigidMotion<W>, RigidMotion<W>, Lane<W>>;
+
+  void place(int lane, const Start& start, const Scene& scene) {
+    const Lattice &p = *projectile_.lattice, &t = *target_.lattice;
+    const Vec2 centre = p.centre();
+    const Points points = posed(p.points, centre, start.pose);
+    for (int i = 0; i < p.nodes(); ++i) {
+      projectile_.position.set(i, lane, points[i]);
+      projectile_.velocity.set(i, lane, start.velocity + start.spin * perpendicular(points[i] - start.pose.centre));
+      projectile_.force.set(i, lane, Vec2::Zero());
+    }
+    for (int i = 0; i < t.nodes(); ++i) {
+      target_.position.set(i, lane, t.points[i]);
+      target_.velocity.set(i, lane, Vec2::Zero());
+      target_.force.set(i, lane, Vec2::Zero());
+    }
+    projectile_.stiffness[lane] = scene.projectile->numbers.stiffness;
+    target_.stiffness[lane] = scene.target->numbers.stiffness;
+    h_[lane] = start.step;
+    contact_.set(lane, &scene.contact);
+  }
+
+  void drift_ahead(int lane) {
+    const double ahead = first_drift(method_, h_[lane]);
+    for (Moving<W>* body : {&projectile_, &target_})
+      for (int i = 0; i < body->lattice->free; ++i) body->position.add(i, lane, ahead * body->velocity.at(i, lane));
+  }
+
+  // Positions at the end of the last step, in position_.
+  void at_step_end() {
+    const Lane<W> ahead = first_drift(method_, h_);
+    for (int b : {0, 1}) {
+      const Moving<W>& body = b == 0 ? projectile_ : target_;
+      position_[b] = body.position;
+      for (int i = 0; i < body.lattice->free; ++i)
+        position_[b].x(i) -= ahead * body.velocity.x(i), position_[b].y(i) -= ahead * body.velocity.y(i);
+    }
+  }
+
+  Motions motions(const NodeVectors<W>& projectile, const NodeVectors<W>& target) {
+    return {rigid_motion(projectile_, projectile), rigid_motion(target_, target), contact_.energy(projectile, target)};
+  }
+
+  static Ledger ledger(int lane, const RigidMotion<W>& p, const RigidMotion<W>& t, const Lane<W>& contact) {
+    return {p.translation[lane], p.rotation[lane], p.vibration[lane], t.translation[lane], t.rotation[lane], t.vibration[lane], contact[lane]};
+  }
+
+  // Follows a lane; not_run means that it goes on.
+  Status follow(int lane, const RigidMotion<W>& p, const RigidMotion<W>& t, const Lane<W>& contact, std::string& reason) {
+    Run& run = runs_[lane];
+    const double total = ledger(lane, p, t, contact).total();
+    if (!std::isfinite(total)) {
+      reason = fmt::format("a position or velocity was not finite at t = {:.6g}", run.time());
+      return Status::not_finite;
+    }
+    run.drift = std::max(run.drift, std::abs(total - run.energy_before) / run.energy_before);
+    if (run.drift > run.scene->integration.energy_tolerance) {
+      reason = fmt::format("the total energy had strayed by {:.3g} at t = {:.6g} with the time step {:.3g} R/c; give a step half as long", run.drift, run.time(), run.start.step);
+      return Status::energy_drift;
+    }
+    if (run.touches > 0) reason = inside_one_another(rim(0, lane), rim(1, lane), run.scene->contact.two_sided(), rim_gap_);
+    if (!reason.empty()) {
+      reason = fmt::format("at t = {:.6g} ", run.time()) + reason;
+      return Status::tunnelled;
+    }
+    const double overlap = run.reference_height - (p.y[lane] - t.y[lane]);
+    if (run.touches > 0 && (!run.indented || overlap > run.indentation)) measure_contact(lane, p.x[lane], overlap);
+    if (separated(lane, p, t)) return run.touches > 0 ? Status::finished : no_contact(reason);
+    if (run.time() >= run.start.time_limit) {
+      reason = fmt::format("the bodies had not parted after {:.6g} R/c; raise time_limit", run.time());
+      return Status::out_of_time;
+    }
+    return Status::not_run;
+  }
+
+  static Status no_contact(std::string& reason) {
+    reason = "the projectile passes by the target";
+    return Status::no_contact;
+  }
+
+  // Parted for good: no pair within reach, and clear of each other. An asperity that touched before the main contact does not
+  // end the impact: the rims are not clear yet.
+  bool separated(int lane, const RigidMotion<W>& p, const RigidMotion<W>& t) const {
+    const Flight flight{Vec2(p.x[lane], p.y[lane]), Vec2(t.x[lane], t.y[lane]), Vec2(p.vx[lane] - t.vx[lane], p.vy[lane] - t.vy[lane]), p.omega[lane]};
+    return contact_.apart(lane, position_[0], position_[1]) && clear_for_good(rim(0, lane), rim(1, lane), flight);
+  }
+
+  // The rim of a body at the end of the last step.
+  Points rim(int body, int lane) const {
+    Points points;
+    for (const int i : (body == 0 ? projectile_ : target_).lattice->rim) points.push_back(position_[body].at(i, lane));
+    return points;
+  }
+
+  // Ends of the contact along x: projectile nodes pushed with more than 1 % of the strongest push.
+  void measure_contact(int lane, double centre, double overlap) {
+    Run& run = runs_[lane];
+    struct Point {
+      Vec2 place;
+      double force;
+    };
+    std::vector<Point> points;
+    contact_.each(lane, position_[0], position_[1], [&](const typename Contact<W>::Push& push) {
+      const int node = push.direction == 0 ? push.node : push.along < 0.5 ? push.from : push.to;
+      points.push_back({position_[0].at(node, lane), push.force.norm()});
+    });
+    double strongest = 0;
+    for (const Point& p : points) strongest = std::max(strongest, p.force);
+    if (strongest * run.scene->contact.reach < touch_share * run.start.energy) return;  // between two touches
+    run.indentation = overlap, run.indented = true;
+    std::optional<Vec2> a, b;  // trailing and leading end; the projectile moves along +x
+    for (const Point& p : points) {
+      if (p.force < 0.01 * strongest) continue;
+      if (!a || p.place.x() < a->x()) a = p.place;
+      if (!b || p.place.x() > b->x()) b = p.place;
+    }
+    run.contact_length = b->x() - a->x();
+    run.centre_offset = std::abs(centre - a->x());
+    run.tan_alpha = run.contact_length > 0 ? (b->y() - a->y()) / run.contact_length : Outcome::undefined;
+  }
+
+  void write(int lane, const RigidMotion<W>& p, const RigidMotion<W>& t, const Lane<W>& contact, Outcome& o) const {
+    const Run& run = runs_[lane];
+    o.before = run.before, o.after = ledger(lane, p, t, contact);
+    o.energy_closure = std::abs(o.after.total() - run.energy_before) / run.energy_before;
+    o.energy_drift = run.drift;
+    o.certified = run.start.certified;
+    o.time = run.time(), o.step = run.start.step, o.theta = run.start.theta, o.steps = static_cast<double>(run.steps);
+    o.touches = run.touches;
+    o.contact_time = run.touches > 0 ? run.last_touch - run.first_touch : 0.0;
+    o.indentation = run.indented ? run.indentation : Outcome::undefined;
+    o.contact_length = run.contact_length, o.centre_offset = run.centre_offset, o.tan_alpha = run.tan_alpha;
+
+    const Vec2 v = run.start.velocity, w(p.vx[lane] - t.vx[lane], p.vy[lane] - t.vy[lane]);
+    const double R = run.projectile_radius, omega = p.omega[lane];
+    // v_c = v - R omega x n with omega x n = (-omega, 0); the target's own surface moves too if it is free and spins.
+    const Vec2 vc(v.x() + R * run.start.spin, v.y());
+    const Vec2 wc(w.x() + R * omega + run.target_radius * t.omega[lane], w.y());
+    o.vn = w.y(), o.vt = w.x(), o.omega = omega;
+    o.e = -w.y() / v.y();
+    o.psi1 = vc.x() / -vc.y(), o.psi2 = wc.x() / -vc.y();
+    o.beta = vc.x() != 0 ? -wc.x() / vc.x() : Outcome::undefined;
+    // J acts on the projectile: its own change of momentum.
+    const double mass = projectile_.lattice->total_mass();
+    const Vec2 impulse = mass * (Vec2(p.vx[lane], p.vy[lane]) - v);
+    o.impulse_n = impulse.y(), o.impulse_t = impulse.x();
+    o.mu = std::abs(impulse.x()) / impulse.y();
+    if (std::isfinite(o.tan_alpha)) {
+      const Vec2 n_alpha(-o.tan_alpha, 1);  // its length cancels
+      o.e_alpha = -wc.dot(n_alpha) / vc.dot(n_alpha);
+    }
+  }
+
+  Moving<W> projectile_, target_;
+  const Method& method_;
+  Contact<W> contact_;
+  double rim_gap_ = 0;  // the longest distance of neighbours in the projectile's rim [R]
+  std::array<Run, W> runs_{};
+  std::array<NodeVectors<W>, 2> position_;  // at the end of a step
+  Lane<W> h_ = Lane<W>::Zero(), contact_energy_ = Lane<W>::Zero(), threshold_ = Lane<W>::Zero();
+};
+
+}  // namespace ricochet
