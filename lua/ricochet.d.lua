@@ -74,7 +74,7 @@ function ricochet.wall(t) end
 ---@field target ricochet.body the body that is hit; free or anchored
 ---@field launch? ricochet.launch_fields how the projectile comes in (default {})
 ---@field contact? ricochet.contact_fields how the bodies repel each other (default {})
----@field method? "pefrl"|"forest_ruth"|"verlet" integrator (default pefrl)
+---@field method? "pefrl"|"forest_ruth"|"verlet"|"takahashi_imada"|"chin_4a"|"mclachlan_sb3a4"|"blanes_moan_s6"|"blanes_moan_srkn6b"|"okunbor_skeel_13"|"blanes_moan_srkn11b"|"blanes_moan_srkn14a" integrator (default pefrl)
 ---@field step? number time step; chosen from the stiffest node unless given [R/c]
 ---@field time_limit? number an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given [R/c]
 ---@field energy_tolerance? number an impact whose total energy strays further, relative to its start, ends energy_drift (default 0.01)

@@ -51,10 +51,11 @@ void kick_and_drift(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) 
   with_spring_law(*body.lattice, [&](const auto& law) { kick_and_drift(body, law, kick, drift); });
 }
 
-/// Potential energy of all springs at `position`. [m0 c^2]
+/// Potential energy of all springs. [m0 c^2]
 template <int W>
-Lane<W> spring_energy(const Moving<W>& body, const NodeVectors<W>& position) {
+Lane<W> spring_energy(const Moving<W>& body) {
   const Lattice& lattice = *body.lattice;
+  const NodeVectors<W>& position = body.position;
   return with_spring_law(lattice, [&](const auto& law) {
     Lane<W> sum = Lane<W>::Zero();
     for (int i = 0; i < lattice.free; ++i)

@@ -54,13 +54,12 @@ class Engine {
 
  public:
   Engine(const Lattice& projectile, const Lattice& target, const Method& method)
-      : projectile_{&projectile}, target_{&target}, method_(method), contact_(projectile, target) {
-    for (Moving<W>* body : {&projectile_, &target_}) {
-      body->position.resize(body->lattice->nodes());
-      body->velocity.resize(body->lattice->nodes());
-      body->force.resize(body->lattice->nodes());
-      for (int i = 0; i < body->lattice->nodes(); ++i)  // idle lanes rest
-        for (int lane = 0; lane < W; ++lane) body->position.set(i, lane, body->lattice->points[i]);
+      : body_{Moving<W>{&projectile}, Moving<W>{&target}}, method_(method), contact_(projectile, target) {
+    for (int b : {0, 1}) {
+      Moving<W>& body = body_[b];
+      for (NodeVectors<W>* values : {&body.position, &body.velocity, &body.force, &displacement_[b]}) values->resize(body.lattice->nodes());
+      for (int i = 0; i < body.lattice->nodes(); ++i)  // idle lanes rest
+        for (int lane = 0; lane < W; ++lane) body.position.set(i, lane, body.lattice->points[i]);
     }
     const std::vector<int>& nodes = projectile.rim;
     for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -74,7 +73,7 @@ class Engine {
   std::optional<Outcome> begin(int lane, const Scene& scene, std::size_t index) {
     Run run;
     run.scene = &scene, run.index = index, run.began = std::chrono::steady_clock::now();
-    run.start = launch(scene, *projectile_.lattice, *target_.lattice);
+    run.start = launch(scene, *body_[0].lattice, *body_[1].lattice);
     if (!run.start.touches) {
       Outcome outcome;
       outcome.status = Status::no_contact;
@@ -83,16 +82,18 @@ class Engine {
     }
     place(lane, run.start, scene);
     runs_[lane] = run;
-    // The ledger before: the state is still at the end of step 0, a first drift short.
-    const auto [p, t, contact] = motions(projectile_.position, target_.position);
+    // The ledger before: the state is still at the end of step 0.
+    const auto [p, t, contact] = motions(body_);
     Run& now = runs_[lane];
     now.before = ledger(lane, p, t, contact);
     now.energy_before = now.before.total();
-    now.projectile_radius = support(projectile_.lattice->smooth_rim, Vec2(0, -1)) + projectile_.lattice->centre().y();
-    now.target_radius = support(target_.lattice->smooth_rim, Vec2(0, 1)) - target_.lattice->centre().y();
+    now.projectile_radius = support(body_[0].lattice->smooth_rim, Vec2(0, -1)) + body_[0].lattice->centre().y();
+    now.target_radius = support(body_[1].lattice->smooth_rim, Vec2(0, 1)) - body_[1].lattice->centre().y();
     now.reference_height = run.start.overlap_height;
     threshold_[lane] = touch_share * run.start.energy;
-    drift_ahead(lane);
+    Lane<W> alone = Lane<W>::Zero();  // a step of 0 leaves the other lanes as they are, bit for bit
+    alone[lane] = h_[lane];
+    get_ahead(method_, alone, Mover{*this, body_});
     return std::nullopt;
   }
 
@@ -107,7 +108,7 @@ class Engine {
       }
       body.stiffness[lane] = old.stiffness[from_lane];
     };
-    copy(from.projectile_, projectile_), copy(from.target_, target_);
+    for (int b : {0, 1}) copy(from.body_[b], body_[b]);
     runs_[lane] = from.runs_[from_lane], h_[lane] = from.h_[from_lane], threshold_[lane] = from.threshold_[from_lane];
     contact_.set(lane, &runs_[lane].scene->contact);
   }
@@ -115,11 +116,7 @@ class Engine {
   void clear(int lane) { runs_[lane] = Run{}, h_[lane] = 0, contact_.set(lane, nullptr); }
 
   void advance_one_step() {
-    step(method_, h_, [&](const Lane<W>& kick, const Lane<W>& drift) {
-      contact_energy_ = contact_.add_forces(projectile_, target_);
-      kick_and_drift(projectile_, Lane<W>(kick / projectile_.lattice->mass), drift);
-      kick_and_drift(target_, Lane<W>(kick / target_.lattice->mass), drift);
-    });
+    step(method_, h_, Mover{*this, body_});
     for (int lane = 0; lane < W; ++lane) {
       Run& run = runs_[lane];
       if (!run.scene) continue;
@@ -134,8 +131,8 @@ class Engine {
   /// Looks at every lane; calls `ended(lane, outcome)` for those that have come to an end.
   template <class Ended>
   void look(Ended&& ended) {
-    at_step_end();
-    const auto [p, t, contact] = motions(position_[0], position_[1]);
+    go_to_step_end();
+    const auto [p, t, contact] = motions(end_);
     for (int lane = 0; lane < W; ++lane) {
       if (!runs_[lane].scene) continue;
       Outcome outcome;
@@ -147,13 +144,13 @@ class Engine {
   }
 
   Snapshot snapshot(int lane) {
-    at_step_end();
-    const auto [p, t, contact] = motions(position_[0], position_[1]);
+    go_to_step_end();
+    const auto [p, t, contact] = motions(end_);
     Snapshot shot{runs_[lane].time(), {}, {}, {}, {}, ledger(lane, p, t, contact)};
-    for (int i = 0; i < projectile_.lattice->nodes(); ++i)
-      shot.projectile.push_back(position_[0].at(i, lane)), shot.projectile_velocity.push_back(projectile_.velocity.at(i, lane));
-    for (int i = 0; i < target_.lattice->nodes(); ++i)
-      shot.target.push_back(position_[1].at(i, lane)), shot.target_velocity.push_back(target_.velocity.at(i, lane));
+    for (int i = 0; i < body_[0].lattice->nodes(); ++i)
+      shot.projectile.push_back(end_[0].position.at(i, lane)), shot.projectile_velocity.push_back(end_[0].velocity.at(i, lane));
+    for (int i = 0; i < body_[1].lattice->nodes(); ++i)
+      shot.target.push_back(end_[1].position.at(i, lane)), shot.target_velocity.push_back(end_[1].velocity.at(i, lane));
     return shot;
   }
 
@@ -161,47 +158,71 @@ class Engine {
   int steps_between_looks() const { return std::max(1, evaluations_between_looks / method_.evaluations()); }
 
  private:
+  using Bodies = std::array<Moving<W>, 2>;  // projectile, target
+
+  /// The two bodies as compose.hpp moves them.
+  struct Mover {
+    Engine& engine;
+    Bodies& bodies;
+
+    void kick_and_drift(const Lane<W>& kick, const Lane<W>& drift) const {
+      engine.contact_energy_ = engine.contact_.add_forces(bodies[0], bodies[1]);
+      for (Moving<W>& body : bodies) ricochet::kick_and_drift(body, Lane<W>(kick / body.lattice->mass), drift);
+    }
+    // A kick of displacements that were 0, and a drift with them for a unit of time.
+    void displace(const Lane<W>& by) const {
+      const auto swap = [&] {
+        for (int b : {0, 1}) std::swap(bodies[b].velocity, engine.displacement_[b]);
+      };
+      swap(), kick_and_drift(by, Lane<W>::Ones()), swap();
+    }
+    void put_back() const {
+      for (int b : {0, 1}) {
+        NodeVectors<W>&position = bodies[b].position, &displacement = engine.displacement_[b];
+        for (int i = 0; i < bodies[b].lattice->free; ++i) {
+          position.x(i) -= displacement.x(i), position.y(i) -= displacement.y(i);
+          displacement.x(i).setZero(), displacement.y(i).setZero();
+        }
+      }
+    }
+  };
+
   using Motions = std::tuple<RigidMotion<W>, RigidMotion<W>, Lane<W>>;
 
   void place(int lane, const Start& start, const Scene& scene) {
-    const Lattice &p = *projectile_.lattice, &t = *target_.lattice;
+    const Lattice &p = *body_[0].lattice, &t = *body_[1].lattice;
     const Vec2 centre = p.centre();
     const Points points = posed(p.points, centre, start.pose);
     for (int i = 0; i < p.nodes(); ++i) {
-      projectile_.position.set(i, lane, points[i]);
-      projectile_.velocity.set(i, lane, start.velocity + start.spin * perpendicular(points[i] - start.pose.centre));
-      projectile_.force.set(i, lane, Vec2::Zero());
+      body_[0].position.set(i, lane, points[i]);
+      body_[0].velocity.set(i, lane, start.velocity + start.spin * perpendicular(points[i] - start.pose.centre));
+      body_[0].force.set(i, lane, Vec2::Zero());
     }
     for (int i = 0; i < t.nodes(); ++i) {
-      target_.position.set(i, lane, t.points[i]);
-      target_.velocity.set(i, lane, Vec2::Zero());
-      target_.force.set(i, lane, Vec2::Zero());
+      body_[1].position.set(i, lane, t.points[i]);
+      body_[1].velocity.set(i, lane, Vec2::Zero());
+      body_[1].force.set(i, lane, Vec2::Zero());
     }
-    projectile_.stiffness[lane] = scene.projectile->numbers.stiffness;
-    target_.stiffness[lane] = scene.target->numbers.stiffness;
+    body_[0].stiffness[lane] = scene.projectile->numbers.stiffness;
+    body_[1].stiffness[lane] = scene.target->numbers.stiffness;
     h_[lane] = start.step;
     contact_.set(lane, &scene.contact);
   }
 
-  void drift_ahead(int lane) {
-    const double ahead = first_drift(method_, h_[lane]);
-    for (Moving<W>* body : {&projectile_, &target_})
-      for (int i = 0; i < body->lattice->free; ++i) body->position.add(i, lane, ahead * body->velocity.at(i, lane));
+  // The state at the end of the last step, in end_: back by a drift and, for methods that begin with one, by a kick.
+  void go_to_step_end() {
+    end_ = body_;
+    const Lane<W> drift = method_.ahead_drift * h_;
+    for (Moving<W>& body : end_)
+      for (int i = 0; i < body.lattice->free; ++i) body.position.x(i) -= drift * body.velocity.x(i), body.position.y(i) -= drift * body.velocity.y(i);
+    if (method_.ahead_kick == 0) return;
+    const Lane<W> contact_energy = contact_energy_;
+    Mover{*this, end_}.kick_and_drift(-method_.ahead_kick * h_, Lane<W>::Zero());
+    contact_energy_ = contact_energy;
   }
 
-  // Positions at the end of the last step, in position_.
-  void at_step_end() {
-    const Lane<W> ahead = first_drift(method_, h_);
-    for (int b : {0, 1}) {
-      const Moving<W>& body = b == 0 ? projectile_ : target_;
-      position_[b] = body.position;
-      for (int i = 0; i < body.lattice->free; ++i)
-        position_[b].x(i) -= ahead * body.velocity.x(i), position_[b].y(i) -= ahead * body.velocity.y(i);
-    }
-  }
-
-  Motions motions(const NodeVectors<W>& projectile, const NodeVectors<W>& target) {
-    return {rigid_motion(projectile_, projectile), rigid_motion(target_, target), contact_.energy(projectile, target)};
+  Motions motions(const Bodies& bodies) {
+    return {rigid_motion(bodies[0]), rigid_motion(bodies[1]), contact_.energy(bodies[0].position, bodies[1].position)};
   }
 
   static Ledger ledger(int lane, const RigidMotion<W>& p, const RigidMotion<W>& t, const Lane<W>& contact) {
@@ -245,13 +266,13 @@ class Engine {
   // end the impact: the rims are not clear yet.
   bool separated(int lane, const RigidMotion<W>& p, const RigidMotion<W>& t) const {
     const Flight flight{Vec2(p.x[lane], p.y[lane]), Vec2(t.x[lane], t.y[lane]), Vec2(p.vx[lane] - t.vx[lane], p.vy[lane] - t.vy[lane]), p.omega[lane]};
-    return contact_.apart(lane, position_[0], position_[1]) && clear_for_good(rim(0, lane), rim(1, lane), flight);
+    return contact_.apart(lane, end_[0].position, end_[1].position) && clear_for_good(rim(0, lane), rim(1, lane), flight);
   }
 
   // The rim of a body at the end of the last step.
   Points rim(int body, int lane) const {
     Points points;
-    for (const int i : (body == 0 ? projectile_ : target_).lattice->rim) points.push_back(position_[body].at(i, lane));
+    for (const int i : end_[body].lattice->rim) points.push_back(end_[body].position.at(i, lane));
     return points;
   }
 
@@ -263,9 +284,9 @@ class Engine {
       double force;
     };
     std::vector<Point> points;
-    contact_.each(lane, position_[0], position_[1], [&](const typename Contact<W>::Push& push) {
+    contact_.each(lane, end_[0].position, end_[1].position, [&](const typename Contact<W>::Push& push) {
       const int node = push.direction == 0 ? push.node : push.along < 0.5 ? push.from : push.to;
-      points.push_back({position_[0].at(node, lane), push.force.norm()});
+      points.push_back({end_[0].position.at(node, lane), push.force.norm()});
     });
     double strongest = 0;
     for (const Point& p : points) strongest = std::max(strongest, p.force);
@@ -304,7 +325,7 @@ class Engine {
     o.psi1 = vc.x() / -vc.y(), o.psi2 = wc.x() / -vc.y();
     o.beta = vc.x() != 0 ? -wc.x() / vc.x() : Outcome::undefined;
     // J acts on the projectile: its own change of momentum.
-    const double mass = projectile_.lattice->total_mass();
+    const double mass = body_[0].lattice->total_mass();
     const Vec2 impulse = mass * (Vec2(p.vx[lane], p.vy[lane]) - v);
     o.impulse_n = impulse.y(), o.impulse_t = impulse.x();
     o.mu = std::abs(impulse.x()) / impulse.y();
@@ -314,12 +335,12 @@ class Engine {
     }
   }
 
-  Moving<W> projectile_, target_;
+  Bodies body_, end_;  // where the run is; at the end of a step
+  std::array<NodeVectors<W>, 2> displacement_;  // of a force-gradient kick; 0 between kicks
   const Method& method_;
   Contact<W> contact_;
   double rim_gap_ = 0;  // the longest distance of neighbours in the projectile's rim [R]
   std::array<Run, W> runs_{};
-  std::array<NodeVectors<W>, 2> position_;  // at the end of a step
   Lane<W> h_ = Lane<W>::Zero(), contact_energy_ = Lane<W>::Zero(), threshold_ = Lane<W>::Zero();
 };
 

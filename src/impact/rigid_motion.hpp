@@ -12,8 +12,9 @@ struct RigidMotion {
 
 /// An anchored body has no rigid motion: all its energy is vibration, its centre the mean of its nodes at rest.
 template <int W>
-RigidMotion<W> rigid_motion(const Moving<W>& body, const NodeVectors<W>& position) {
+RigidMotion<W> rigid_motion(const Moving<W>& body) {
   const Lattice& lattice = *body.lattice;
+  const NodeVectors<W>& position = body.position;
   RigidMotion<W> motion;
   motion.x = motion.y = motion.vx = motion.vy = motion.omega = Lane<W>::Zero();
   motion.translation = motion.rotation = Lane<W>::Zero();
@@ -41,7 +42,7 @@ RigidMotion<W> rigid_motion(const Moving<W>& body, const NodeVectors<W>& positio
     const Lane<W> dvy = body.velocity.y(i) - motion.vy - motion.omega * (position.x(i) - motion.x);
     kinetic += dvx * dvx + dvy * dvy;
   }
-  motion.vibration = 0.5 * lattice.mass * kinetic + spring_energy(body, position);
+  motion.vibration = 0.5 * lattice.mass * kinetic + spring_energy(body);
   return motion;
 }
 

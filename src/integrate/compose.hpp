@@ -3,19 +3,24 @@
 
 namespace ricochet {
 
-/// The first drift of a run. A run then stays `drift[0]` of a step ahead in its positions: the last drift of a step and the
-/// first of the next are one, so a step costs nothing beside its force evaluations. `at_step_end` takes it back to look.
-template <class Number>
-Number first_drift(const Method& method, const Number& h) { return method.drift.front() * h; }
-
-/// One step h of the composition for a state that is first_drift ahead. `kick_and_drift(a, b)` must do v += a F(x)/m, x += b v.
-template <class Number, class KickAndDrift>
-void step(const Method& method, const Number& h, KickAndDrift&& kick_and_drift) {
-  const int n = method.evaluations();
-  for (int i = 0; i < n; ++i) {
-    const double drift = i + 1 < n ? method.drift[i + 1] : method.drift.back() + method.drift.front();
-    kick_and_drift(Number(method.kick[i] * h), Number(drift * h));
+/// What a method moves:
+///   kick_and_drift(a, b)  v += a F(x)/m; x += b v
+///   displace(a)           x += d, d = a F(x)/m; remembers d
+///   put_back()            x -= d
+/// One step h of the composition, for a state that is ahead of the step's beginning (get_ahead).
+template <class Number, class System>
+void step(const Method& method, const Number& h, System&& system) {
+  for (const Stage& stage : method.stages) {
+    if (stage.gradient != 0) system.displace(Number(stage.gradient * h * h));
+    system.kick_and_drift(Number(stage.kick * h), Number(stage.drift * h));
+    if (stage.gradient != 0) system.put_back();
   }
+}
+
+/// Takes a state at the beginning of a step to where a run stays: one kick (if the method begins with one) and one drift ahead.
+template <class Number, class System>
+void get_ahead(const Method& method, const Number& h, System&& system) {
+  system.kick_and_drift(Number(method.ahead_kick * h), Number(method.ahead_drift * h));
 }
 
 }  // namespace ricochet

@@ -5,17 +5,25 @@
 
 namespace ricochet {
 
-/// A symplectic composition: x += drift[0] h v; v += kick[0] h F/m; x += drift[1] h v; ... ; x += drift[last] h v.
-/// Coefficients only; the one loop is in compose.hpp.
+/// One force evaluation of a step and what follows it: v += kick h F/m; x += drift h v. With a gradient, the force is that at
+/// x + gradient h^2 F(x)/m, which takes a second evaluation and no derivative of F.
+struct Stage {
+  double kick, drift, gradient = 0;
+};
+
+/// A symplectic composition. A run stays ahead of the ends of its steps by one kick (`ahead_kick`, 0 for methods that begin with a
+/// drift) and one drift, so that the last part of a step and the first of the next are one. Coefficients only; the one loop is in
+/// compose.hpp.
 struct Method {
   std::string name;
   std::string source;
   int order;
-  double stability_limit;  ///< largest h omega of a harmonic oscillator
+  double stability_limit;  ///< largest h omega of a harmonic oscillator; strict: bounded everywhere below
   double usual;            ///< h omega of the default step
-  std::vector<double> drift, kick;
+  double ahead_kick, ahead_drift;
+  std::vector<Stage> stages;
 
-  int evaluations() const { return static_cast<int>(kick.size()); }
+  int evaluations() const;
 };
 
 std::span<const Method> methods();

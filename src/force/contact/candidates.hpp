@@ -19,7 +19,7 @@ inline void closest_points(std::size_t count, const double* __restrict px, const
     const double edge_x = bx[i] - ax[i], edge_y = by[i] - ay[i], x = px[i] - ax[i], y = py[i] - ay[i];
     const double length2 = edge_x * edge_x + edge_y * edge_y;
     const double t = (x * edge_x + y * edge_y) / (length2 > 0 ? length2 : 1.0);
-    const double positive = t > 0 ? t : 0.0, on_segment = positive < 1 ? positive : 1.0;
+    const double above = t > 0 ? t : 0.0, on_segment = above < 1 ? above : 1.0;
     along[i] = on_segment;
     away_x[i] = x - on_segment * edge_x, away_y[i] = y - on_segment * edge_y;
     distance[i] = std::sqrt(away_x[i] * away_x[i] + away_y[i] * away_y[i]);
