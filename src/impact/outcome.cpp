@@ -39,7 +39,10 @@ const std::vector<std::pair<Field, double (*)(const Outcome&)>>& Outcome::fields
       {{"time", "number", "R/c", "simulated time, from the rims' coming within reach to the end"}, [](O o) { return o.time; }},
       {{"step", "number", "R/c", "time step"}, [](O o) { return o.step; }},
       {{"theta", "number", "", "step times the bound of the highest frequency"}, [](O o) { return o.theta; }},
+      {{"theta_most", "number", "", "the greatest it became, springs as stretched and contact included"}, [](O o) { return o.theta_most; }},
       {{"steps", "number", "", "number of steps"}, [](O o) { return o.steps; }},
+      {{"momentum_residual", "number", "", "|total momentum after - before| / before; undefined if the target is anchored"}, [](O o) { return o.momentum_residual; }},
+      {{"error_estimate", "number", "", "estimated error of the scene's accuracy_of from the time step; undefined unless accuracy was asked for"}, [](O o) { return o.error_estimate; }},
   };
   return list;
 }

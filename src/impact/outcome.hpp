@@ -8,10 +8,10 @@
 namespace ricochet {
 
 /// How an impact ended. Only `finished` is data.
-enum class Status { finished, energy_drift, not_finite, tunnelled, no_contact, out_of_time, not_run };
+enum class Status { finished, energy_drift, not_finite, unstable, tunnelled, no_contact, out_of_time, not_run };
 
 inline std::string name_of(Status status) {
-  static const char* names[] = {"finished", "energy_drift", "not_finite", "tunnelled", "no_contact", "out_of_time", "not_run"};
+  static const char* names[] = {"finished", "energy_drift", "not_finite", "unstable", "tunnelled", "no_contact", "out_of_time", "not_run"};
   return names[static_cast<int>(status)];
 }
 
@@ -40,7 +40,8 @@ struct Outcome {
   double contact_length = undefined, centre_offset = undefined, tan_alpha = undefined, e_alpha = undefined;
   Ledger before, after;
   double energy_closure = undefined, energy_drift = undefined;
-  double certified = 0, time = undefined, step = undefined, theta = undefined, steps = 0;
+  double certified = 0, time = undefined, step = undefined, theta = undefined, theta_most = undefined, steps = 0;
+  double momentum_residual = undefined, error_estimate = undefined;
 
   static const std::vector<std::pair<Field, double (*)(const Outcome&)>>& fields();
 };

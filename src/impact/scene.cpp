@@ -60,7 +60,11 @@ Vec2 Launch::velocity() const {
 const std::vector<Member<Integration>>& Integration::fields() {
   static const std::vector<Member<Integration>> list{
       {{"method", "string", "", "integrator", any_number, "pefrl", false, method_names()}, &Integration::method},
-      {{"step", "number", "R/c", "time step; chosen from the stiffest node unless given", positive, "", true}, &Integration::step},
+      {{"step", "number", "R/c", "time step; chosen from the stiffest node and the contact's onset unless given", positive, "", true}, &Integration::step},
+      {{"accuracy", "number", "", "wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs", {1e-12, 0.1}, "", true},
+       &Integration::accuracy},
+      {{"accuracy_of", "string", "", "the outcome that accuracy is about", any_number, "e", false, {"e", "beta", "mu", "psi2", "vn", "vt", "omega", "indentation", "contact_time"}},
+       &Integration::accuracy_of},
       {{"time_limit", "number", "R/c", "an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given", positive, "", true},
        &Integration::time_limit},
       {{"energy_tolerance", "number", "", "an impact whose total energy strays further, relative to its start, ends energy_drift", positive, "0.01"},

@@ -34,6 +34,8 @@ struct Launch {
 struct Integration {
   std::string method = "pefrl";
   double step = not_given;
+  double accuracy = not_given;
+  std::string accuracy_of = "e";
   double time_limit = not_given;
   double energy_tolerance = 1e-2;
 
@@ -45,6 +47,7 @@ struct Scene {
   Launch launch;
   ExponentialRepulsion contact;
   Integration integration;
+  double error_estimate = not_given;  ///< of integration.accuracy_of, if its step was chosen for an accuracy; no part of the text
 
   /// One line a quantity, shortest exact numbers.
   std::string text() const;

@@ -1,4 +1,7 @@
 #pragma once
+#include <vector>
+
+#include "force/springs.hpp"
 #include "lattice/lattice.hpp"
 
 namespace ricochet {
@@ -11,5 +14,37 @@ struct FrequencyBound {
 /// omega^2 <= 2 max_i lambda_max(K_ii) / m with K_ii = sum of k n n^T over the springs of node i: for a network whose every
 /// spring joins two nodes, K <= 2 blockdiag(K_ii) as a quadratic form, because k (n.(u_i - u_j))^2 <= 2k (n.u_i)^2 + 2k (n.u_j)^2. [here]
 FrequencyBound frequency_bound(const Lattice& lattice, double stiffness);
+
+/// The largest 2 lambda_max(K_ii) / m over the free nodes as the springs are stretched now, in W lanes [c^2/R^2]: K_ii is the sum of
+/// T'(x) n n^T + (|T|/r) (1 - n n^T). The half list gives a spring's block to both its ends.
+template <int W>
+Lane<W> squared_frequency_bound(const Moving<W>& body) {
+  const Lattice& lattice = *body.lattice;
+  struct Block {
+    Lane<W> xx = Lane<W>::Zero(), xy = Lane<W>::Zero(), yy = Lane<W>::Zero();
+  };
+  static thread_local std::vector<Block> blocks;
+  blocks.assign(static_cast<std::size_t>(lattice.nodes()), Block{});
+  for (int i = 0; i < lattice.free; ++i)
+    for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
+      const Spring& spring = lattice.spring[s];
+      const Lane<W> dx = body.position.x(spring.other) - body.position.x(i), dy = body.position.y(spring.other) - body.position.y(i);
+      const Lane<W> r = (dx * dx + dy * dy).sqrt(), x = r - spring.length;
+      const Lane<W> along = spring.stiffness * (1.0 + 3 * lattice.quartic * (x * x));
+      const Lane<W> across = spring.stiffness * (x * (1.0 + lattice.quartic * (x * x))).abs() / r;
+      const Lane<W> nx = dx / r, ny = dy / r, more = along - across;
+      for (const int node : {i, spring.other}) {
+        Block& b = blocks[node];
+        b.xx += across + more * nx * nx, b.xy += more * nx * ny, b.yy += across + more * ny * ny;
+      }
+    }
+  Lane<W> largest = Lane<W>::Zero();
+  for (int i = 0; i < lattice.free; ++i) {
+    const Block& b = blocks[i];
+    const Lane<W> half = (b.xx - b.yy) / 2;
+    largest = largest.max((b.xx + b.yy) / 2 + (half * half + b.xy * b.xy).sqrt());
+  }
+  return 2 / lattice.mass * body.stiffness * largest;
+}
 
 }  // namespace ricochet

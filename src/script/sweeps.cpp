@@ -68,7 +68,7 @@ struct Parameters {
   std::vector<std::vector<std::string>> texts;  // [parameter][scene]; empty if the parameter is numeric
 };
 
-const Field status_field{"status", "string", "", "how it ended: finished, energy_drift, not_finite, tunnelled, no_contact, out_of_time"};
+const Field status_field{"status", "string", "", "how it ended: finished, energy_drift, not_finite, unstable, tunnelled, no_contact, out_of_time"};
 const Field reason_field{"reason", "string", "", "a sentence, if it did not finish"};
 const Field hash_field{"scene_hash", "string", "", "hash of the scene's canonical text"};
 const Field seed_field{"seed", "string", "", "seed of the projectile"};

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "force/contact/candidates.hpp"
 #include "force/contact/exponential_repulsion.hpp"
@@ -26,6 +27,7 @@ class Contact {
   /// Puts a law into a lane; the next evaluation looks for candidates. No law (nullptr) leaves the lane without contact.
   void set(int lane, const ExponentialRepulsion* law) {
     law_[lane] = law;
+    stiffest_[lane] = 0;
     allowance_[lane] = law ? -1.0 : std::numeric_limits<double>::infinity();
     for (auto& pairs : pairs_[lane]) pairs.clear();
   }
@@ -36,7 +38,13 @@ class Contact {
     Lane<W> energy = Lane<W>::Zero();
     for (int lane = 0; lane < W; ++lane) {
       if (pairs_[lane][0].empty() && pairs_[lane][1].empty()) continue;
+      const double xi = law_[lane]->xi;
+      int node = -1;
+      double on_node = 0;
       energy[lane] = each(lane, projectile.position, target.position, [&](const Push& push) {
+        const double force = std::sqrt(push.force.x() * push.force.x() + push.force.y() * push.force.y());
+        on_node = push.node == node ? on_node + force : force, node = push.node;  // pairs of a node stand together
+        stiffest_[lane] = std::max(stiffest_[lane], xi * on_node);
         Moving<W>& a = push.direction == 0 ? projectile : target;
         Moving<W>& b = push.direction == 0 ? target : projectile;
         a.force.add(push.node, lane, push.force);
@@ -46,6 +54,9 @@ class Contact {
     }
     return energy;
   }
+
+  /// The greatest stiffness xi F that contact put on one node in any evaluation since this was last asked. [m0 c^2/R^2]
+  double take_stiffest(int lane) { return std::exchange(stiffest_[lane], 0.0); }
 
   /// Contact energy of each lane at given positions. [m0 c^2]
   Lane<W> energy(const NodeVectors<W>& projectile, const NodeVectors<W>& target) {
@@ -149,6 +160,7 @@ class Contact {
   Lane<W> allowance_;
   std::array<const ExponentialRepulsion*, W> law_{};
   std::array<std::array<std::vector<Pair>, 2>, W> pairs_;  // [lane][direction]
+  Lane<W> stiffest_ = Lane<W>::Zero();
   mutable Gaps gaps_;                                    // of the lane at hand; kept for its memory
 };
 
