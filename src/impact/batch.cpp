@@ -54,7 +54,7 @@ bool drain(Engine<W>& engine, Queue& queue, int width) {
 
 template <int W>
 bool run_lanes(Queue queue, int width) {
-  Engine<W> engine(queue.projectile, queue.target, method_named(queue.scenes.front().integration.method));
+  Engine<W> engine(queue.projectile, queue.target, queue.scenes.front().integration.chosen_method());
   return drain(engine, queue, width);
 }
 
@@ -69,7 +69,7 @@ bool run_batch(const Lattice& projectile, const Lattice& target, std::span<const
 }
 
 Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop, const Observer* observer) {
-  Engine<1> engine(projectile, target, method_named(scene.integration.method));
+  Engine<1> engine(projectile, target, scene.integration.chosen_method());
   if (const auto outcome = engine.begin(0, scene, 0)) return *outcome;
   Outcome result;
   bool ended = false;
@@ -88,7 +88,7 @@ Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene&
 void check_start(const Lattice& projectile, const Lattice& target, const Scene& scene) { launch(scene, projectile, target); }
 
 Snapshot run_until(const Lattice& projectile, const Lattice& target, const Scene& scene, double time) {
-  Engine<1> engine(projectile, target, method_named(scene.integration.method));
+  Engine<1> engine(projectile, target, scene.integration.chosen_method());
   if (engine.begin(0, scene, 0)) throw Error("run_until: the projectile passes by the target");
   while (engine.run(0).time() < time - engine.run(0).start.step / 2) engine.advance_one_step();
   return engine.snapshot(0);

@@ -346,10 +346,10 @@ class Engine {
     o.contact_length = run.contact_length, o.centre_offset = run.centre_offset, o.tan_alpha = run.tan_alpha;
 
     const Vec2 v = run.start.velocity, w(p.vx[lane] - t.vx[lane], p.vy[lane] - t.vy[lane]);
-    const double R = run.projectile_radius, omega = p.omega[lane];
+    const double R = run.projectile_radius, omega = p.spin[lane];
     // v_c = v - R omega x n with omega x n = (-omega, 0); the target's own surface moves too if it is free and spins.
     const Vec2 vc(v.x() + R * run.start.spin, v.y());
-    const Vec2 wc(w.x() + R * omega + run.target_radius * t.omega[lane], w.y());
+    const Vec2 wc(w.x() + R * omega + run.target_radius * t.spin[lane], w.y());
     o.vn = w.y(), o.vt = w.x(), o.omega = omega;
     o.e = -w.y() / v.y();
     o.psi1 = vc.x() / -vc.y(), o.psi2 = wc.x() / -vc.y();

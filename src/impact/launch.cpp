@@ -44,13 +44,6 @@ double resting_lift(const Points& upper, const Points& lower) {
   return lift;
 }
 
-double moment_of_inertia(const Lattice& lattice) {
-  const Vec2 centre = lattice.centre();
-  double sum = 0;
-  for (const Vec2& p : lattice.points) sum += (p - centre).squaredNorm();
-  return lattice.mass * sum;
-}
-
 struct Step {
   double step, theta;
 };
@@ -61,7 +54,7 @@ constexpr double onset_share = 0.3;
 
 // `fastest`: no node of the projectile is faster [c].
 Step choose_step(const Scene& scene, const Lattice& projectile, const Lattice& target, double fastest) {
-  const Method& method = method_named(scene.integration.method);
+  const Method& method = scene.integration.chosen_method();
   const FrequencyBound a = frequency_bound(projectile, scene.projectile->numbers.stiffness);
   const FrequencyBound b = frequency_bound(target, scene.target->numbers.stiffness);
   const double omega = std::max(a.omega, b.omega);
@@ -119,7 +112,7 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
   // Of the relative motion, in the frame where the energy is least: an anchored target is infinitely heavy.
   const double mass = projectile.total_mass();
   const double reduced = target.anchored() ? mass : mass * target.total_mass() / (mass + target.total_mass());
-  const double rotation = moment_of_inertia(projectile) * start.spin * start.spin / 2;
+  const double rotation = projectile.inertia() * start.spin * start.spin / 2;
   start.energy = mass * start.velocity.squaredNorm() / 2 + rotation;
   start.certified = reduced * start.velocity.squaredNorm() / 2 + rotation < scene.contact.V0;
 

@@ -12,7 +12,7 @@ const std::vector<std::pair<Field, double (*)(const Outcome&)>>& Outcome::fields
       {{"psi2", "number", "", "v_ct' / v_cn: tangential velocity after over normal speed before"}, [](O o) { return o.psi2; }},
       {{"vn", "number", "c", "normal velocity after impact"}, [](O o) { return o.vn; }},
       {{"vt", "number", "c", "tangential velocity after impact"}, [](O o) { return o.vt; }},
-      {{"omega", "number", "c/R", "spin after impact: angular momentum over the measured moment of inertia"}, [](O o) { return o.omega; }},
+      {{"omega", "number", "c/R", "spin after impact: angular momentum over the moment of inertia of the undeformed body, which does not change while it vibrates on"}, [](O o) { return o.omega; }},
       {{"impulse_n", "number", "m0 c", "normal part of J = M (v' - v)"}, [](O o) { return o.impulse_n; }},
       {{"impulse_t", "number", "m0 c", "tangential part of J"}, [](O o) { return o.impulse_t; }},
       {{"contact_time", "number", "R/c", "from the first touch to the end of the last (contact energy above 1e-6 of the kinetic energy)"},

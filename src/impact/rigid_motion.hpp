@@ -6,7 +6,8 @@ namespace ricochet {
 /// Mass, momentum, angular momentum and energy of a body, in W lanes.
 template <int W>
 struct RigidMotion {
-  Lane<W> x, y, vx, vy, omega;                    ///< centre of mass, its velocity, L / I
+  Lane<W> x, y, vx, vy, omega;                    ///< centre of mass, its velocity, L / I of the body as deformed
+  Lane<W> spin;                                   ///< L / I of the body at rest: once free, it keeps its value while the body vibrates
   Lane<W> translation, rotation, vibration;       ///< energies [m0 c^2]; vibration includes the springs
 };
 
@@ -16,7 +17,7 @@ RigidMotion<W> rigid_motion(const Moving<W>& body) {
   const Lattice& lattice = *body.lattice;
   const NodeVectors<W>& position = body.position;
   RigidMotion<W> motion;
-  motion.x = motion.y = motion.vx = motion.vy = motion.omega = Lane<W>::Zero();
+  motion.x = motion.y = motion.vx = motion.vy = motion.omega = motion.spin = Lane<W>::Zero();
   motion.translation = motion.rotation = Lane<W>::Zero();
   if (lattice.anchored()) {
     const Vec2 centre = lattice.centre();
@@ -32,6 +33,7 @@ RigidMotion<W> rigid_motion(const Moving<W>& body) {
       inertia += dx * dx + dy * dy;
     }
     motion.omega = momentum / inertia;
+    motion.spin = lattice.mass * momentum / lattice.inertia();
     motion.translation = 0.5 * lattice.total_mass() * (motion.vx * motion.vx + motion.vy * motion.vy);
     motion.rotation = 0.5 * lattice.mass * momentum * motion.omega;
   }

@@ -58,8 +58,13 @@ Vec2 Launch::velocity() const {
 }
 
 const std::vector<Member<Integration>>& Integration::fields() {
+  static const std::vector<std::string> choices = [] {
+    std::vector<std::string> names{"auto"};
+    for (const Method& m : methods()) names.push_back(m.name);
+    return names;
+  }();
   static const std::vector<Member<Integration>> list{
-      {{"method", "string", "", "integrator", any_number, "pefrl", false, method_names()}, &Integration::method},
+      {{"method", "string", "", "integrator; auto is pefrl, or the cheapest one for `accuracy`", any_number, "auto", false, choices}, &Integration::method},
       {{"step", "number", "R/c", "time step; chosen from the stiffest node and the contact's onset unless given", positive, "", true}, &Integration::step},
       {{"accuracy", "number", "", "wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs", {1e-12, 0.1}, "", true},
        &Integration::accuracy},

@@ -32,7 +32,7 @@ struct Launch {
 
 /// How the impact is computed.
 struct Integration {
-  std::string method = "pefrl";
+  std::string method = "auto";
   double step = not_given;
   double accuracy = not_given;
   std::string accuracy_of = "e";
@@ -40,6 +40,7 @@ struct Integration {
   double energy_tolerance = 1e-2;
 
   static const std::vector<Member<Integration>>& fields();
+  const Method& chosen_method() const { return method_named(method == "auto" ? "pefrl" : method); }
 };
 
 struct Scene {

@@ -1,9 +1,5 @@
 #include "impact/sweep.hpp"
 
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <map>
 #include <mutex>
 
@@ -11,6 +7,7 @@
 #include "force/lane.hpp"
 #include "impact/batch.hpp"
 #include "impact/launch.hpp"
+#include "impact/parallel.hpp"
 
 namespace ricochet {
 
@@ -51,18 +48,6 @@ void build(Group& group, const std::vector<Scene>& scenes) {
     const Scene& scene = scenes[group.scenes.front()];
     group.projectile = build_lattice(*scene.projectile);
     group.target = build_lattice(*scene.target);
-  });
-}
-
-template <class Item, class Do>
-void in_parallel(std::vector<Item>& items, int threads, Do&& work) {
-  const int count = threads > 0 ? threads : tbb::this_task_arena::max_concurrency();
-  tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
-  tbb::task_arena arena(count);
-  arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, items.size(), 1), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) work(items[i]);
-    }, tbb::simple_partitioner());
   });
 }
 

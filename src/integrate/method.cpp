@@ -28,32 +28,32 @@ Method palindrome(std::string name, std::string source, int order, double limit,
 std::vector<Method> make() {
   const double t = 1 / (2 - std::cbrt(2.0));
   std::vector<Method> list;
-  list.push_back(palindrome("pefrl", "Omelyan, Mryglod & Folk 2002, Comput. Phys. Commun. 146, 188", 4, 2.989, 0.8, First::drift,
+  list.push_back(palindrome("pefrl", "Omelyan, Mryglod & Folk 2002, Comput. Phys. Commun. 146, 188", 4, 2.989, 1.6, First::drift,
                             {0.178617895844809068060904246, 0.712341831062605425480342912, -0.06626458266981848831667094, -0.21234183106260542548034291,
                              0.775293373650018840511533387}));
-  list.push_back(palindrome("forest_ruth", "Forest & Ruth 1990, Physica D 43, 105", 4, 1.573, 0.3, First::drift, {t / 2, t, (1 - t) / 2, 1 - 2 * t}));
-  list.push_back(palindrome("verlet", "Verlet 1967, Phys. Rev. 159, 98; the drift-kick-drift form", 2, 2.0, 0.6, First::drift, {0.5, 1}));
+  list.push_back(palindrome("forest_ruth", "Forest & Ruth 1990, Physica D 43, 105", 4, 1.573, 0.8, First::drift, {t / 2, t, (1 - t) / 2, 1 - 2 * t}));
+  list.push_back(palindrome("verlet", "Verlet 1967, Phys. Rev. 159, 98; the drift-kick-drift form", 2, 2.0, 1.2, First::drift, {0.5, 1}));
   list.push_back({"takahashi_imada", "Takahashi & Imada 1984, J. Phys. Soc. Jpn. 53, 3765; conjugate to order 4: e, v and spin converge at order 4, paths only at 2", 2,
-                  3.463, 0.8, 0, 0.5, {{1, 1, 1.0 / 12}}});
-  list.push_back({"chin_4a", "Chin 1997, Phys. Lett. A 226, 344 (4A); force gradient without a Hessian", 4, 3.464, 0.8, 1.0 / 6, 0.5,
+                  3.463, 1.5, 0, 0.5, {{1, 1, 1.0 / 12}}, 4});
+  list.push_back({"chin_4a", "Chin 1997, Phys. Lett. A 226, 344 (4A); force gradient without a Hessian", 4, 3.464, 1.6, 1.0 / 6, 0.5,
                   {{2.0 / 3, 0.5, 1.0 / 24}, {1.0 / 3, 0.5}}});
-  list.push_back(palindrome("mclachlan_sb3a4", "McLachlan 1995, SIAM J. Sci. Comput. 16, 151", 4, 2.967, 0.8, First::drift,
+  list.push_back(palindrome("mclachlan_sb3a4", "McLachlan 1995, SIAM J. Sci. Comput. 16, 151", 4, 2.967, 1.6, First::drift,
                             {0.188195217768838217868015040, 0.999999999999999999999751742, -0.02152855110217155120136975, -0.49999999999999999999975174,
                              0.666666666666666666666709423}));
-  list.push_back(palindrome("blanes_moan_s6", "Blanes & Moan 2002, J. Comput. Appl. Math. 142, 313 (S6)", 4, 3.132, 1, First::kick,
+  list.push_back(palindrome("blanes_moan_s6", "Blanes & Moan 2002, J. Comput. Appl. Math. 142, 313 (S6)", 4, 3.132, 2, First::kick,
                             {0.079203696431195674197649623, 0.209515106613362052972449986, 0.353172906049774036818665557, -0.14385177317981803796409629,
                              -0.04206508035771952921517158, 0.434336666566455984991646313, 0.219376955753499636397712799}));
-  list.push_back(palindrome("blanes_moan_srkn6b", "Blanes & Moan 2002, J. Comput. Appl. Math. 142, 313 (SRKN6b)", 4, 3.163, 1, First::kick,
+  list.push_back(palindrome("blanes_moan_srkn6b", "Blanes & Moan 2002, J. Comput. Appl. Math. 142, 313 (SRKN6b)", 4, 3.163, 2, First::kick,
                             {0.082984406417404982334898567, 0.245298957184271123448654456, 0.396309801498368061853954643, 0.604872665711079923626184329,
                              -0.03905630492234843733430565, -0.35017162289535104707483878, 0.119524194013150786290904884}));
-  list.push_back(palindrome("okunbor_skeel_13", "Okunbor & Skeel 1994, J. Comput. Appl. Math. 51, 375 (method 13)", 6, 3.06, 1, First::drift,
+  list.push_back(palindrome("okunbor_skeel_13", "Okunbor & Skeel 1994, J. Comput. Appl. Math. 51, 375 (method 13)", 6, 3.06, 2, First::drift,
                             {-1.01308797891717472981490457, 0.000166006926500098942174707, 1.187429573732542707024293321, -0.37962421426377360608194690,
                              -0.01833585209646059034438748, 0.689137411851810636740801664, 0.343994257281092613134998746, 0.380641590970925740797941072}));
-  list.push_back(palindrome("blanes_moan_srkn11b", "Blanes & Moan 2002, J. Comput. Appl. Math. 142, 313 (SRKN11b)", 6, 3.139, 1.5, First::kick,
+  list.push_back(palindrome("blanes_moan_srkn11b", "Blanes & Moan 2002, J. Comput. Appl. Math. 142, 313 (SRKN11b)", 6, 3.139, 2, First::kick,
                             {0.041464998518262842282544826, 0.123229775946271150160107599, 0.198128671918066525889007158, 0.290553797799558291152409937,
                              -0.04000619210415269278089930, -0.12704921262541699725688780, 0.075253984301580309449752123, -0.24633176106207543571270645,
                              -0.01151138742068775604380885, 0.357208872795927863335770075, 0.236669924786930771203404043, 0.204777054291470256642613305}));
-  list.push_back(palindrome("blanes_moan_srkn14a", "Blanes & Moan 2002, J. Comput. Appl. Math. 142, 313 (SRKN14a)", 6, 3.139, 1.5, First::drift,
+  list.push_back(palindrome("blanes_moan_srkn14a", "Blanes & Moan 2002, J. Comput. Appl. Math. 142, 313 (SRKN14a)", 6, 3.139, 2, First::drift,
                             {0.037859319840611013471773495, 0.091719152624462170850773213, 0.102635633102436603326174992, 0.183983170005004878998491646,
                              -0.02586788826655834810965088, -0.05653436583288916976693514, 0.314241403071446406545624072, 0.004914688774711814489438773,
                              -0.13014445951741519949553631, 0.143761127168371838328147624, 0.106417700369541822245844601, 0.328567693746803460265115365,

@@ -19,11 +19,15 @@ struct Method {
   std::string source;
   int order;
   double stability_limit;  ///< largest h omega of a harmonic oscillator; strict: bounded everywhere below
-  double usual;            ///< h omega of the default step
+  double usual;            ///< h omega of the default step, at which e is accurate to about 1e-4 (scripts/what_accuracy_costs.lua)
   double ahead_kick, ahead_drift;
   std::vector<Stage> stages;
 
+  /// At which e, v and spin converge; above `order` for a method that is conjugate to a better one.
+  int outcome_order = order;
+
   int evaluations() const;
+  static constexpr double usual_accuracy = 1e-4;
 };
 
 std::span<const Method> methods();

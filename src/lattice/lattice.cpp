@@ -136,6 +136,13 @@ std::shared_ptr<const Lattice> build_lattice(const Body& body) {
   return lattice;
 }
 
+double Lattice::inertia() const {
+  const Vec2 middle = centre();
+  double sum = 0;
+  for (const Vec2& p : points) sum += (p - middle).squaredNorm();
+  return mass * sum;
+}
+
 Vec2 Lattice::centre() const {
   Vec2 sum = Vec2::Zero();
   for (const Vec2& p : points) sum += p;

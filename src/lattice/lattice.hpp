@@ -77,6 +77,7 @@ struct Lattice {
   bool anchored() const { return free < nodes(); }
   double total_mass() const { return mass * nodes(); }
   Vec2 centre() const;
+  double inertia() const;  ///< moment of inertia about the centre, at rest [m0 R^2]
 };
 
 /// Builds the lattice of a body; a pure function of the description.

@@ -110,9 +110,10 @@ int scene(lua_State* L) {
 
 int scene_run(lua_State* L) {
   const SceneObject& object = scene_at(L, 1);
-  const Scene& scene = object.scene;
+  Scene scene = object.scene;
   Outcome outcome;
   try {
+    scene = with_chosen_step(session_of(L), scene);
     const auto projectile = build_lattice(*scene.projectile), target = build_lattice(*scene.target);
     if (session_of(L).options.check) check_start(*projectile, *target, scene);
     else outcome = run_scene(*projectile, *target, scene, stop_requested);

@@ -42,6 +42,11 @@ struct Row {
   double seconds = 0;
 };
 
+/// Scenes that ask for an accuracy with the method and step chosen for it, by trial runs; prints what was chosen. Others as they are.
+std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes);
+/// The same for one scene; the choice is kept for the rest of the run. With --check nothing is tried.
+Scene with_chosen_step(Session& session, const Scene& scene);
+
 Row row_of(const Scene& scene, const Outcome& outcome, double seconds);
 
 /// Pushes a table with every column of the row.

@@ -173,7 +173,7 @@ int animate(lua_State* L) {
   Session& session = session_of(L);
   lua_getfield(L, 1, "scene");
   const SceneObject& object = scene_at(L, -1);
-  const Scene& scene = object.scene;
+  Scene scene = object.scene;
   const int frames = static_cast<int>(number_field(L, "frames", 120));
   int size[2] = {1280, 720};
   if (lua_getfield(L, 1, "size") == LUA_TTABLE) {
@@ -186,6 +186,7 @@ int animate(lua_State* L) {
     }
   }
   try {
+    scene = with_chosen_step(session, scene);
     render::Context context(size[0], size[1]);
     const Joined joined = join(scene);
     if (only_checked(L, joined, scene)) return 1;
@@ -231,9 +232,10 @@ int record(lua_State* L) {
   Session& session = session_of(L);
   lua_getfield(L, 1, "scene");
   const SceneObject& object = scene_at(L, -1);
-  const Scene& scene = object.scene;
+  Scene scene = object.scene;
   const int frames = static_cast<int>(number_field(L, "frames", 120));
   try {
+    scene = with_chosen_step(session, scene);
     const Joined joined = join(scene);
     if (only_checked(L, joined, scene)) return 1;
     const fs::path path = below_folder(session, text_field(L, "out", "trajectory") + ".h5");

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "impact/scene.hpp"
 #include "lattice/lattice.hpp"
 #include "store/files.hpp"
 #include "store/table.hpp"
@@ -39,6 +40,8 @@ class Session {
   bool parameters_declared = false;
   bool done = false;                                   ///< the script ended early without an error: after --help
   std::map<std::string, std::shared_ptr<const NodePlan>> plans;  ///< planned nodes of bodies, by their geometry
+
+  std::map<std::string, std::shared_ptr<const Scene>> chosen;    ///< scenes with the step chosen for their accuracy, by the asked scene's hash
 
   /// The folder of a name: OUT/<name>. The script's own is that of its file name.
   std::filesystem::path folder(const std::string& name) const { return std::filesystem::path(options.out) / name; }

@@ -348,7 +348,7 @@ State::State(Session& session) : session_(session) {
   const luaL_Reg natives[] = {{"check", guarded<check>}, {"fail", guarded<fail>}, {"fail_in", guarded<fail_in>}, {"unknown", guarded<unknown>},
                               {"function_names", function_names}, {"did_you_mean", nearest}, {"wrap", wrap}, {"is_check", is_check}, {"is_scene", is_scene}};
   for (const luaL_Reg& f : natives) lua_pushcfunction(L_, f.func), lua_setfield(L_, -2, f.name);
-  add_parameters(L_), add_bodies(L_), add_sweeps(L_), add_pictures(L_);
+  add_parameters(L_), add_bodies(L_), add_sweeps(L_), add_pictures(L_), add_accuracy(L_);
   luaL_getsubtable(L_, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   lua_insert(L_, -2);
   lua_setfield(L_, -2, "ricochet.core");

@@ -285,11 +285,12 @@ int run_sweep_from_lua(lua_State* L) {
   for (lua_Integer i = 1; i <= count; ++i) {
     lua_geti(L, 4, i);
     scenes.push_back(scene_at(L, -1).scene);
-    hashes.push_back(scenes.back().hash());
     lua_pop(L, 1);
   }
   std::vector<Row> rows;
   try {
+    if (!session.options.check) scenes = with_chosen_steps(session, scenes);
+    for (const Scene& scene : scenes) hashes.push_back(scene.hash());
     if (session.options.check) {
       SweepOptions options;
       options.threads = session.options.threads;

@@ -1,0 +1,156 @@
+#include "impact/accuracy.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/error.hpp"
+#include "impact/batch.hpp"
+#include "impact/launch.hpp"
+#include "impact/parallel.hpp"
+
+namespace ricochet {
+
+double value_of(const Outcome& outcome, const std::string& column) {
+  for (const auto& [field, value] : Outcome::fields())
+    if (field.name == column) return value(outcome);
+  throw std::logic_error("no outcome is called " + column);
+}
+
+double richardson(double at_step, double at_half, int order) { return std::abs(at_step - at_half) / (1 - std::pow(2.0, -order)); }
+
+const Method& method_for(double accuracy) {
+  return method_named(accuracy >= 1e-5 ? "verlet" : accuracy >= 1e-8 ? "chin_4a" : "blanes_moan_srkn6b");
+}
+
+namespace {
+
+constexpr int most_attempts = 12;
+// Steps shorter than the default by more than this are not tried: another method is what is wanted then.
+constexpr double most_shortened = 20;
+// The estimate is aimed at this share of what was asked for: the true error may be twice the estimate.
+constexpr double aim = 0.5;
+
+class Trials {
+ public:
+  Trials(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop)
+      : projectile_(projectile), target_(target), scene_(scene), stop_(stop) {}
+
+  // NaN if the impact does not finish.
+  double at(double step) {
+    scene_.integration.step = step;
+    ++count;
+    const Outcome outcome = run_scene(projectile_, target_, scene_, stop_);
+    if (stop_) throw Error("interrupted", Exit::interrupted);
+    reason = outcome.reason;
+    return outcome.status == Status::finished ? value_of(outcome, scene_.integration.accuracy_of) : not_given;
+  }
+
+  int count = 0;
+  std::string reason;
+
+ private:
+  const Lattice &projectile_, &target_;
+  Scene scene_;
+  const std::atomic<bool>& stop_;
+};
+
+}  // namespace
+
+Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target, const Scene& asked, const std::atomic<bool>& stop) {
+  const auto began = std::chrono::steady_clock::now();
+  const double wanted = asked.integration.accuracy;
+  Scene scene = asked;
+  if (scene.integration.method == "auto") scene.integration.method = method_for(wanted).name;
+  const Method& method = method_named(scene.integration.method);
+  scene.integration.accuracy = not_given, scene.integration.step = not_given;
+  const Start start = launch(scene, projectile, target);
+  if (!start.touches) return {method.name, start.step, 0, 0, 0};
+  // The default step resolves the contact's onset; the stability limit has room for springs that stiffen.
+  const double longest = start.step * std::min(2.0, 0.8 * method.stability_limit / start.theta);
+  Trials trials(projectile, target, scene, stop);
+  double step = std::clamp(start.step * std::pow(wanted / method.usual_accuracy, 1.0 / method.outcome_order), start.step / 4, longest);
+  double best = std::numeric_limits<double>::infinity(), previous = not_given;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    const double value = trials.at(step), half = trials.at(step / 2);
+    const double error = richardson(value, half, method.outcome_order);
+    if (error <= aim * wanted) {
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+      return {method.name, step, error, trials.count, seconds};
+    }
+    // Two attempts in a row that gain less than a step of half as long should by far: rounding, or paths that part at a near tie.
+    if (!(error < best / 2) && !(previous < 2 * best) && attempt > 3) break;
+    previous = best, best = std::min(best, std::isnan(error) ? best : error);
+    const double ratio = std::isnan(error) ? 0.5 : std::pow(0.7 * aim * wanted / error, 1.0 / method.outcome_order);
+    step *= std::clamp(ratio, 0.2, 0.8);
+    if (step < start.step / most_shortened) break;
+  }
+  throw FieldError("accuracy", std::isinf(best) ? fmt::format("no trial run finished ({})", trials.reason)
+                                                : fmt::format("{:g} is below what {} can reach for {} here: the estimated error stays at {:.2g}; ask for that, or another method",
+                                                              wanted, method.name, asked.integration.accuracy_of, best));
+}
+
+namespace {
+
+// What scenes that share their trials have in common.
+std::string kind_of(const Scene& scene) {
+  Scene plain = scene;
+  plain.launch = Launch{};
+  std::string kind = fmt::format("{}", scene.launch.velocity().norm());
+  for (const auto* body : {&scene.projectile, &scene.target}) {
+    const BodyNumbers& n = (*body)->numbers;
+    kind += fmt::format(" {} {} {} {} {} {};", n.nodes, n.placement, n.stiffness, n.quartic, n.mass, n.roughness);
+  }
+  const Integration& i = scene.integration;
+  return kind + fmt::format("{} {} {} {} {} {} {}", i.method, i.accuracy, i.accuracy_of, scene.contact.V0, scene.contact.xi, scene.contact.reach, scene.contact.sides);
+}
+
+}  // namespace
+
+std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, const std::atomic<bool>& stop, const std::function<void(const std::string&)>& told) {
+  std::map<std::string, std::vector<std::size_t>> kinds;
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    if (!std::isnan(scenes[i].integration.accuracy)) {
+      if (!std::isnan(scenes[i].integration.step)) throw SceneError(FieldError("accuracy", "give step or accuracy, not both"), i);
+      kinds[kind_of(scenes[i])].push_back(i);
+    }
+  struct Trial {
+    std::size_t scene;
+    Choice choice;
+  };
+  std::vector<Trial> trials;
+  for (const auto& [kind, members] : kinds)
+    for (const std::size_t i : std::set<std::size_t>{members.front(), members[members.size() / 2], members.back()}) trials.push_back({i, {}});
+  in_parallel(trials, threads, [&](Trial& trial) {
+    const Scene& scene = scenes[trial.scene];
+    try {
+      trial.choice = choose_step_for_accuracy(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, stop);
+    } catch (const FieldError& error) {
+      throw SceneError(error, trial.scene);
+    }
+  });
+  auto trial = trials.begin();
+  for (const auto& [kind, members] : kinds) {
+    const auto first = trial;
+    while (trial != trials.end() && std::find(members.begin(), members.end(), trial->scene) != members.end()) ++trial;
+    const double step = std::min_element(first, trial, [](const Trial& a, const Trial& b) { return a.choice.step < b.choice.step; })->choice.step;
+    const Method& method = method_named(first->choice.method);
+    double error = 0, seconds = 0;
+    for (auto t = first; t != trial; ++t)
+      error = std::max(error, t->choice.error * std::pow(step / t->choice.step, method.outcome_order)), seconds += t->choice.seconds;
+    const Integration& wanted = scenes[first->scene].integration;
+    told(fmt::format("accuracy {:g} of {}: {} with a step of {:.4g} R/c, estimated error {:.2g} ({} trials, {:.1f} s)", wanted.accuracy, wanted.accuracy_of, method.name, step,
+                     error, trial - first, seconds));
+    for (const std::size_t i : members) {
+      scenes[i].integration.method = method.name, scenes[i].integration.step = step;
+      scenes[i].error_estimate = error;
+    }
+  }
+  return scenes;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,42 @@
+#pragma once
+// From a wanted accuracy to a method and a step, by trial runs of the scene itself.
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "impact/outcome.hpp"
+#include "impact/scene.hpp"
+
+namespace ricochet {
+
+/// A method and step for a scene, and what the trials said of them.
+struct Choice {
+  std::string method;
+  double step;      ///< [R/c]
+  double error;     ///< estimated error of the outcome at that step
+  int trials;       ///< impacts run to find it
+  double seconds;   ///< they took
+};
+
+/// The value of a column of an outcome, by its name.
+double value_of(const Outcome& outcome, const std::string& column);
+
+/// Error of column x at step h by Richardson's extrapolation, |x(h) - x(h/2)| / (1 - 2^-p), p: the order at which outcomes converge.
+double richardson(double at_step, double at_half, int order);
+
+/// The method that reached a wanted error of e with the fewest force evaluations (README, "What accuracy costs").
+const Method& method_for(double accuracy);
+
+/// Chooses method (unless the scene names one with its accuracy) and step so that the estimated error of integration.accuracy_of is at
+/// most half of integration.accuracy. Throws FieldError("accuracy") if no step reaches it, with the error that was reached.
+Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop);
+
+/// Scenes with integration.accuracy get the method, step and error estimate that trials chose; the others stay as they are. Scenes
+/// that differ only in seed, angle, spin and place of landing share three trials (their first, middle and last): the shortest of the
+/// three steps, and the largest of their estimates at it. `told(line)` is called for each such kind of scenes.
+/// Throws SceneError for a trial that cannot reach its accuracy.
+std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, const std::atomic<bool>& stop, const std::function<void(const std::string&)>& told);
+
+}  // namespace ricochet
