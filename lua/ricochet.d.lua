@@ -147,6 +147,18 @@ function ricochet.animate(t) end
 ---@return table
 function ricochet.record(t) end
 
+---@class ricochet.accuracy_fields
+---@field scene ricochet.scene what happens
+---@field methods? string[] integrators; all unless given
+---@field steps? number[] time steps of every method; six from 0.9 of its stability limit down unless given [R/c]
+---@field of? string[] outcomes whose errors are taken; the first is printed and drawn (default {"e"})
+---@field repeats? integer runs of each step; the least wall time counts (default 3)
+---@field name? string file name without extension (default accuracy)
+--- What accuracy costs: runs a scene by many methods and steps against two runs of order 6 at short steps, prints errors, force evaluations, wall times, energy drifts and fitted orders, and leaves NAME.csv and work-precision plots NAME.png, NAME.svg. Returns a table with the rows (each with its `error` by column), the `reference`, its `floor`, and `cheapest(wanted)`: the row with the fewest force evaluations within that error.
+---@param t ricochet.accuracy_fields
+---@return table
+function ricochet.accuracy(t) end
+
 ---@class ricochet.elasticity_fields
 ---@field body ricochet.body a band longer along y than along x, nowhere anchored
 --- Young's modulus E and Poisson's ratio nu of a band, stretched along y by a small strain and solved statically.

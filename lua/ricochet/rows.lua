@@ -3,10 +3,16 @@ local core = require "ricochet.core"
 
 local Rows, Summary = { __name = "rows" }, { __name = "a summary" }
 Summary.__index = Summary
-Rows.__index = function(_, name)
-  if type(name) == "number" then return nil end
-  return rawget(Rows, name) or core.unknown("the table of rows", name, { "summary" })
+Rows.__index = function(rows, name)
+  if type(name) == "number" then
+    if name == #rows + 1 then return nil end  -- where ipairs ends
+    core.fail_here(("there is no row %s; the rows are 1 to %d"):format(tostring(name), #rows))
+  end
+  if rawget(Rows, name) then return rawget(Rows, name) end
+  if #rows > 0 and rawget(rows[1], name) ~= nil then core.fail_here(("'%s' is a column of each row: rows[i].%s"):format(name, name)) end
+  core.unknown("the table of rows", name, { "summary" })
 end
+Rows.__call = function() core.fail_here "rows are a list; write: for _, row in ipairs(rows) do" end
 
 local function known_column(rows, name, ...)
   if #rows == 0 or rawget(rows[1], name) ~= nil then return end

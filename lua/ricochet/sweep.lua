@@ -4,6 +4,7 @@ local rows_of = require("ricochet.rows").rows_of
 
 local Sweep = { __name = "sweep" }
 Sweep.__index = function(_, name)
+  if name == "summary" or type(name) == "number" then core.fail_here "this sweep has not run: rows come from sweep:run()" end
   return rawget(Sweep, name) or core.unknown("a sweep", name, { "run" })
 end
 
@@ -69,7 +70,7 @@ local run = core.wrap(function(self)
     local scene = self.scene(strict(point, names))
     if not core.is_scene(scene) then
       core.fail_in(self.scene, "scene", scene == nil and "the function returned nothing; it must return a scene (is a 'return' missing?)"
-        or ("the function must return a scene (from ricochet.scene), returned a %s"):format(type(scene)))
+        or ("the function must return a scene (from ricochet.scene), returned a %s%s"):format(type(scene), type(scene) == "table" and "; write: return ricochet.scene { ... }" or ""))
     end
     scenes[i] = scene
   end

@@ -121,7 +121,7 @@ int scene_run(lua_State* L) {
     throw_at(session_of(L), object.site, error);
   }
   if (stop_requested) throw Error("interrupted", Exit::interrupted);
-  if (!session_of(L).options.check) session_of(L).count(outcome.status == Status::finished);
+  if (!session_of(L).options.check) session_of(L).count(outcome.status == Status::finished, name_of(outcome.status) + ": " + outcome.reason);
   push_row(L, row_of(scene, outcome, 0));
   return 1;
 }

@@ -17,6 +17,8 @@ using namespace ricochet;
 
 int run(RunOptions options, const std::string& script, const std::vector<std::string>& arguments) {
   for (const std::string& argument : arguments)
+    if (argument.starts_with('=') || argument.ends_with('=')) throw Error(fmt::format("'{}': write name=value without spaces around '='", argument), Exit::usage);
+  for (const std::string& argument : arguments)
     if (argument.find('=') == std::string::npos)
       throw Error(fmt::format("'{}' is neither an option nor name=value; see ricochet run --help", argument), Exit::usage);
   if (options.out.empty()) throw Error("--out needs a folder", Exit::usage);
@@ -30,14 +32,16 @@ int run(RunOptions options, const std::string& script, const std::vector<std::st
     if (session.options.help && !session.done) session.print(fmt::format("{} declares no parameters.\n", script));
   } catch (const Error& error) {
     session.log(fmt::format("error: {}\n", error.what()));
+    const bool keep = error.exit == Exit::script && session.something_stored();
     try {
       session.write_log();
     } catch (const FileError&) {  // the first error is the one to report
     }
+    if (keep) throw Error(fmt::format("{}\n  what had been stored before stays in {}; correct the script and add --resume", error.what(), session.options.out));
     throw;
   }
   session.write_log();
-  if (session.nothing_finished()) throw Error("not one impact finished; the column 'reason' of results.csv says why", Exit::numerical);
+  if (session.nothing_finished()) throw Error("not one impact finished; the first ended " + session.first_failure, Exit::numerical);
   return 0;
 }
 
@@ -119,7 +123,14 @@ int program(int count, char** words) {
   } catch (const CLI::ParseError& error) {
     const std::vector<std::string> commands{"run", "repl", "info", "reference"};
     std::string hint;
-    if (count > 1 && std::find(commands.begin(), commands.end(), words[1]) == commands.end()) hint = did_you_mean(words[1], commands);
+    const std::vector<std::string> options_known{"--threads", "--batch", "--out", "--budget", "--resume", "--force", "--check", "--traceback", "--quiet", "--unsafe", "--help"};
+    for (int i = 1; i < count && *run_command; ++i) {
+      const std::string word = words[i];
+      if (!word.starts_with("--") || std::find(options_known.begin(), options_known.end(), word) != options_known.end()) continue;
+      hint = word.find('=') != std::string::npos ? fmt::format(" (a parameter of the script is written {}, without dashes)", word.substr(2)) : did_you_mean(word, options_known);
+    }
+    if (count > 1 && std::string(words[1]).ends_with(".lua")) hint = fmt::format(" (did you mean: ricochet run {}?)", words[1]);
+    else     if (count > 1 && std::find(commands.begin(), commands.end(), words[1]) == commands.end()) hint = did_you_mean(words[1], commands);
     throw Error(fmt::format("{}{}; see ricochet --help", error.what(), hint), Exit::usage);
   }
   if (*run_command) {

@@ -28,6 +28,8 @@ std::vector<Given> given_arguments(const Session& session) {
   std::vector<Given> list;
   for (const std::string& argument : session.arguments) {
     const std::size_t equals = argument.find('=');
+    const std::string name = argument.substr(0, equals);
+    if (std::any_of(list.begin(), list.end(), [&](const Given& g) { return g.name == name; })) throw Error(fmt::format("parameter '{}' is given twice", name), Exit::usage);
     list.push_back({argument.substr(0, equals), argument.substr(equals + 1)});
   }
   return list;
@@ -49,8 +51,8 @@ bool parse_number(const std::string& text, double& value) {
 
 std::string range_of(const Parameter& p) {
   std::string text;
-  if (p.field.range.min > any_number.min) text += fmt::format(" min {:g}", p.field.range.min);
-  if (p.field.range.max < any_number.max) text += fmt::format(" max {:g}", p.field.range.max);
+  if (p.field.range.min > any_number.min) text += fmt::format(" at least {:g}", p.field.range.min);
+  if (p.field.range.max < any_number.max) text += fmt::format("{} at most {:g}", text.empty() ? "" : ",", p.field.range.max);
   for (const std::string& c : p.field.choices) text += (text.empty() || &c != &p.field.choices.front() ? " " : " one of ") + c;
   return text;
 }
@@ -63,7 +65,7 @@ void push_number(lua_State* L, const Parameter& p, const std::string& text) {
   const std::string unit = p.field.unit.empty() ? "" : fmt::format(" [{}]", p.field.unit);
   if (!parse_number(text, value)) wrong((p.whole ? "a whole number" : "a number") + unit);
   if (p.whole && value != std::floor(value)) wrong("a whole number" + unit);
-  if (!p.field.range.contains(value)) wrong(fmt::format("a number{}, that is{}", unit, range_of(p)));
+  if (!p.field.range.contains(value)) wrong(fmt::format("a number{},{}", unit, range_of(p)));
   if (p.whole) lua_pushinteger(L, static_cast<lua_Integer>(value));
   else lua_pushnumber(L, value);
 }

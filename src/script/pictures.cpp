@@ -117,11 +117,12 @@ Sequence survey(const Scene& scene, const Joined& joined, double from, double du
   return sequence;
 }
 
-fs::path below_folder(Session& session, const std::string& name) {
+fs::path below_folder(lua_State* L, const std::string& name) {
+  const Session& session = session_of(L);
   const fs::path path(name);
   bool plain = !name.empty() && path.is_relative() && name.find('\\') == std::string::npos && name.find('\0') == std::string::npos;
   for (const fs::path& part : path) plain = plain && part != ".." && part != ".";
-  if (!plain) throw Error(fmt::format("'{}' is no name below the run's folder; give a relative name without '..'", name));
+  if (!plain) throw at_line(L, fmt::format("'{}' is no name below the run's folder; give a relative name without '..'", name));
   // A link inside the folder must not lead out of it.
   const fs::path whole = session.own_folder() / path;
   std::error_code error;
@@ -190,7 +191,7 @@ int animate(lua_State* L) {
     render::Context context(size[0], size[1]);
     const Joined joined = join(scene);
     if (only_checked(L, joined, scene)) return 1;
-    const fs::path folder = below_folder(session, text_field(L, "out", "frames"));
+    const fs::path folder = below_folder(L, text_field(L, "out", "frames"));
     session.claim(session.own_folder());
     make_folder(folder);
     const Sequence sequence = survey(scene, joined, number_field(L, "from", -1), number_field(L, "duration", not_given));
@@ -219,7 +220,7 @@ int animate(lua_State* L) {
     for (int stale = drawn; fs::remove(folder / fmt::format("{:06}.png", stale)); ++stale) {
     }
     session.print(fmt::format("{} frames in {}\n", drawn, folder.string()));
-    session.count(sequence.outcome.status == Status::finished);
+    session.count(sequence.outcome.status == Status::finished, name_of(sequence.outcome.status) + ": " + sequence.outcome.reason);
     push_row(L, row_of(scene, sequence.outcome, 0));
     return 1;
   } catch (const FieldError& error) {
@@ -238,7 +239,7 @@ int record(lua_State* L) {
     scene = with_chosen_step(session, scene);
     const Joined joined = join(scene);
     if (only_checked(L, joined, scene)) return 1;
-    const fs::path path = below_folder(session, text_field(L, "out", "trajectory") + ".h5");
+    const fs::path path = below_folder(L, text_field(L, "out", "trajectory") + ".h5");
     session.claim(session.own_folder());
     double duration = number_field(L, "duration", not_given);
     Outcome outcome = run_scene(*joined.projectile, *joined.target, scene, stop_requested);
@@ -268,7 +269,7 @@ int record(lua_State* L) {
     make_folder(path.parent_path());
     trajectory.write(path, observables, provenance);
     session.print(fmt::format("{} frames in {}\n", trajectory.frames(), path.string()));
-    session.count(outcome.status == Status::finished);
+    session.count(outcome.status == Status::finished, name_of(outcome.status) + ": " + outcome.reason);
     push_row(L, row_of(scene, outcome, 0));
     return 1;
   } catch (const FieldError& error) {
@@ -280,7 +281,7 @@ int record(lua_State* L) {
 int gnuplot(lua_State* L) {
   Session& session = session_of(L);
   const std::string name = luaL_checkstring(L, 1);
-  const fs::path script = below_folder(session, name + ".gp");
+  const fs::path script = below_folder(L, name + ".gp");
   session.claim(session.own_folder());
   write_atomically(script, luaL_checkstring(L, 2));
   const std::string file = script.filename().string();
@@ -302,7 +303,7 @@ int gnuplot(lua_State* L) {
 
 int file_write(lua_State* L) {
   Session& session = session_of(L);
-  const fs::path path = below_folder(session, luaL_checkstring(L, 1));
+  const fs::path path = below_folder(L, luaL_checkstring(L, 1));
   std::size_t length = 0;
   const char* text = luaL_checklstring(L, 2, &length);
   if (session.options.check) return 0;
@@ -313,7 +314,7 @@ int file_write(lua_State* L) {
 }
 
 int file_read(lua_State* L) {
-  const std::string text = read_file(below_folder(session_of(L), luaL_checkstring(L, 1)));
+  const std::string text = read_file(below_folder(L, luaL_checkstring(L, 1)));
   lua_pushlstring(L, text.data(), text.size());
   return 1;
 }

@@ -75,7 +75,8 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
     return is_userdata(L, index, type.c_str()) ? "" : must_be(makers);
   }
   if (type == "rows") return is_rows(L, index) ? "" : must_be("rows (from sweep:run())");
-  if (!lua_istable(L, index)) return must_be(type == "points" ? "a list of points { {x, y}, ... }" : "a table");
+  if (!lua_istable(L, index))
+    return must_be(type == "points" ? "a list of points { {x, y}, ... }" : type == "strings" ? "a list of strings { \"...\", ... }" : type == "numbers" ? "a list of numbers { ... }" : "a table");
   if (type == "numbers" || type == "strings" || type == "points") {
     const lua_Integer n = luaL_len(L, index);
     if (n == 0) return fmt::format("'{}' must not be empty", field.name);
@@ -106,6 +107,7 @@ std::string belongs_elsewhere(const std::string& name, const std::vector<Field>&
   for (const Field& field : fields)
     if ((field.type == "launch" || field.type == "contact") && has_field(function_named(field.type).fields, name))
       return fmt::format(" (it belongs in {} = {{ {} = ... }})", field.name, name);
+  if (nearest.empty() && has_field(fields, "over")) return fmt::format(" (what varies belongs in over = {{ {} = {{ ... }} }})", name);
   if (!path.empty() && has_field(function_named("scene").fields, name)) return " (it belongs in the scene itself, beside this table)";
   return nearest;
 }

@@ -53,8 +53,13 @@ class Session {
   void claim(const std::filesystem::path& folder);
 
   /// Counts an impact that ran, for the exit status: 3 if some ran and none finished.
-  void count(bool impact_finished) { ++(impact_finished ? finished_ : failed_); }
+  void count(bool impact_finished, const std::string& reason) {
+    ++(impact_finished ? finished_ : failed_);
+    if (!impact_finished && first_failure.empty()) first_failure = reason;
+  }
   bool nothing_finished() const { return failed_ > 0 && finished_ == 0; }
+  bool something_stored() const { return !claimed_.empty(); }
+  std::string first_failure;  ///< why the first impact that did not finish did not
 
   /// True the first time a sweep of this name runs; a second one would replace its results.
   bool first_sweep_named(const std::string& name) { return sweeps_.insert(name).second; }

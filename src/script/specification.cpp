@@ -98,6 +98,17 @@ std::vector<Function> make() {
   list.push_back({"record", "Stores an impact as H5MD (OUT.h5, for MDAnalysis) and OUT.xdmf (for ParaView). Returns the impact's row.",
                   {scene, frames, {"out", "string", "", "file name without extension, below the run's folder", any_number, "trajectory"}, duration}, "table",
                   "ricochet.record { scene = scene, frames = 200 }"});
+  list.push_back({"accuracy",
+                  "What accuracy costs: runs a scene by many methods and steps against two runs of order 6 at short steps, prints errors, force evaluations, wall times, "
+                  "energy drifts and fitted orders, and leaves NAME.csv and work-precision plots NAME.png, NAME.svg. Returns a table with the rows (each with its "
+                  "`error` by column), the `reference`, its `floor`, and `cheapest(wanted)`: the row with the fewest force evaluations within that error.",
+                  {scene,
+                   {"methods", "strings", "", "integrators; all unless given", any_number, "", true},
+                   {"steps", "numbers", "R/c", "time steps of every method; six from 0.9 of its stability limit down unless given", any_number, "", true},
+                   {"of", "strings", "", "outcomes whose errors are taken; the first is printed and drawn", any_number, "{\"e\"}"},
+                   {"repeats", "integer", "", "runs of each step; the least wall time counts", {1, 1000}, "3"},
+                   {"name", "string", "", "file name without extension", any_number, "accuracy"}},
+                  "table", "ricochet.accuracy { scene = scene, methods = { \"verlet\", \"pefrl\" }, of = { \"e\", \"beta\" } }"});
   list.push_back({"elasticity", "Young's modulus E and Poisson's ratio nu of a band, stretched along y by a small strain and solved statically.",
                   {{"body", "body", "", "a band longer along y than along x, nowhere anchored"}}, "table", "ricochet.elasticity { body = band }.E"});
   list.push_back({"file.write", "Writes text into a file below the run's folder: ricochet.file.write(name, text).", {}, "nothing",

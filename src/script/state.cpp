@@ -72,6 +72,22 @@ int print(lua_State* L) {
   return 0;
 }
 
+// True if some field takes this text.
+bool is_choice(const std::string& text) {
+  for (const Function& f : functions())
+    for (const Field& field : f.fields)
+      if (std::find(field.choices.begin(), field.choices.end(), text) != field.choices.end()) return true;
+  return false;
+}
+
+// string.fromat: an error with the nearest name, not nil.
+int unknown_library_function(lua_State* L) {
+  std::vector<std::string> names;
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) names.push_back(displayed(L, -2));
+  const std::string name = displayed(L, 2), nearest = did_you_mean(name, names);
+  throw at_line(L, fmt::format("{} has no '{}'{}", lua_tostring(L, lua_upvalueindex(1)), name, nearest));
+}
+
 int unknown_global(lua_State* L) {
   const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "?";
   std::vector<std::string> names;
@@ -81,6 +97,7 @@ int unknown_global(lua_State* L) {
   names.push_back("ricochet");
   std::string hint = did_you_mean(name, names);
   if (name == "io") hint = " (files are below the run's folder, through ricochet.file)";
+  if (hint.empty() && is_choice(name)) hint = fmt::format(" (if the text is meant, write \"{}\")", name);
   if (name == "ricochet") hint = " (begin the script with: local ricochet = require \"ricochet\")";
   throw at_line(L, fmt::format("unknown name '{}'{}", name, hint));
 }
@@ -93,6 +110,7 @@ int new_global(lua_State* L) {
 void load_file(lua_State* L, const fs::path& path, const std::string& name) {
   Session& session = session_of(L);
   std::string text = read_file(path);
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);  // a byte order mark, which some editors write
   if (text.starts_with("#!")) text.insert(0, "--");  // a first line for the shell
   session.sources[name] = text;
   if (luaL_loadbufferx(L, text.data(), text.size(), ("@" + name).c_str(), "t") != LUA_OK) {
@@ -133,7 +151,11 @@ int require(lua_State* L) {
     lua_setfield(L, 2, name.c_str());
     return 1;
   }
-  throw at_line(L, fmt::format("require: there is no module '{}' in the library or beside the script", name));
+  std::vector<std::string> near{"ricochet"};
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(beside.empty() ? fs::path(".") : beside, ignored))
+    if (entry.path().extension() == ".lua") near.push_back(entry.path().stem().string());
+  throw at_line(L, fmt::format("require: there is no module '{}' in the library or beside the script{}", name, did_you_mean(name, near)));
 }
 
 // xpcall(f, handler, ...): the handler runs after the error has unwound. Lua's own runs it inside the hook that ended the script,
@@ -232,6 +254,9 @@ int fail_in(lua_State* L) {
   throw Error(report(session_of(L), {info.source[0] == '@' ? info.source + 1 : "", name, info.linedefined}, {{{}, message}}));
 }
 
+// fail_here(message): an error at the user's line.
+int fail_here(lua_State* L) { throw at_line(L, luaL_checkstring(L, 1)); }
+
 // unknown(what, name, names): an error at the user's line, with the nearest of the names.
 int unknown(lua_State* L) {
   const std::string what = luaL_checkstring(L, 1), name = displayed(L, 2);
@@ -309,6 +334,18 @@ void open_sandbox(lua_State* L, bool unsafe) {
   lua_call(L, 0, 0);
 }
 
+void close_libraries(lua_State* L) {
+  for (const char* name : {"string", "table", "math", "os", "utf8", "coroutine"}) {
+    lua_getglobal(L, name);
+    lua_createtable(L, 0, 1);
+    lua_pushstring(L, name);
+    lua_pushcclosure(L, guarded<unknown_library_function>, 1);
+    lua_setfield(L, -2, "__index");
+    lua_setmetatable(L, -2);
+    lua_pop(L, 1);
+  }
+}
+
 void close_globals(lua_State* L) {
   lua_pushglobaltable(L);
   lua_createtable(L, 0, 3);
@@ -345,7 +382,7 @@ State::State(Session& session) : session_(session) {
   open_sandbox(L_, session.options.unsafe);
 
   lua_newtable(L_);  // the module's native part, which lua/ricochet/init.lua requires as "ricochet.core"
-  const luaL_Reg natives[] = {{"check", guarded<check>}, {"fail", guarded<fail>}, {"fail_in", guarded<fail_in>}, {"unknown", guarded<unknown>},
+  const luaL_Reg natives[] = {{"check", guarded<check>}, {"fail", guarded<fail>}, {"fail_in", guarded<fail_in>}, {"fail_here", guarded<fail_here>}, {"unknown", guarded<unknown>},
                               {"function_names", function_names}, {"did_you_mean", nearest}, {"wrap", wrap}, {"is_check", is_check}, {"is_scene", is_scene}};
   for (const luaL_Reg& f : natives) lua_pushcfunction(L_, f.func), lua_setfield(L_, -2, f.name);
   add_parameters(L_), add_bodies(L_), add_sweeps(L_), add_pictures(L_), add_accuracy(L_);
@@ -353,6 +390,7 @@ State::State(Session& session) : session_(session) {
   lua_insert(L_, -2);
   lua_setfield(L_, -2, "ricochet.core");
   lua_pop(L_, 1);
+  close_libraries(L_);
   close_globals(L_);
   lua_sethook(L_, watch, LUA_MASKCOUNT, hook_period);
 }

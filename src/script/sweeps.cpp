@@ -309,7 +309,7 @@ int run_sweep_from_lua(lua_State* L) {
       std::size_t finished = 0;
       for (const Row& row : rows) finished += row.status == "finished";
       const std::string line = fmt::format("{}: {} of {} impacts finished; {}\n", name, finished, rows.size(), (store.folder() / "results.h5").string());
-      for (const Row& row : rows) session.count(row.status == "finished");
+      for (const Row& row : rows) session.count(row.status == "finished", row.status + ": " + row.reason);
       session.print(line);
     }
   } catch (const SceneError& error) {

@@ -62,7 +62,7 @@ print(p.speed, #p.angles, p.angles[1], p.n, p.rough, p.kind)
 )";
   CHECK(here.script(script).out == "0.1\t2\t0\t3\ttrue\tsoft\n");
   CHECK(here.script(script, "speed=1/4 angles=7 n=5 rough=false kind=hard").out == "0.25\t1\t7.0\t5\tfalse\thard\n");
-  CHECK_THAT(here.script(script, "--help").out, Catch::Matchers::Contains("speed=0.1              [c] impact speed; min 0") && Catch::Matchers::Contains("angles=0,1"));
+  CHECK_THAT(here.script(script, "--help").out, Catch::Matchers::Contains("speed=0.1              [c] impact speed; at least 0") && Catch::Matchers::Contains("angles=0,1"));
   CHECK(here.script(script, "--help").status == 0);
 }
 
