@@ -105,6 +105,11 @@ int scene(lua_State* L) {
     throw_at(session_of(L), made.site, error);
   }
   push_object(L, "ricochet.scene", std::move(made));
+  if (session_of(L).options.study) {
+    const bool first = lua_getfield(L, LUA_REGISTRYINDEX, "ricochet.first_scene") == LUA_TNIL;
+    lua_pop(L, 1);
+    if (first) lua_pushvalue(L, -1), lua_setfield(L, LUA_REGISTRYINDEX, "ricochet.first_scene");
+  }
   return 1;
 }
 

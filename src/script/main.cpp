@@ -28,7 +28,9 @@ int run(RunOptions options, const std::string& script, const std::vector<std::st
   if (!session.options.help && arguments.empty()) session.refuse_earlier_results(session.own_folder());
   State state(session);
   try {
+    if (session.options.study) session.options.check = true;
     state.run_script();
+    if (session.options.study && !session.done) session.options.check = false, state.study_first_scene();
     if (session.options.help && !session.done) session.print(fmt::format("{} declares no parameters.\n", script));
   } catch (const Error& error) {
     session.log(fmt::format("error: {}\n", error.what()));
@@ -105,6 +107,11 @@ int program(int count, char** words) {
   run_command->add_flag("--quiet", options.quiet, "no progress");
   run_command->add_flag("--unsafe", options.unsafe, "lift the sandbox: io, os.execute, debug");
   run_command->add_flag("--help,-h", options.help, "this, or the script's own parameters");
+  CLI::App* accuracy_command = app.add_subcommand("accuracy", "What accuracy costs in a script's first scene: ricochet accuracy SCRIPT [name=value ...]");
+  accuracy_command->add_option("SCRIPT", script, "the Lua script")->required();
+  accuracy_command->add_option("name=value", arguments, "the script's parameters");
+  accuracy_command->add_option("--out", options.out, "folder of the results (default: out)");
+  accuracy_command->add_flag("--force", options.force, "replace earlier results");
   CLI::App* repl_command = app.add_subcommand("repl", "Type Lua");
   CLI::App* info_command = app.add_subcommand("info", "What a results.h5 holds and where it came from");
   info_command->add_option("FILE", file, "an HDF5 file of ours")->required();
@@ -121,7 +128,7 @@ int program(int count, char** words) {
     std::cout << version_text() << '\n';
     return 0;
   } catch (const CLI::ParseError& error) {
-    const std::vector<std::string> commands{"run", "repl", "info", "reference"};
+    const std::vector<std::string> commands{"run", "accuracy", "repl", "info", "reference"};
     std::string hint;
     const std::vector<std::string> options_known{"--threads", "--batch", "--out", "--budget", "--resume", "--force", "--check", "--traceback", "--quiet", "--unsafe", "--help"};
     for (int i = 1; i < count && *run_command; ++i) {
@@ -139,6 +146,10 @@ int program(int count, char** words) {
       std::cout << run_command->help();
       return 0;
     }
+    return run(options, script, arguments);
+  }
+  if (*accuracy_command) {
+    options.study = true;
     return run(options, script, arguments);
   }
   if (*repl_command) return repl();

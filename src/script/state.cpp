@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 
 #include "core/spelling.hpp"
 #include "script/reader.hpp"
@@ -438,6 +439,21 @@ void State::run_script() {
   load_file(L_, session_.script, session_.script.string());
   call_chunk(0);
   if (!session_.parameters_declared) refuse_unused_arguments(session_);
+}
+
+void State::study_first_scene() {
+  lua_settop(L_, 0);
+  if (lua_getfield(L_, LUA_REGISTRYINDEX, "ricochet.first_scene") == LUA_TNIL) throw Error(fmt::format("{} makes no scene", session_.script.string()));
+  lua_pop(L_, 1);
+  // Through a global of its own: the chunk takes no arguments.
+  lua_pushglobaltable(L_);
+  lua_pushliteral(L_, "first_scene");
+  lua_getfield(L_, LUA_REGISTRYINDEX, "ricochet.first_scene");
+  lua_rawset(L_, -3);
+  lua_pop(L_, 1);
+  const char* text = "require('ricochet').accuracy { scene = first_scene }";
+  if (luaL_loadbufferx(L_, text, std::strlen(text), "=accuracy", "t") != LUA_OK) throw std::logic_error("study_first_scene");
+  call_chunk(0);
 }
 
 void State::run_text(const std::string& text) {

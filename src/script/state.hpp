@@ -29,6 +29,8 @@ class State {
 
   /// Runs the session's script. Throws Error.
   void run_script();
+  /// What accuracy costs in the first scene that the script made. Throws Error.
+  void study_first_scene();
   /// Runs one piece of text (the repl). Throws Error. Prints the values of an expression.
   void run_text(const std::string& text);
 

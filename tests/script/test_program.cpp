@@ -33,6 +33,33 @@ TEST_CASE("a sweep leaves rows, CSV, log and provenance") {
   CHECK_THAT(info.out, Catch::Matchers::Contains("12 rows") && Catch::Matchers::Contains("finished       12"));
 }
 
+TEST_CASE("ricochet accuracy tells what accuracy costs in a script's first scene") {
+  const Workplace here;
+  here.write("s.lua", small_sweep);
+  const Ended ended = here.shell("ricochet accuracy s.lua samples=1");
+  INFO(ended.err);
+  REQUIRE(ended.status == 0);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("what accuracy costs on") && Catch::Matchers::Contains("verlet               error of e falls with order") && Catch::Matchers::Contains("floor "));
+  CHECK(fs::file_size(here.path / "out/s/accuracy.png") > 10000);
+  CHECK_THAT(here.read("out/s/accuracy.csv"), Catch::Matchers::StartsWith("method,step [R/c],theta,status,evaluations,seconds [s],energy_drift,momentum_residual,error_of_e\npefrl,"));
+  CHECK_FALSE(fs::exists(here.path / "out/s/results.h5"));
+  here.write("t.lua", "print(1)");
+  CHECK(here.shell("ricochet accuracy t.lua").first_line() == "error: t.lua makes no scene");
+}
+
+TEST_CASE("a scene that asks for an accuracy says what was chosen, and its rows keep the estimate") {
+  const Workplace here;
+  std::string text = small_sweep;
+  text.replace(text.find("launch ="), 0, "accuracy = 1e-5, ");
+  const Ended ended = here.script(text, "samples=2 --quiet");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.out, Catch::Matchers::StartsWith("accuracy 1e-05 of e: verlet with a step of "));
+  const Table table = read_table(here.path / "out/s/results.h5");
+  for (const double estimate : table.number("error_estimate")->values) CHECK((estimate > 0 && estimate <= 1e-5));
+  CHECK(here.script(text, "samples=2 --quiet --resume").status == 0);  // the same steps again, so the same scenes
+}
+
 TEST_CASE("the summary is the mean, deviation and error of finished rows") {
   const Workplace here;
   const Ended ended = here.script(R"(local ricochet = require "ricochet"
