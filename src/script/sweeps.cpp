@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <unordered_map>
 #include <unordered_set>
@@ -272,6 +273,34 @@ Parameters read_parameters(lua_State* L, int names, int points) {
   return p;
 }
 
+// "pefrl, time step 0.0052 R/c, theta 1.6 and at most 1.68 (stable below 2.99)" for each method that ran.
+std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>& rows) {
+  struct Extent {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    void take(double x) { low = std::min(low, x), high = std::max(high, x); }
+    std::string text() const { return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high); }
+  };
+  struct Steps {
+    Extent step, theta, most;
+  };
+  const auto column = [](const std::string& name) {
+    std::size_t i = 0;
+    while (Outcome::fields()[i].first.name != name) ++i;
+    return i;
+  };
+  const std::size_t step = column("step"), theta = column("theta"), most = column("theta_most");
+  std::map<std::string, Steps> methods;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (std::isnan(rows[i].values[step])) continue;  // passed by
+    Steps& of = methods[scenes[i].integration.chosen_method().name];
+    of.step.take(rows[i].values[step]), of.theta.take(rows[i].values[theta]), of.most.take(rows[i].values[most]);
+  }
+  std::string text;
+  for (const auto& [name, s] : methods)
+    text += fmt::format("  {}, time step {} R/c, theta {} and at most {:.3g} (stable below {:.4g})\n", name, s.step.text(), s.theta.text(), s.most.high, method_named(name).stability_limit);
+  return text;
+}
+
 // run_sweep(name, names, points, scenes): the rows, in the order of the scenes.
 int run_sweep_from_lua(lua_State* L) {
   Session& session = session_of(L);
@@ -308,7 +337,7 @@ int run_sweep_from_lua(lua_State* L) {
       rows = store.rows();
       std::size_t finished = 0;
       for (const Row& row : rows) finished += row.status == "finished";
-      const std::string line = fmt::format("{}: {} of {} impacts finished; {}\n", name, finished, rows.size(), (store.folder() / "results.h5").string());
+      const std::string line = fmt::format("{}: {} of {} impacts finished; {}\n{}", name, finished, rows.size(), (store.folder() / "results.h5").string(), steps_text(scenes, rows));
       for (const Row& row : rows) session.count(row.status == "finished", row.status + ": " + row.reason);
       session.print(line);
     }

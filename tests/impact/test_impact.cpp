@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "impact/batch.hpp"
 #include "impact/launch.hpp"
+#include "integrate/step_limit.hpp"
 #include "scenes.hpp"
 
 using namespace ricochet;
@@ -165,6 +166,15 @@ TEST_CASE("endings are statuses with a reason") {
     const Outcome o = outcome_of(scene);
     CHECK(o.certified == 0);
     CHECK(o.status == Status::tunnelled);
+  }
+  SECTION("a step that is stable at rest and not while the contact is stiff") {
+    scene.launch.speed = 1, scene.integration.method = "verlet", scene.integration.energy_tolerance = 1e6;
+    scene.integration.step = 1.9 / frequency_bound(*build_lattice(*scene.projectile), scene.projectile->numbers.stiffness).omega;
+    const Outcome o = outcome_of(scene);
+    CHECK(o.status == Status::unstable);
+    CHECK_THAT(o.reason, Catch::Matchers::Contains("where verlet is unstable with the time step") && Catch::Matchers::Contains("give a step of"));
+    scene.integration.step /= 4;
+    CHECK(outcome_of(scene).status != Status::unstable);
   }
   SECTION("positions that overflow") {
     scene.launch.speed = 1e200, scene.integration.energy_tolerance = 1e300;
