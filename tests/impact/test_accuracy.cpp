@@ -59,7 +59,8 @@ TEST_CASE("accuracy is honoured on 20 random scenes: e is within twice the reque
 }
 
 TEST_CASE("Richardson's estimate is within 0.5 to 2 of the true error on smooth scenes, for every order") {
-  for (const char* method : {"verlet", "forest_ruth", "pefrl", "chin_4a"})
+  // takahashi_imada by its outcome order, 4.
+  for (const char* method : {"verlet", "forest_ruth", "pefrl", "chin_4a", "takahashi_imada"})
     for (int seed : {1, 2, 3}) {
       Scene scene;
       scene.projectile = disk(60, 1e4, 0, seed), scene.target = wall(200, 1e3, 0, seed, 5, 1.5);
@@ -74,6 +75,21 @@ TEST_CASE("Richardson's estimate is within 0.5 to 2 of the true error on smooth 
       CHECK(estimate / error > 0.5);
       CHECK(estimate / error < 2);
     }
+}
+
+TEST_CASE("e of a smooth impact converges at the order that outcomes are said to have, takahashi_imada's at 4") {
+  for (const char* method : {"verlet", "takahashi_imada"}) {
+    Scene scene;
+    scene.projectile = disk(60, 1e4, 0, 1), scene.target = wall(200, 1e3, 0, 1, 5, 1.5);
+    scene.launch.psi1 = 0;
+    const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+    const Method& m = method_named(method);
+    const double unit = launch(scene, *p, *t).step / 1.6 * m.stability_limit;
+    const double exact = e_of(*p, *t, scene, "blanes_moan_srkn14a", 0.3 * launch(scene, *p, *t).step);
+    const double coarse = std::abs(e_of(*p, *t, scene, method, 0.8 * unit) - exact), fine = std::abs(e_of(*p, *t, scene, method, 0.2 * unit) - exact);
+    INFO(method << " " << coarse << " " << fine);
+    CHECK(std::log2(coarse / fine) / 2 == Catch::Detail::Approx(m.outcome_order).margin(0.5));
+  }
 }
 
 TEST_CASE("an accuracy below the scene's floor is refused with what was reached") {
