@@ -1,23 +1,36 @@
 #pragma once
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
 #include <vector>
 
 namespace ricochet {
 
-/// Calls work(item) for every item, on `threads` threads (0: all cores); the first exception ends it and is thrown.
+/// Calls work(item) for every item, in order as threads become free, on `threads` threads (0: as many as the machine has). The first
+/// exception keeps further items from starting and is thrown once all threads have ended.
 template <class Item, class Do>
 void in_parallel(std::vector<Item>& items, int threads, Do&& work) {
-  const int count = threads > 0 ? threads : tbb::this_task_arena::max_concurrency();
-  tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
-  tbb::task_arena arena(count);
-  arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, items.size(), 1), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) work(items[i]);
-    }, tbb::simple_partitioner());
-  });
+  const std::size_t most = threads > 0 ? static_cast<std::size_t>(threads) : std::max(1u, std::thread::hardware_concurrency());
+  std::atomic<std::size_t> next = 0;
+  std::mutex failing;
+  std::exception_ptr failure;
+  const auto take_items = [&] {
+    for (std::size_t i; (i = next++) < items.size();) try {
+        work(items[i]);
+      } catch (...) {
+        const std::lock_guard lock(failing);
+        if (!failure) failure = std::current_exception();
+        next = items.size();
+      }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t n = std::min(most, items.size()); n > 1; --n) others.emplace_back(take_items);
+    take_items();
+  }
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace ricochet
