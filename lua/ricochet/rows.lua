@@ -2,7 +2,13 @@
 local core = require "ricochet.core"
 
 local Rows, Summary = { __name = "rows" }, { __name = "a summary" }
-Summary.__index = Summary
+Summary.__index = function(summary, name)
+  if type(name) == "number" then
+    if name == #summary + 1 then return nil end  -- where ipairs ends
+    core.fail_here(("there is no group %s; the summary has 1 to %d"):format(tostring(name), #summary))
+  end
+  return rawget(Summary, name) or core.unknown("a summary", name, { "print" })
+end
 Rows.__index = function(rows, name)
   if type(name) == "number" then
     if name == #rows + 1 then return nil end  -- where ipairs ends

@@ -62,12 +62,19 @@ local function strict(point, names)
   })
 end
 
+-- "sample = 1, psi1 = 0.5" for messages.
+local function place(point, names)
+  local parts = {}
+  for i, name in ipairs(names) do parts[i] = ("%s = %s"):format(name, type(point[name]) == "string" and "'" .. point[name] .. "'" or tostring(point[name])) end
+  return table.concat(parts, ", ")
+end
+
 local run = core.wrap(function(self)
   if type(self) ~= "table" or getmetatable(self) ~= Sweep then core.fail "is a method of a sweep: write sweep:run(), with a colon" end
   local names, points = self.names, self.points
   local scenes = {}
   for i, point in ipairs(points) do
-    local scene = self.scene(strict(point, names))
+    local scene = core.make_scene(self.scene, strict(point, names), place(point, names))
     if not core.is_scene(scene) then
       core.fail_in(self.scene, "scene", scene == nil and "the function returned nothing; it must return a scene (is a 'return' missing?)"
         or ("the function must return a scene (from ricochet.scene), returned a %s%s"):format(type(scene), type(scene) == "table" and "; write: return ricochet.scene { ... }" or ""))

@@ -26,23 +26,28 @@ std::string lower(std::string_view text) {
 
 }  // namespace
 
-std::string nearest_name(std::string_view word, std::span<const std::string> names) {
+std::vector<std::string> nearest_names(std::string_view word, std::span<const std::string> names) {
   const std::string typed = lower(word);
-  std::string best;
-  std::size_t best_distance = 1 + std::max<std::size_t>(1, typed.size() / 3);
+  std::vector<std::string> best;
+  std::size_t best_distance = std::max<std::size_t>(1, typed.size() / 3);
   for (const std::string& name : names) {
     const std::size_t distance = edit_distance(typed, lower(name));
     // An abbreviation (or the singular of a plural) counts as near, however much is missing.
     const bool prefix = typed.size() >= 3 && (lower(name).starts_with(typed) || typed.starts_with(lower(name)));
     const std::size_t cost = prefix ? std::min<std::size_t>(distance, 1) : distance;
-    if (cost < best_distance) best = name, best_distance = cost;
+    if (cost > best_distance || std::find(best.begin(), best.end(), name) != best.end()) continue;
+    if (cost < best_distance) best.clear();
+    best.push_back(name), best_distance = cost;
   }
   return best;
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> names) {
-  const std::string name = nearest_name(word, names);
-  return name.empty() ? "" : " (did you mean '" + name + "'?)";
+  const std::vector<std::string> near = nearest_names(word, names);
+  if (near.empty()) return "";
+  std::string text = "'" + near[0] + "'";
+  for (std::size_t i = 1; i < std::min<std::size_t>(near.size(), 3); ++i) text += " or '" + near[i] + "'";
+  return " (did you mean " + text + "?)";
 }
 
 }  // namespace ricochet

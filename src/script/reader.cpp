@@ -235,7 +235,9 @@ Error at_line(lua_State* L, const std::string& message) {
   const CallSite site = call_site(L);
   const Session& session = session_of(L);
   const auto text = session.sources.find(site.file);
-  return Error(fmt::format("{}:{}: {}\n{}", site.file, site.line, message, text == session.sources.end() ? "" : excerpt(text->second, {site.line, 1, 0})));
+  std::string shown = fmt::format("{}:{}: {}\n{}", site.file, site.line, message, text == session.sources.end() ? "" : excerpt(text->second, {site.line, 1, 0}));
+  shown.pop_back();
+  return Error(shown);
 }
 
 Error unknown_name(lua_State* L, const std::string& what, const std::string& name, std::vector<std::string> names) {

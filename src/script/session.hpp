@@ -40,6 +40,7 @@ class Session {
   std::vector<std::string> arguments;                  ///< name=value, as given
   bool parameters_declared = false;
   bool done = false;                                   ///< the script ended early without an error: after --help
+  std::string making;                                  ///< the values of a sweep's point while its scene is being made: "psi1 = 2"
   std::map<std::string, std::shared_ptr<const NodePlan>> plans;  ///< planned nodes of bodies, by their geometry
 
   std::map<std::string, std::shared_ptr<const Scene>> chosen;    ///< scenes with the step chosen for their accuracy, by the asked scene's hash

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
+#include <set>
+
+#include "core/spelling.hpp"
 
 namespace ricochet {
 namespace {
@@ -97,6 +101,41 @@ std::optional<Place> find_field(const std::string& source, int line, const std::
     if (found) return Place{tokens[*found].line, tokens[*found].column, static_cast<int>(path.back().size())};
   }
   return std::nullopt;
+}
+
+std::string syntax_hint(const std::string& source, int line, const std::string& message) {
+  static const std::vector<std::string> keywords{"and", "break", "do", "else", "elseif", "end", "false", "for", "function", "if", "in", "local",
+                                                 "nil", "not", "or", "repeat", "return", "then", "true", "until", "while"};
+  const std::vector<Token> tokens = tokens_of(source);
+  // From the line where the block was opened, if the message names one, to where Lua could not go on.
+  int first = std::max(line - 1, 1);
+  if (message.find("<eof> expected") != std::string::npos) first = 1;  // an "end" too many: what it should close began anywhere
+  if (const std::size_t opened = message.find("at line "); opened != std::string::npos) first = std::atoi(message.c_str() + opened + 8);
+  std::set<std::string> declared;  // names that are somewhere followed by "=", or stand in a list of names
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
+    if (tokens[i + 1].text == "=" || tokens[i + 1].text == "," || (i > 0 && (tokens[i - 1].text == "local" || tokens[i - 1].text == "," || tokens[i - 1].text == "for"))) declared.insert(tokens[i].text);
+  const Token* suspect = nullptr;
+  std::string meant;
+  for (std::size_t i = 0; i < tokens.size() && tokens[i].line <= line; ++i) {
+    const std::string& word = tokens[i].text;
+    const bool name = !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) && std::find(keywords.begin(), keywords.end(), word) == keywords.end();
+    if (tokens[i].line < first || !name || word.size() < 2 || declared.contains(word)) continue;
+    if (i > 0 && (tokens[i - 1].text == "." || tokens[i - 1].text == ":")) continue;
+    const std::string hint = did_you_mean(word, keywords);
+    if (hint.empty()) continue;
+    suspect = &tokens[i], meant = hint;  // the last one before the error is the likeliest
+  }
+  if (suspect) {
+    meant.insert(meant.size() - 2, fmt::format(" for '{}'{}", suspect->text, suspect->line == line ? "" : fmt::format(" in line {}", suspect->line)));
+    return meant;
+  }
+  const auto near = [&](const std::string& text) { return message.find("near '" + text) != std::string::npos; };
+  if (near("!")) return " (Lua writes ~= for 'differs from', and not for the negation)";
+  if (near("&")) return " (Lua writes and, or, not)";
+  for (const char* sign : {"+", "-", "*", "/"})
+    if (excerpt(source, {line, 1, 0}).find(std::string(sign) + "=") != std::string::npos) return fmt::format(" (Lua has no {0}=; write x = x {0} ...)", sign);
+  if (message.find("'}' expected") != std::string::npos && !near("<eof>")) return " (is a comma missing before it?)";
+  return "";
 }
 
 std::string excerpt(const std::string& source, const Place& place) {

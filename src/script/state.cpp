@@ -95,7 +95,11 @@ int unknown_global(lua_State* L) {
   lua_pushglobaltable(L);
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
     if (lua_type(L, -2) == LUA_TSTRING) names.push_back(lua_tostring(L, -2));
-  names.push_back("ricochet");
+  for (const char* value : {"ricochet", "true", "false", "nil"}) names.push_back(value);
+  lua_Debug frame;  // the local names of every function that is running
+  for (int level = 0; lua_getstack(L, level, &frame); ++level)
+    for (int i = 1; const char* local = lua_getlocal(L, &frame, i); ++i, lua_pop(L, 1))
+      if (local[0] != '(') names.push_back(local);
   std::string hint = did_you_mean(name, names);
   if (name == "io") hint = " (files are below the run's folder, through ricochet.file)";
   if (hint.empty() && is_choice(name)) hint = fmt::format(" (if the text is meant, write \"{}\")", name);
@@ -120,7 +124,7 @@ void load_file(lua_State* L, const fs::path& path, const std::string& name) {
     if (text.starts_with("\x1bLua")) throw Error(name + ": bytecode is not accepted; give the script's text");
     int line = 0;
     if (message.starts_with(name + ":")) line = std::atoi(message.c_str() + name.size() + 1);
-    throw Error(message + (line > 0 ? "\n" + excerpt(text, {line, 1, 0}) : ""));
+    throw Error(message + (line > 0 ? syntax_hint(text, line, message) + "\n" + excerpt(text, {line, 1, 0}) : ""));
   }
 }
 
@@ -283,6 +287,18 @@ int function_names(lua_State* L) {
   return 1;
 }
 
+// make_scene(f, at, place): f(at); a mistake in it is reported with the place in the sweep.
+int make_scene(lua_State* L) {
+  struct Making {
+    std::string& place;
+    ~Making() { place.clear(); }
+  } making{session_of(L).making};
+  making.place = luaL_checkstring(L, 3);
+  lua_settop(L, 2);
+  lua_call(L, 1, 1);
+  return 1;
+}
+
 int is_scene(lua_State* L) {
   lua_pushboolean(L, luaL_testudata(L, 1, "ricochet.scene") != nullptr);
   return 1;
@@ -299,6 +315,10 @@ int traceback(lua_State* L) {
     luaL_traceback(L, L, message.c_str(), 1);
   } else if (!lua_isstring(L, 1)) {
     lua_pushstring(L, displayed(L, 1).c_str());
+  }
+  if (const std::string& place = session_of(L).making; !place.empty()) {
+    const std::string message = displayed(L, -1);
+    lua_pushfstring(L, "%s%s  in the sweep at %s", message.c_str(), message.ends_with("\n") ? "" : "\n", place.c_str());
   }
   return 1;
 }
@@ -384,7 +404,7 @@ State::State(Session& session) : session_(session) {
 
   lua_newtable(L_);  // the module's native part, which lua/ricochet/init.lua requires as "ricochet.core"
   const luaL_Reg natives[] = {{"check", guarded<check>}, {"fail", guarded<fail>}, {"fail_in", guarded<fail_in>}, {"fail_here", guarded<fail_here>}, {"unknown", guarded<unknown>},
-                              {"function_names", function_names}, {"did_you_mean", nearest}, {"wrap", wrap}, {"is_check", is_check}, {"is_scene", is_scene}};
+                              {"function_names", function_names}, {"did_you_mean", nearest}, {"wrap", wrap}, {"is_check", is_check}, {"make_scene", make_scene}, {"is_scene", is_scene}};
   for (const luaL_Reg& f : natives) lua_pushcfunction(L_, f.func), lua_setfield(L_, -2, f.name);
   add_parameters(L_), add_bodies(L_), add_sweeps(L_), add_pictures(L_), add_accuracy(L_);
   luaL_getsubtable(L_, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
@@ -420,11 +440,13 @@ void State::call_chunk(int results) {
   lua_pop(L_, 1);
   if (stop_requested) throw Error(message, Exit::interrupted);
   // Lua's own errors name a line; show it.
-  std::string shown_line;
+  std::string shown = message;
   for (const auto& [name, text] : session_.sources)
-    if (message.starts_with(name + ":") && message.find("\n") == std::string::npos)
-      shown_line = "\n" + excerpt(text, {std::atoi(message.c_str() + name.size() + 1), 1, 0});
-  throw Error(message + shown_line, exit);
+    if (message.starts_with(name + ":") && message.find(" | ") == std::string::npos) {
+      const std::size_t end = std::min(message.find('\n'), message.size());
+      shown = message.substr(0, end) + "\n" + excerpt(text, {std::atoi(message.c_str() + name.size() + 1), 1, 0}) + message.substr(std::min(end + 1, message.size()));
+    }
+  throw Error(shown, exit);
 }
 
 void State::run_script() {

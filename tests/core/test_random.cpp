@@ -35,9 +35,9 @@ TEST_CASE("streams of one seed for different purposes differ") {
 
 TEST_CASE("the nearest name is the one a person meant") {
   const std::vector<std::string> names{"nodes", "placement", "radius", "roughness", "seed", "stiffness"};
-  CHECK(nearest_name("radus", names) == "radius");
-  CHECK(nearest_name("Stifness", names) == "stiffness");
-  CHECK(nearest_name("sede", names) == "seed");
-  CHECK(nearest_name("rough", names) == "roughness");
-  CHECK(nearest_name("colour", names).empty());
+  CHECK(nearest_names("radus", names) == std::vector<std::string>{"radius"});
+  CHECK(nearest_names("Stifness", names) == std::vector<std::string>{"stiffness"});
+  CHECK(nearest_names("sede", names) == std::vector<std::string>{"seed"});
+  CHECK(nearest_names("rough", names) == std::vector<std::string>{"roughness"});
+  CHECK(nearest_names("colour", names).empty());
 }

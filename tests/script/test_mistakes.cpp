@@ -102,6 +102,17 @@ const std::vector<Mistake> mistakes{
     {"misspelt value of a sweep", "ricochet.sweep { name = 'x', over = { psi1 = {1} }, scene = function(at) return at.psi end }:run()",
      "error: s.lua:2: 'over' has no 'psi' (did you mean 'psi1'?)"},
     {"syntax error", "local d = = 3", "error: s.lua:2: unexpected symbol near '='"},
+    {"misspelt keyword", "retrun ricochet", "error: s.lua:2: syntax error near 'ricochet' (did you mean 'return' for 'retrun'?)"},
+    {"misspelt local", "loacl x = 3", "error: s.lua:2: syntax error near 'x' (did you mean 'local' for 'loacl'?)"},
+    {"misspelt function", "local f = fucntion(x)\n  return x\nend", "error: s.lua:4: <eof> expected near 'end' (did you mean 'function' for 'fucntion' in line 2?)"},
+    {"a comma left out", "local d = ricochet.disk {\n  nodes = 60\n  seed = 1\n}", "error: s.lua:4: '}' expected (to close '{' at line 2) near 'seed' (is a comma missing before it?)"},
+    {"another language's comparison", "if 1 != 2 then end", "error: s.lua:2: 'then' expected near '!' (Lua writes ~= for 'differs from', and not for the negation)"},
+    {"another language's sum", "local x = 1\nx += 1", "error: s.lua:3: syntax error near '+' (Lua has no +=; write x = x + ...)"},
+    {"misspelt local name", "local wall = 3\nprint(wal)", "error: s.lua:3: unknown name 'wal' (did you mean 'wall'?)"},
+    {"misspelt truth", "local x = ture", "error: s.lua:2: unknown name 'ture' (did you mean 'true'?)"},
+    {"two names equally near", "print(math.tann(1))", "error: s.lua:2: math has no 'tann' (did you mean 'tan' or 'tanh'?)"},
+    {"a method no summary has", "local rows = ricochet.sweep { name = 's', over = { a = {1} }, scene = function() return ricochet.scene { projectile = d, target = w } end }:run()\nrows:summary { by = 'a', of = { 'e' } }:pritn()",
+     "error: s.lua:4: a summary has no 'pritn' (did you mean 'print'?)", 1, "--quiet"},
     {"Lua's own error", "local x = nil\nprint(x.y)", "error: s.lua:3: attempt to index a nil value (local 'x')"},
     {"missing module", "require 'no_such'", "error: s.lua:2: require: there is no module 'no_such' in the library or beside the script"},
     {"module outside", "require '../x'", "error: require: '../x' is no module name"},
@@ -151,6 +162,18 @@ TEST_CASE("all mistakes of a table are reported together, each at its line, with
         "error: s.lua:3: disk: unknown field 'radus' (did you mean 'radius'?)\n    3 |   radus = 0.05,\n      |   ^^^^^\n"
         "error: s.lua:4: disk: 'seed' must be between 0 and 9.0072e+15, is -1\n    4 |   seed = -1,\n      |   ^^^^\n"
         "  valid fields: anchored, mass, nodes, placement, quartic, radius, roughness, seed, stiffness\n");
+}
+
+TEST_CASE("a mistake in a sweep's scene names the values it was made with, caught errors do not") {
+  const Workplace here;
+  const Ended ended = here.script("local ricochet = require \"ricochet\"\nlocal s = ricochet.sweep { name = 's', over = { nodes = {60, 0}, placement = {'uniform'} }, scene = function(at)\n"
+                                  "  local d = ricochet.disk { nodes = at.nodes, placement = at.placement }\n  return ricochet.scene { projectile = d, target = ricochet.wall { nodes = 150, width = 4 } } end }\n"
+                                  "pcall(s.run, s)\nlocal ok, told = pcall(error, 'x')\nassert(told == 'x')\ns:run()\n");
+  CHECK(ended.err ==
+        "error: s.lua:3: disk: 'nodes' must be between 4 and 1e+07, is 0\n    3 |   local d = ricochet.disk { nodes = at.nodes, placement = at.placement }\n      |                             ^^^^^\n"
+        "  in the sweep at nodes = 0, placement = 'uniform'\n");
+  const Ended own = here.script("local ricochet = require \"ricochet\"\nricochet.sweep { name = 's', over = { a = {1} }, scene = function(at)\n  return nothing.x end }:run()\n");
+  CHECK(own.err == "error: s.lua:3: unknown name 'nothing'\n    3 |   return nothing.x end }:run()\n  in the sweep at a = 1\n");
 }
 
 TEST_CASE("mistakes outside the script name the file and the remedy") {
