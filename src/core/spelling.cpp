@@ -39,6 +39,7 @@ std::vector<std::string> nearest_names(std::string_view word, std::span<const st
     if (cost < best_distance) best.clear();
     best.push_back(name), best_distance = cost;
   }
+  std::sort(best.begin(), best.end());  // tables of Lua have no order
   return best;
 }
 

@@ -169,6 +169,9 @@ class Engine {
 
  private:
   using Bodies = std::array<Moving<W>, 2>;  // projectile, target
+  struct Rates {
+    NodeVectors<W> velocity, acceleration;
+  };
 
   /// The two bodies as compose.hpp moves them.
   struct Mover {
@@ -192,6 +195,33 @@ class Engine {
         for (int i = 0; i < bodies[b].lattice->free; ++i) {
           position.x(i) -= displacement.x(i), position.y(i) -= displacement.y(i);
           displacement.x(i).setZero(), displacement.y(i).setZero();
+        }
+      }
+    }
+
+    void remember() const { engine.remembered_ = bodies; }
+    // Through a kick of velocities that were 0, for a unit of time.
+    void evaluate(std::size_t stage) const {
+      if (engine.rates_.size() <= stage) engine.rates_.resize(stage + 1);
+      for (int b : {0, 1}) {
+        engine.rates_[stage][b].velocity = bodies[b].velocity;
+        bodies[b].velocity.resize(bodies[b].lattice->nodes());  // to zero
+      }
+      kick_and_drift(Lane<W>::Ones(), Lane<W>::Zero());
+      for (int b : {0, 1}) engine.rates_[stage][b].acceleration = bodies[b].velocity;
+    }
+    void combine(const Lane<W>& h, const std::vector<double>& weights) const {
+      for (int b : {0, 1}) {
+        Moving<W>& body = bodies[b];
+        body.position = engine.remembered_[b].position, body.velocity = engine.remembered_[b].velocity;
+        for (std::size_t stage = 0; stage < weights.size(); ++stage) {
+          if (weights[stage] == 0) continue;
+          const Lane<W> by = weights[stage] * h;
+          const Rates& rates = engine.rates_[stage][b];
+          for (int i = 0; i < body.lattice->free; ++i) {
+            body.position.x(i) += by * rates.velocity.x(i), body.position.y(i) += by * rates.velocity.y(i);
+            body.velocity.x(i) += by * rates.acceleration.x(i), body.velocity.y(i) += by * rates.acceleration.y(i);
+          }
         }
       }
     }
@@ -370,6 +400,8 @@ class Engine {
 
   Bodies body_, end_;  // where the run is; at the end of a step
   std::array<NodeVectors<W>, 2> displacement_;  // of a force-gradient kick; 0 between kicks
+  Bodies remembered_;                           // of a Runge-Kutta step: its beginning
+  std::vector<std::array<Rates, 2>> rates_;     // [stage]
   const Method& method_;
   Contact<W> contact_;
   double rim_gap_ = 0;  // the longest distance of neighbours in the projectile's rim [R]

@@ -7,9 +7,22 @@ namespace ricochet {
 ///   kick_and_drift(a, b)  v += a F(x)/m; x += b v
 ///   displace(a)           x += d, d = a F(x)/m; remembers d
 ///   put_back()            x -= d
+/// and for Runge-Kutta methods
+///   remember()            x0 = x, v0 = v
+///   evaluate(i)           V_i = v, A_i = F(x)/m
+///   combine(h, w)         x = x0 + h sum w_i V_i, v = v0 + h sum w_i A_i
 /// One step h of the composition, for a state that is ahead of the step's beginning (get_ahead).
 template <class Number, class System>
 void step(const Method& method, const Number& h, System&& system) {
+  if (!method.symplectic()) {
+    system.remember();
+    for (std::size_t i = 0; i < method.tableau.b.size(); ++i) {
+      if (i > 0) system.combine(h, method.tableau.a[i]);
+      system.evaluate(i);
+    }
+    system.combine(h, method.tableau.b);
+    return;
+  }
   for (const Stage& stage : method.stages) {
     if (stage.gradient != 0) system.displace(Number(stage.gradient * h * h));
     system.kick_and_drift(Number(stage.kick * h), Number(stage.drift * h));

@@ -11,7 +11,13 @@ struct Stage {
   double kick, drift, gradient = 0;
 };
 
-/// A symplectic composition. A run stays ahead of the ends of its steps by one kick (`ahead_kick`, 0 for methods that begin with a
+/// An explicit Runge-Kutta method for (x, v): X_i = x + h sum_j a_ij V_j, V_i = v + h sum_j a_ij F(X_j)/m, and the same with b.
+struct Tableau {
+  std::vector<std::vector<double>> a;  ///< [stage][earlier stage]
+  std::vector<double> b;               ///< [stage]
+};
+
+/// A symplectic composition, or a Runge-Kutta method to hold it against (then `stages` is empty). A run stays ahead of the ends of its steps by one kick (`ahead_kick`, 0 for methods that begin with a
 /// drift) and one drift, so that the last part of a step and the first of the next are one. Coefficients only; the one loop is in
 /// compose.hpp.
 struct Method {
@@ -25,6 +31,9 @@ struct Method {
 
   /// At which e, v and spin converge; above `order` for a method that is conjugate to a better one.
   int outcome_order = order;
+
+  Tableau tableau = {};  ///< of a method that is not symplectic: its energy drifts
+  bool symplectic() const { return tableau.b.empty(); }
 
   int evaluations() const;
   static constexpr double usual_accuracy = 1e-4;

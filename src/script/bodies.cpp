@@ -104,6 +104,8 @@ int scene(lua_State* L) {
   } catch (const FieldError& error) {
     throw_at(session_of(L), made.site, error);
   }
+  if (const Method& method = made.scene.integration.chosen_method(); !method.symplectic())
+    session_of(L).warn(fmt::format("{} is a control: it is not symplectic, so the energy of an impact drifts for good", method.name));
   push_object(L, "ricochet.scene", std::move(made));
   if (session_of(L).options.study) {
     const bool first = lua_getfield(L, LUA_REGISTRYINDEX, "ricochet.first_scene") == LUA_TNIL;

@@ -110,6 +110,7 @@ void Session::print(const std::string& text) {
 }
 
 void Session::warn(const std::string& text) {
+  if (!warned_.insert(text).second) return;
   fmt::print(stderr, "warning: {}\n", text);
   log("warning: " + text + "\n");
 }

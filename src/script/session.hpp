@@ -68,7 +68,7 @@ class Session {
 
   /// Prints to the terminal and into run.log.
   void print(const std::string& text);
-  /// To the terminal's error stream, and into run.log.
+  /// To the terminal's error stream, and into run.log; the same text once.
   void warn(const std::string& text);
   /// Only into run.log.
   void log(const std::string& text) { log_ += text; }
@@ -80,7 +80,7 @@ class Session {
  private:
   std::set<std::filesystem::path> claimed_;
   std::vector<FolderLock> locks_;
-  std::set<std::string> sweeps_;
+  std::set<std::string> sweeps_, warned_;
   int failed_ = 0, finished_ = 0;
   std::string log_, start_;
 };

@@ -101,14 +101,14 @@ TEST_CASE("every method shows its order on a real smooth impact") {
   // Steps at which each method's leading term shows; takahashi_imada's paths are of order 2, its outcomes of order 4 (test_accuracy.cpp).
   for (const auto& [method, step] : {std::pair{"verlet", 0.005}, std::pair{"takahashi_imada", 0.005}, std::pair{"forest_ruth", 0.005}, std::pair{"pefrl", 0.01},
                                      std::pair{"chin_4a", 0.01}, std::pair{"mclachlan_sb3a4", 0.01}, std::pair{"blanes_moan_s6", 0.01},
-                                     std::pair{"blanes_moan_srkn6b", 0.01}}) {
+                                     std::pair{"blanes_moan_srkn6b", 0.01}, std::pair{"rk4", 0.005}}) {
     const double coarse = distance(final_state(method, step), exact), fine = distance(final_state(method, step / 2), exact);
     INFO(method << " " << coarse << " " << fine);
     CHECK(coarse > 1e-13);
     CHECK(std::log2(coarse / fine) == Catch::Detail::Approx(method_named(method).order).margin(0.3));
   }
   // At any stable step, those of order 6 are at rounding already.
-  for (const auto& [method, step] : {std::pair{"okunbor_skeel_13", 0.005}, std::pair{"blanes_moan_srkn11b", 0.005}}) CHECK(distance(final_state(method, step), exact) < 1e-10);
+  for (const auto& [method, step] : {std::pair{"okunbor_skeel_13", 0.005}, std::pair{"blanes_moan_srkn11b", 0.005}, std::pair{"dop853", 0.005}}) CHECK(distance(final_state(method, step), exact) < 1e-10);
 }
 
 TEST_CASE("a smooth disk on a smooth wall transmits little tangential impulse: beta = -1") {

@@ -54,7 +54,7 @@ const std::vector<Mistake> mistakes{
     {"two ways to say the angle", "local s = ricochet.scene { projectile = d, target = w,\n launch = { psi1 = 1, angle = 3 } }",
      "error: s.lua:4: scene: 'angle': give psi1 or angle, not both"},
     {"misspelt method", "local s = ricochet.scene { projectile = d, target = w, method = 'verlett' }",
-     "error: s.lua:3: scene: 'method' must be one of auto, pefrl, forest_ruth, verlet, takahashi_imada, chin_4a, mclachlan_sb3a4, blanes_moan_s6, blanes_moan_srkn6b, okunbor_skeel_13, blanes_moan_srkn11b, blanes_moan_srkn14a, is 'verlett' (did you mean 'verlet'?)"},
+     "error: s.lua:3: scene: 'method' must be one of auto, pefrl, forest_ruth, verlet, takahashi_imada, chin_4a, mclachlan_sb3a4, blanes_moan_s6, blanes_moan_srkn6b, okunbor_skeel_13, blanes_moan_srkn11b, blanes_moan_srkn14a, rk4, dop853, is 'verlett' (did you mean 'verlet'?)"},
     {"overlapping bodies", "local s = ricochet.scene { projectile = d, target = w,\n  launch = { height = -0.5 } }\ns:run()",
      "error: s.lua:4: scene: 'height': the bodies overlap at the start (rims *"},
     {"unknown method of a scene", "local s = ricochet.scene { projectile = d, target = w }\ns:runn()", "error: s.lua:4: a scene has no 'runn' (did you mean 'run'?)"},
@@ -236,6 +236,13 @@ TEST_CASE("a scene that does not finish on its own exits with 3 as well") {
   const Workplace here;
   const Ended ended = here.script("local ricochet = require 'ricochet'\nricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 }, time_limit = 0.1 }:run()");
   CHECK(ended.status == 3);
+}
+
+TEST_CASE("a control that is not symplectic runs, with one warning") {
+  const Workplace here;
+  const Ended ended = here.script("local ricochet = require 'ricochet'\nfor i = 1, 2 do ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 }, method = 'rk4' }:run() end");
+  CHECK(ended.err == "warning: rk4 is a control: it is not symplectic, so the energy of an impact drifts for good\n");
+  CHECK(ended.status == 0);
 }
 
 TEST_CASE("scenes that are one and the same are not taken for independent samples in silence") {
