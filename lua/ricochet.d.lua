@@ -11,6 +11,9 @@
 ---@class ricochet.sweep
 ---@field run fun(self: ricochet.sweep): ricochet.rows
 
+---@class ricochet.plan
+---@field run fun(self: ricochet.plan): ricochet.rows
+
 ---@class ricochet.summary
 ---@field print fun(self: ricochet.summary)
 
@@ -76,6 +79,7 @@ function ricochet.wall(t) end
 ---@field contact? ricochet.contact_fields how the bodies repel each other (default {})
 ---@field method? "auto"|"pefrl"|"forest_ruth"|"verlet"|"takahashi_imada"|"chin_4a"|"mclachlan_sb3a4"|"blanes_moan_s6"|"blanes_moan_srkn6b"|"okunbor_skeel_13"|"blanes_moan_srkn11b"|"blanes_moan_srkn14a"|"rk4"|"dop853" integrator; auto is pefrl, or the cheapest one for `accuracy` (default auto)
 ---@field step? number time step; chosen from the stiffest node and the contact's onset unless given [R/c]
+---@field theta? number time step times the bound of the highest frequency of this scene's lattices, instead of a step: equal for lattices of one kind
 ---@field accuracy? number wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs
 ---@field accuracy_of? "e"|"beta"|"mu"|"psi2"|"vn"|"vt"|"omega"|"indentation"|"contact_time" the outcome that accuracy is about (default e)
 ---@field time_limit? number an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given [R/c]
@@ -152,12 +156,27 @@ function ricochet.record(t) end
 ---@field methods? string[] integrators; all unless given
 ---@field steps? number[] time steps of every method; six from 0.9 of its stability limit down unless given [R/c]
 ---@field of? string[] outcomes whose errors are taken; the first is printed and drawn (default {"e"})
+---@field lattices? number[] factors of the number of nodes, to show the lattice's own error by; none unless given
+---@field lattice_samples? integer lattices of each size (default 16)
 ---@field repeats? integer runs of each step; the least wall time counts (default 3)
 ---@field name? string file name without extension (default accuracy)
---- What accuracy costs: runs a scene by many methods and steps against two runs of order 6 at short steps, prints errors, force evaluations, wall times, energy drifts and fitted orders, and leaves NAME.csv and work-precision plots NAME.png, NAME.svg. Returns a table with the rows (each with its `error` by column), the `reference`, its `floor`, and `cheapest(wanted)`: the row with the fewest force evaluations within that error.
+--- What accuracy costs: runs a scene by many methods and steps against two runs of order 6 at short steps, prints errors, force evaluations, wall times, energy drifts and fitted orders, and leaves NAME.csv and work-precision plots NAME.png, NAME.svg. With `lattices` it also shows what the size of the lattice changes, in a panel of its own. Returns a table with the rows (each with its `error` by column), the `reference`, its `floor`, and `cheapest(wanted)`: the row with the fewest force evaluations within that error.
 ---@param t ricochet.accuracy_fields
 ---@return table
 function ricochet.accuracy(t) end
+
+---@class ricochet.plan_fields
+---@field sweep ricochet.sweep with one name in `over` that counts samples
+---@field standard_error number wanted at every point: root of the sum of the squares of the three errors
+---@field of? string the outcome it is about (default e)
+---@field samples? string the name in `over` that counts samples (default sample)
+---@field pilot? integer samples of the pilot at every point and size (default 8)
+---@field sizes? number[] factors of the number of nodes that the pilot tries (default {0.25, 0.5, 1})
+---@field continuum? boolean count as error what an infinitely fine lattice would change; else only what other lattices than the scene's own change (default false)
+--- The error budget of a sweep (time step, lattice size, samples: which one dominates), from a pilot, and the cheapest method, step, nodes and samples that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the sweep's folder, and says how long it took. The lattice's error is extrapolated in the spacing of its nodes, with one slope for every point of the sweep.
+---@param t ricochet.plan_fields
+---@return ricochet.plan
+function ricochet.plan(t) end
 
 ---@class ricochet.elasticity_fields
 ---@field body ricochet.body a band longer along y than along x, nowhere anchored

@@ -1,6 +1,7 @@
 -- ricochet.accuracy: what accuracy costs. One scene by many methods and steps against a far finer run; a table, a CSV file and
 -- work-precision plots.
 local core = require "ricochet.core"
+local refine = require "ricochet.refine"
 
 -- Colours that the colour-blind can tell apart [Okabe & Ito 2008]; with more methods than colours the marks tell them apart.
 local colours = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000" }
@@ -68,46 +69,114 @@ local function cheapest(rows, column, wanted)
   return best
 end
 
+-- Mean and standard error of a column over samples of the scene's lattices at several sizes, and the limit of an infinitely fine one.
+local function lattice_study(scene, factors, samples, column)
+  local sizes, points = {}, {}
+  for i, factor in ipairs(factors) do
+    local scenes = {}
+    for k = 1, samples do scenes[k] = refine.refined(scene, factor, k - 1) end
+    local rows, seconds = core.pilot(scenes)
+    local n, mean, square = 0, 0, 0
+    for _, row in ipairs(rows) do
+      if row.status == "finished" and row[column] == row[column] then
+        n = n + 1
+        local delta = row[column] - mean
+        mean, square = mean + delta / n, square + delta * (row[column] - mean - delta / n)
+      end
+    end
+    if n < 2 then core.fail(("fewer than two of %d impacts finished with %g times the nodes: %s"):format(samples, factor, rows[1].reason), "lattices") end
+    sizes[i] = { factor = factor, mean = mean, sd = math.sqrt(square / (n - 1)), se = math.sqrt(square / (n - 1) / n), count = n, seconds = seconds / samples }
+    points[i] = { x = factor ^ -0.5, value = mean, se = math.max(sizes[i].se, 1e-12) }
+  end
+  local slope, slope_se, limits = refine.common_slope { points }
+  return { sizes = sizes, slope = slope, slope_se = slope_se, limit = limits[1] }
+end
+
+-- 1, 2 and 5 of every decade.
+local function tics(low, high)
+  local list = {}
+  for decade = math.floor(math.log(low, 10)), math.ceil(math.log(high, 10)) do
+    for _, digit in ipairs { 1, 2, 5 } do list[#list + 1] = ("%.9g"):format(digit * 10.0 ^ decade) end
+  end
+  return table.concat(list, ", ")
+end
+
 local function plot(study, name)
   local lines = {}
   local function add(text, ...) lines[#lines + 1] = select("#", ...) > 0 and text:format(...) or text end
   local column = study.columns[1]
+  local t_low, t_high, x_low, x_high, e_low, e_high = math.huge, 0, math.huge, 0, math.huge, 0
   for i, method in ipairs(study.methods) do
-    add("$m%d << END", i)
+    local drawn = {}
     for _, row in ipairs(study.by_method[method]) do
-      if row.status == "finished" then
-        add("%.9g %.9g %.9g %.9g %.9g", row.step, row.wall_seconds, math.max(row.error[column], 1e-16), math.max(row.energy_drift, 1e-16), row.evaluations)
-      end
+      if row.status == "finished" then drawn[#drawn + 1] = row end
+    end
+    add("$m%d << END", i)
+    for k, row in ipairs(drawn) do
+      local error = math.max(row.error[column], 1e-16)
+      -- With many methods, only the ends of each line are labelled.
+      local label = (#study.methods <= 4 or k == 1 or k == #drawn) and ("%.2g"):format(row.step) or '""'
+      add("%.9g %.9g %.9g %.9g %s", row.step, row.wall_seconds, error, math.max(row.energy_drift, 1e-16), label)
+      t_low, t_high = math.min(t_low, row.wall_seconds), math.max(t_high, row.wall_seconds)
+      x_low, x_high, e_low, e_high = math.min(x_low, row.step), math.max(x_high, row.step), math.min(e_low, error), math.max(e_high, error)
     end
     add "END"
   end
-  add "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb '#cccccc'\nset tics nomirror\nset border 3\nset logscale xy\nset format '10^{%L}'\nset key outside right top samplen 1"
-  -- x column, y column, label of x, label of y, order guides
-  local function panel(x, y, xlabel, ylabel, guides)
+  local lattice = study.lattice
+  if lattice then
+    add "$lattice << END"
+    for _, size in ipairs(lattice.sizes) do add("%.9g %.9g %.9g %g", size.factor ^ -0.5, size.mean, size.se, size.factor) end
+    add "END"
+  end
+  add "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb '#cccccc'\nset tics nomirror\nset border 3\nset key outside right top Left reverse samplen 1\nset rmargin 37"
+  local function panel(x, y, xlabel, ylabel, title, guides)
     local parts = {}
     for i, method in ipairs(study.methods) do
       local colour, mark = colours[(i - 1) % #colours + 1], ({ 7, 5, 9, 11, 13, 4, 6, 8, 10, 12, 14 })[(i - 1) % 11 + 1]
-      parts[#parts + 1] = ("$m%d using %d:%d with linespoints pt %d ps 0.9 lw 1.5 lc rgb '%s' title '%s' noenhanced"):format(i, x, y, mark, colour, method)
+      parts[#parts + 1] = ("$m%d using %d:%d with linespoints pt %d ps 0.9 lw 1.5 lc rgb '%s' title '%s' noenhanced"):format(i, x, y, mark, colour, title(method))
+      if x == 2 then parts[#parts + 1] = ("$m%d using 2:3:5 with labels font ',8' left offset 0.6,0.5 tc rgb '%s' notitle"):format(i, colour) end
     end
     for _, guide in ipairs(guides) do parts[#parts + 1] = guide end
     add("set xlabel '%s'\nset ylabel '%s'", xlabel, ylabel)
     add("plot %s", table.concat(parts, ", \\\n     "))
   end
-  local x_low, x_high, e_high = math.huge, 0, 0
-  for _, row in ipairs(study.rows) do
-    if row.status == "finished" then x_low, x_high, e_high = math.min(x_low, row.step), math.max(x_high, row.step), math.max(e_high, row.error[column]) end
+  -- Dashed lines of an order, through the corner where all methods begin; a power law is straight here.
+  local guides = 0
+  local function line(x1, y1, x2, y2, style)
+    guides = guides + 1
+    add("$guide%d << END\n%.9g %.9g\n%.9g %.9g\nEND", guides, x1, y1, x2, y2)
+    return ("$guide%d using 1:2 with lines %s"):format(guides, style)
   end
-  local function slope(order)
-    return ("[%.9g:%.9g] %.9g*(x/%.9g)**%d with lines dt 2 lw 1 lc rgb '#888888' title 'order %d'"):format(x_low, x_high, e_high, x_high, order, order)
+  local function slope(order, from, to, at, sign)
+    local function power(x) return e_high * (x / at) ^ (sign * order) end
+    return line(from, power(from), to, power(to), ("dt %d lw 1 lc rgb '#888888' title 'order %d'"):format(order == 2 and 2 or 4, order))
   end
-  for _, terminal in ipairs { { "pngcairo size 900,1250 font 'DejaVu Sans,11'", "png" }, { "svg size 900,1250 font 'DejaVu Sans,11' background 'white'", "svg" } } do
-    add("set terminal %s\nset output '%s.%s'", terminal[1], name, terminal[2])
-    add("set multiplot layout 3,1 title '%s' noenhanced", study.caption)
-    add("set lmargin 10\nunset xrange")
-    panel(2, 3, "wall time [s]", "error of " .. column, {})
-    add("set xrange [%.9g:%.9g]", x_low * 0.8, x_high * 1.25)
-    panel(1, 3, "time step [R/c]", "error of " .. column, { slope(2), slope(4), ("%.9g with lines dt 3 lw 1.5 lc rgb '#000000' title 'floor'"):format(math.max(study.floor[column], 1e-16)) })
-    panel(1, 4, "time step [R/c]", "greatest energy drift", {})
+  local by_time, by_step = { slope(2, t_low, t_high, t_low, -1), slope(4, t_low, t_high, t_low, -1) }, { slope(2, x_low, x_high, x_high, 1), slope(4, x_low, x_high, x_high, 1) }
+  local floor = math.max(study.floor[column], 1e-16)
+  by_time[3] = line(t_low * 0.8, floor, t_high * 1.6, floor, "dt 3 lw 1.5 lc rgb '#000000' title 'floor'")
+  by_step[3] = line(x_low * 0.8, floor, x_high * 1.25, floor, "dt 3 lw 1.5 lc rgb '#000000' title 'floor'")
+  local function plain(method) return method end
+  local function with_order(method)
+    local order, uncertainty = fitted_order(study.by_method[method], column, study.floor[column])
+    return order and ("%s %.2f ± %.2f"):format(method, order, uncertainty) or method
+  end
+  local height = lattice and 1600 or 1250
+  for _, terminal in ipairs { { "pngcairo size 960,%d font 'DejaVu Sans,11'", "png" }, { "svg size 960,%d font 'DejaVu Sans,11' background 'white'", "svg" } } do
+    add("set terminal %s\nset output '%s.%s'", terminal[1]:format(height), name, terminal[2])
+    add("set multiplot layout %d,1 title %s noenhanced", lattice and 4 or 3, "'" .. study.caption .. "'")
+    add("set lmargin 11\nunset logscale\nset xrange [*:*]\nset yrange [*:*]\nset logscale xy\nset format y '10^{%%L}'\nset format x '%%g'\nset xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]", t_low * 0.8, t_high * 1.6, math.min(e_low, study.floor[column]) / 3, e_high * 3)
+    add("set xtics (%s)", tics(t_low, t_high))
+    panel(2, 3, "wall time [s]; marks labelled with the time step [R/c]", "time-step error of " .. column, plain, by_time)
+    add("set xrange [%.9g:%.9g]\nset xtics (%s)", x_low * 0.8, x_high * 1.25, tics(x_low, x_high))
+    panel(1, 3, "time step [R/c]; beside each method its fitted order", "time-step error of " .. column, with_order, by_step)
+    add "set yrange [*:*]"
+    panel(1, 4, "time step [R/c]", "greatest energy drift", plain, {})
+    if lattice then
+      add "unset logscale\nset format '%g'\nset xtics auto\nset xrange [0:*]\nset yrange [*:*]"
+      add("set xlabel 'spacing of the lattice, in that of the scene (marks labelled with the factor of the nodes)'\nset ylabel '%s, mean of %d lattices'", column, study.lattice_samples)
+      add("plot $lattice using 1:2:3 with yerrorbars pt 7 lw 1.5 lc rgb '%s' title 'mean ± standard error', $lattice using 1:2:4 with labels font ',8' left offset 0.8,0.5 notitle, \\\n"
+        .. "     %.9g + %.9g*x with lines dt 2 lc rgb '#888888' title 'fit, to an infinitely fine lattice'", colours[1], lattice.limit, lattice.slope)
+    end
     add "unset multiplot"
   end
   core.gnuplot(name, table.concat(lines, "\n") .. "\n")
@@ -128,6 +197,14 @@ local function print_table(study)
     local order, uncertainty = fitted_order(study.by_method[method], column, study.floor[column])
     print(order and ("%-20s %s falls with order %.2f +- %.2f of the step"):format(method, "error of " .. column, order, uncertainty)
       or ("%-20s fewer than three steps are above ten times the floor: no order to be seen"):format(method))
+  end
+  local lattice = study.lattice
+  if lattice then
+    for _, size in ipairs(lattice.sizes) do
+      print(("%5.3g times the nodes: %s = %.4f +- %.4f (sd %.3g, %d lattices), %.3f s an impact"):format(size.factor, column, size.mean, size.se, size.sd, size.count, size.seconds))
+    end
+    print(("error of %s from the size of the lattice: %.2g +- %.2g against an infinitely fine one%s"):format(column, math.abs(lattice.slope), lattice.slope_se,
+      math.abs(lattice.slope) > 2 * lattice.slope_se and "" or ", not told apart from 0 by this many samples"))
   end
   print(("floor %.2g: the difference of two references of order 6; below ten times that no error is told"):format(study.floor[column]))
 end
@@ -156,12 +233,17 @@ local function accuracy(given)
       core.fail(("an outcome has no '%s'%s"):format(column, core.did_you_mean(column, names)), "of")
     end
   end
+  for _, factor in ipairs(t.lattices or { 1, 2 }) do
+    if not (factor > 0 and factor <= 64) then core.fail(("'lattices' holds factors of the nodes, above 0 and at most 64, not %g"):format(factor), "lattices") end
+  end
+  if t.lattices and #t.lattices < 2 then core.fail("'lattices' needs two sizes or more to compare", "lattices") end
   if core.is_check() then return nil end
   local exact, floor = reference(t.scene, t.of)
   local rows = core.accuracy_runs(t.scene, specs, t.repeats)
   local processor, cores = core.machine()
   local study = { rows = rows, columns = t.of, methods = {}, by_method = {}, reference = exact, floor = floor,
-    caption = ("what accuracy costs on %s (%d cores), least of %d runs, one core"):format(processor, cores, t.repeats) }
+    caption = ("what accuracy costs on %s (%d cores), %s, one core"):format(processor, cores, t.repeats > 1 and ("least of %d runs"):format(t.repeats) or "one run each") }
+  if t.lattices then study.lattice, study.lattice_samples = lattice_study(t.scene, t.lattices, t.lattice_samples, t.of[1]), t.lattice_samples end
   for _, method in ipairs(methods) do study.methods[#study.methods + 1], study.by_method[method.name] = method.name, {} end
   for _, row in ipairs(rows) do
     local errors = {}

@@ -5,7 +5,7 @@ local rows_of = require("ricochet.rows").rows_of
 local Sweep = { __name = "sweep" }
 Sweep.__index = function(_, name)
   if name == "summary" or type(name) == "number" then core.fail_here "this sweep has not run: rows come from sweep:run()" end
-  return rawget(Sweep, name) or core.unknown("a sweep", name, { "run" })
+  return rawget(Sweep, name) or core.unknown("a sweep", name, { "run", "at" })
 end
 
 -- Names that a parameter must not take, because a row's outcome would be hidden. psi1, seed and step are what was asked for in
@@ -69,17 +69,22 @@ local function place(point, names)
   return table.concat(parts, ", ")
 end
 
+--- The scene at some values of `over`.
+local function scene_at(sweep, point)
+  local scene = core.make_scene(sweep.scene, strict(point, sweep.names), place(point, sweep.names))
+  if not core.is_scene(scene) then
+    core.fail_in(sweep.scene, "scene", scene == nil and "the function returned nothing; it must return a scene (is a 'return' missing?)"
+      or ("the function must return a scene (from ricochet.scene), returned a %s%s"):format(type(scene), type(scene) == "table" and "; write: return ricochet.scene { ... }" or ""))
+  end
+  return scene
+end
+
 local run = core.wrap(function(self)
   if type(self) ~= "table" or getmetatable(self) ~= Sweep then core.fail "is a method of a sweep: write sweep:run(), with a colon" end
   local names, points = self.names, self.points
   local scenes = {}
   for i, point in ipairs(points) do
-    local scene = core.make_scene(self.scene, strict(point, names), place(point, names))
-    if not core.is_scene(scene) then
-      core.fail_in(self.scene, "scene", scene == nil and "the function returned nothing; it must return a scene (is a 'return' missing?)"
-        or ("the function must return a scene (from ricochet.scene), returned a %s%s"):format(type(scene), type(scene) == "table" and "; write: return ricochet.scene { ... }" or ""))
-    end
-    scenes[i] = scene
+    scenes[i] = scene_at(self, point)
   end
   return rows_of(core.run_sweep(self.name, names, points, scenes))
 end)
@@ -88,9 +93,9 @@ local function sweep(given)
   local t = core.check("sweep", given)
   if not t.name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name") end
   local names, points = combinations(t.over)
-  return setmetatable({ name = t.name, scene = t.scene, names = names, points = points }, Sweep)
+  return setmetatable({ name = t.name, scene = t.scene, over = t.over, names = names, points = points }, Sweep)
 end
 
-Sweep.run = run
+Sweep.run, Sweep.at = run, scene_at
 
 return { sweep = sweep }

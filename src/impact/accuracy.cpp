@@ -69,7 +69,7 @@ Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target
   const Method& method = method_named(scene.integration.method);
   scene.integration.accuracy = not_given, scene.integration.step = not_given;
   const Start start = launch(scene, projectile, target);
-  if (!start.touches) return {method.name, start.step, 0, 0, 0};
+  if (!start.touches) return {method.name, start.step, start.theta, 0, 0, 0};
   // The default step resolves the contact's onset; the stability limit has room for springs that stiffen.
   const double longest = start.step * std::min(2.0, 0.8 * method.stability_limit / start.theta);
   Trials trials(projectile, target, scene, stop);
@@ -80,7 +80,7 @@ Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target
     const double error = richardson(value, half, method.outcome_order);
     if (error <= aim * wanted) {
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-      return {method.name, step, error, trials.count, seconds};
+      return {method.name, step, step * start.theta / start.step, error, trials.count, seconds};
     }
     // Two attempts in a row that gain less than a step of half as long should by far: rounding, or paths that part at a near tie.
     if (!(error < best / 2) && !(previous < 2 * best) && attempt > 3) break;
@@ -100,7 +100,7 @@ namespace {
 std::string kind_of(const Scene& scene) {
   Scene plain = scene;
   plain.launch = Launch{};
-  std::string kind = fmt::format("{}", scene.launch.velocity().norm());
+  std::string kind = fmt::format("{:.9g}", scene.launch.velocity().norm());
   for (const auto* body : {&scene.projectile, &scene.target}) {
     const BodyNumbers& n = (*body)->numbers;
     kind += fmt::format(" {} {} {} {} {} {};", n.nodes, n.placement, n.stiffness, n.quartic, n.mass, n.roughness);
@@ -115,7 +115,6 @@ std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, con
   std::map<std::string, std::vector<std::size_t>> kinds;
   for (std::size_t i = 0; i < scenes.size(); ++i)
     if (!std::isnan(scenes[i].integration.accuracy)) {
-      if (!std::isnan(scenes[i].integration.step)) throw SceneError(FieldError("accuracy", "give step or accuracy, not both"), i);
       kinds[kind_of(scenes[i])].push_back(i);
     }
   struct Trial {
@@ -137,16 +136,16 @@ std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, con
   for (const auto& [kind, members] : kinds) {
     const auto first = trial;
     while (trial != trials.end() && std::find(members.begin(), members.end(), trial->scene) != members.end()) ++trial;
-    const double step = std::min_element(first, trial, [](const Trial& a, const Trial& b) { return a.choice.step < b.choice.step; })->choice.step;
+    const Choice least = std::min_element(first, trial, [](const Trial& a, const Trial& b) { return a.choice.theta < b.choice.theta; })->choice;
     const Method& method = method_named(first->choice.method);
     double error = 0, seconds = 0;
     for (auto t = first; t != trial; ++t)
-      error = std::max(error, t->choice.error * std::pow(step / t->choice.step, method.outcome_order)), seconds += t->choice.seconds;
+      error = std::max(error, t->choice.error * std::pow(least.theta / t->choice.theta, method.outcome_order)), seconds += t->choice.seconds;
     const Integration& wanted = scenes[first->scene].integration;
-    told(fmt::format("accuracy {:g} of {}: {} with a step of {:.4g} R/c, estimated error {:.2g} ({} trials, {:.1f} s)", wanted.accuracy, wanted.accuracy_of, method.name, step,
-                     error, trial - first, seconds));
+    told(fmt::format("accuracy {:g} of {}: {} with theta {:.3g} (a step of {:.3g} R/c), estimated error {:.2g} ({} trials, {:.1f} s)", wanted.accuracy, wanted.accuracy_of, method.name,
+                     least.theta, least.step, error, trial - first, seconds));
     for (const std::size_t i : members) {
-      scenes[i].integration.method = method.name, scenes[i].integration.step = step;
+      scenes[i].integration.method = method.name, scenes[i].integration.theta = least.theta, scenes[i].integration.accuracy = not_given;
       scenes[i].error_estimate = error;
     }
   }

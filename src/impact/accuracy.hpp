@@ -15,6 +15,7 @@ namespace ricochet {
 struct Choice {
   std::string method;
   double step;      ///< [R/c]
+  double theta;     ///< that step times the bound of the highest frequency
   double error;     ///< estimated error of the outcome at that step
   int trials;       ///< impacts run to find it
   double seconds;   ///< they took
@@ -34,8 +35,8 @@ const Method& method_for(double accuracy);
 Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop);
 
 /// Scenes with integration.accuracy get the method, step and error estimate that trials chose; the others stay as they are. Scenes
-/// that differ only in seed, angle, spin and place of landing share three trials (their first, middle and last): the shortest of the
-/// three steps, and the largest of their estimates at it. `told(line)` is called for each such kind of scenes.
+/// that differ only in seed, angle, spin and place of landing share three trials (their first, middle and last): the least theta of the
+/// three, and the largest of their estimates at it. `told(line)` is called for each such kind of scenes.
 /// Throws SceneError for a trial that cannot reach its accuracy.
 std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, const std::atomic<bool>& stop, const std::function<void(const std::string&)>& told);
 

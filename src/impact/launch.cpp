@@ -58,18 +58,19 @@ Step choose_step(const Scene& scene, const Lattice& projectile, const Lattice& t
   const FrequencyBound a = frequency_bound(projectile, scene.projectile->numbers.stiffness);
   const FrequencyBound b = frequency_bound(target, scene.target->numbers.stiffness);
   const double omega = std::max(a.omega, b.omega);
-  if (std::isnan(scene.integration.step)) {
-    const double step = std::min(method.usual / omega, onset_share / (scene.contact.xi * fastest));
-    return {step, step * omega};
-  }
-  const double theta = scene.integration.step * omega;
+  const Integration& wanted = scene.integration;
+  const double step = !std::isnan(wanted.step)    ? wanted.step
+                      : !std::isnan(wanted.theta) ? wanted.theta / omega
+                                                  : std::min(method.usual / omega, onset_share / (scene.contact.xi * fastest));
+  const double theta = step * omega;
   if (theta > method.stability_limit) {
+    if (std::isnan(wanted.step)) throw FieldError("theta", fmt::format("{:.6g} is unstable: {} needs less than {:g}; {:g} works", theta, method.name, method.stability_limit, method.usual));
     const bool first = a.omega >= b.omega;
     throw FieldError("step", fmt::format("{} is unstable: {} needs a step below {:.4g} here (node {} of the {} vibrates at up to {:.4g} c/R); {:.3g} works",
-                                         scene.integration.step, method.name, method.stability_limit / omega, first ? a.node : b.node,
+                                         wanted.step, method.name, method.stability_limit / omega, first ? a.node : b.node,
                                          first ? "projectile" : "target", omega, method.usual / omega));
   }
-  return {scene.integration.step, theta};
+  return {step, theta};
 }
 
 }  // namespace

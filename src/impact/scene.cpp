@@ -66,6 +66,8 @@ const std::vector<Member<Integration>>& Integration::fields() {
   static const std::vector<Member<Integration>> list{
       {{"method", "string", "", "integrator; auto is pefrl, or the cheapest one for `accuracy`", any_number, "auto", false, choices}, &Integration::method},
       {{"step", "number", "R/c", "time step; chosen from the stiffest node and the contact's onset unless given", positive, "", true}, &Integration::step},
+      {{"theta", "number", "", "time step times the bound of the highest frequency of this scene's lattices, instead of a step: equal for lattices of one kind", positive, "", true},
+       &Integration::theta},
       {{"accuracy", "number", "", "wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs", {1e-12, 0.1}, "", true},
        &Integration::accuracy},
       {{"accuracy_of", "string", "", "the outcome that accuracy is about", any_number, "e", false, {"e", "beta", "mu", "psi2", "vn", "vt", "omega", "indentation", "contact_time"}},
@@ -76,6 +78,13 @@ const std::vector<Member<Integration>>& Integration::fields() {
        &Integration::energy_tolerance},
   };
   return list;
+}
+
+void Integration::check() const {
+  const auto given = [](double value) { return !std::isnan(value); };
+  if (given(accuracy) && given(step)) throw FieldError("accuracy", "give step or accuracy, not both");
+  if (given(accuracy) && given(theta)) throw FieldError("accuracy", "give theta or accuracy, not both");
+  if (given(theta) && given(step)) throw FieldError("theta", "give step or theta, not both");
 }
 
 std::string Scene::text() const {

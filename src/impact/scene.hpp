@@ -34,12 +34,15 @@ struct Launch {
 struct Integration {
   std::string method = "auto";
   double step = not_given;
+  double theta = not_given;
   double accuracy = not_given;
   std::string accuracy_of = "e";
   double time_limit = not_given;
   double energy_tolerance = 1e-2;
 
   static const std::vector<Member<Integration>>& fields();
+  /// Throws FieldError if more than one of step, theta and accuracy is given.
+  void check() const;
   const Method& chosen_method() const { return method_named(method == "auto" ? "pefrl" : method); }
 };
 

@@ -11,7 +11,6 @@
 #include <thread>
 
 #include "impact/batch.hpp"
-#include "impact/launch.hpp"
 #include "script/objects.hpp"
 #include "script/state.hpp"
 
@@ -19,6 +18,10 @@ namespace ricochet {
 
 std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes) {
   return with_chosen_steps(scenes, session.options.threads, stop_requested, [&](const std::string& line) { session.print(line + "\n"); });
+}
+
+std::vector<Scene> with_quietly_chosen_steps(Session& session, const std::vector<Scene>& scenes) {
+  return with_chosen_steps(scenes, session.options.threads, stop_requested, [&](const std::string& line) { session.log(line + "\n"); });
 }
 
 Scene with_chosen_step(Session& session, const Scene& scene) {
@@ -47,19 +50,18 @@ int accuracy_runs(lua_State* L) {
     lua_getfield(L, -1, "method"), lua_getfield(L, -2, "step"), lua_getfield(L, -3, "theta");
     scene.integration.method = lua_tostring(L, -3);
     const Method& method = method_named(scene.integration.method);
+    scene.integration.step = lua_isnil(L, -2) ? not_given : lua_tonumber(L, -2);
+    scene.integration.theta = lua_isnil(L, -1) ? not_given : lua_tonumber(L, -1);
     Outcome outcome;
     double seconds = std::numeric_limits<double>::infinity();
     try {
-      scene.integration.step = not_given;
-      const Start start = launch(scene, *projectile, *target);
-      scene.integration.step = lua_isnil(L, -2) ? lua_tonumber(L, -1) * start.step / start.theta : lua_tonumber(L, -2);
       for (lua_Integer i = 0; i < repeats; ++i) {
         const auto began = std::chrono::steady_clock::now();
         outcome = run_scene(*projectile, *target, scene, stop_requested);
         seconds = std::min(seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
       }
     } catch (const FieldError& error) {
-      if (error.field != "step") throw_at(session, object.site, error);
+      if (error.field != "step" && error.field != "theta") throw_at(session, object.site, error);
       outcome.status = Status::unstable, outcome.reason = error.what(), outcome.step = scene.integration.step;
     }
     if (stop_requested) throw Error("interrupted", Exit::interrupted);

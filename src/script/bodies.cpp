@@ -98,7 +98,7 @@ int scene(lua_State* L) {
   if (lua_getfield(L, 1, "launch") == LUA_TTABLE) read_members(L, lua_gettop(L), made.scene.launch);
   if (lua_getfield(L, 1, "contact") == LUA_TTABLE) read_members(L, lua_gettop(L), made.scene.contact);
   try {
-    made.scene.launch.velocity();
+    made.scene.launch.velocity(), made.scene.integration.check();
     const auto& held = made.scene.projectile->anchored;
     if (std::find(held.begin(), held.end(), true) != held.end()) throw FieldError("projectile", "must be free, but this body has anchored nodes");
   } catch (const FieldError& error) {
@@ -130,6 +130,18 @@ int scene_run(lua_State* L) {
   if (stop_requested) throw Error("interrupted", Exit::interrupted);
   if (!session_of(L).options.check) session_of(L).count(outcome.status == Status::finished, name_of(outcome.status) + ": " + outcome.reason);
   push_row(L, row_of(scene, outcome, 0));
+  return 1;
+}
+
+// given(body or scene): a copy of the table it was made from.
+int given(lua_State* L) {
+  lua_getiuservalue(L, 1, 1);
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, 2) != 0;) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_settable(L, 3);
+  }
   return 1;
 }
 
@@ -190,7 +202,7 @@ void make_type(lua_State* L, const char* type, lua_CFunction collector, std::ini
 void add_bodies(lua_State* L) {
   make_type(L, "ricochet.body", collect_object<BodyObject>, {});
   make_type(L, "ricochet.scene", collect_object<SceneObject>, {{"run", guarded<scene_run>}, {"text", guarded<scene_text>}, {"hash", guarded<scene_hash>}});
-  const luaL_Reg list[] = {{"body", guarded<body>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}};
+  const luaL_Reg list[] = {{"body", guarded<body>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}, {"given", given}};
   for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
 }
 

@@ -19,11 +19,19 @@ struct SceneObject {
   CallSite site;
 };
 
-/// Puts an object into a new userdata of type "ricochet.<name>".
+/// Puts an object into a new userdata of type "ricochet.<name>"; its user value is a copy of the table at index 1, from which it was
+/// made, so that the same can be made with other numbers (core.given).
 template <class Object>
 void push_object(lua_State* L, const char* type, Object object) {
-  new (lua_newuserdatauv(L, sizeof(Object), 0)) Object(std::move(object));
+  new (lua_newuserdatauv(L, sizeof(Object), 1)) Object(std::move(object));
   luaL_setmetatable(L, type);
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, 1) != 0;) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_settable(L, -4);
+  }
+  lua_setiuservalue(L, -2, 1);
 }
 
 template <class Object>
@@ -44,6 +52,8 @@ struct Row {
 
 /// Scenes that ask for an accuracy with the method and step chosen for it, by trial runs; prints what was chosen. Others as they are.
 std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes);
+/// The same, told to run.log only.
+std::vector<Scene> with_quietly_chosen_steps(Session& session, const std::vector<Scene>& scenes);
 /// The same for one scene; the choice is kept for the rest of the run. With --check nothing is tried.
 Scene with_chosen_step(Session& session, const Scene& scene);
 

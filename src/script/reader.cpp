@@ -74,6 +74,12 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
     const char* makers = type == "body" ? "a body (from ricochet.disk, ricochet.wall or ricochet.body)" : "a scene (from ricochet.scene)";
     return is_userdata(L, index, type.c_str()) ? "" : must_be(makers);
   }
+  if (type == "sweep") {
+    const bool sweep = lua_istable(L, index) && luaL_getmetafield(L, index, "__name") == LUA_TSTRING;
+    const bool good = sweep && std::string(lua_tostring(L, -1)) == "sweep";
+    if (sweep) lua_pop(L, 1);
+    return good ? "" : must_be("a sweep (from ricochet.sweep)");
+  }
   if (type == "rows") return is_rows(L, index) ? "" : must_be("rows (from sweep:run())");
   if (!lua_istable(L, index))
     return must_be(type == "points" ? "a list of points { {x, y}, ... }" : type == "strings" ? "a list of strings { \"...\", ... }" : type == "numbers" ? "a list of numbers { ... }" : "a table");

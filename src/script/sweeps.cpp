@@ -301,6 +301,48 @@ std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>&
   return text;
 }
 
+std::vector<Scene> scenes_at(lua_State* L, int list) {
+  std::vector<Scene> scenes;
+  for (lua_Integer i = 1; i <= luaL_len(L, list); ++i) {
+    lua_geti(L, list, i);
+    scenes.push_back(scene_at(L, -1).scene);
+    lua_pop(L, 1);
+  }
+  return scenes;
+}
+
+// pilot(scenes): a row for each, and the wall seconds that all of them took on the run's threads, steps chosen for an accuracy and
+// lattices planned before. Nothing is stored.
+int pilot(lua_State* L) {
+  Session& session = session_of(L);
+  std::vector<Scene> scenes = scenes_at(L, 1);
+  std::vector<Row> rows(scenes.size());
+  double seconds = 0;
+  try {
+    scenes = with_quietly_chosen_steps(session, scenes);
+    SweepOptions options;
+    options.threads = session.options.threads;
+    if (session.options.batch > 0) options.batch = session.options.batch;
+    const auto began = Clock::now();
+    const bool whole = run_sweep(scenes, std::vector<bool>(scenes.size(), true), options, stop_requested, [&](const std::vector<Result>& results) {
+      for (const Result& result : results) rows[result.index] = row_of(scenes[result.index], result.outcome, result.seconds);
+    });
+    seconds = std::chrono::duration<double>(Clock::now() - began).count();
+    if (!whole) throw Error("interrupted", Exit::interrupted);
+  } catch (const SceneError& error) {
+    lua_geti(L, 1, static_cast<lua_Integer>(error.scene) + 1);
+    throw_at(session, scene_at(L, -1).site, error);
+  }
+  lua_createtable(L, static_cast<int>(rows.size()), 0);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    push_row(L, rows[i]);
+    lua_pushstring(L, scenes[i].integration.chosen_method().name.c_str()), lua_setfield(L, -2, "method");
+    lua_seti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  lua_pushnumber(L, seconds);
+  return 2;
+}
+
 // run_sweep(name, names, points, scenes): the rows, in the order of the scenes.
 int run_sweep_from_lua(lua_State* L) {
   Session& session = session_of(L);
@@ -308,14 +350,8 @@ int run_sweep_from_lua(lua_State* L) {
   if (!session.first_sweep_named(name))
     throw Error(report(session, call_site(L), {{{}, fmt::format("a sweep called '{}' has run already and its results would be replaced; give this one another name", name)}}));
   const Parameters parameters = read_parameters(L, 2, 3);
-  std::vector<Scene> scenes;
+  std::vector<Scene> scenes = scenes_at(L, 4);
   std::vector<std::string> hashes;
-  const lua_Integer count = luaL_len(L, 4);
-  for (lua_Integer i = 1; i <= count; ++i) {
-    lua_geti(L, 4, i);
-    scenes.push_back(scene_at(L, -1).scene);
-    lua_pop(L, 1);
-  }
   std::vector<Row> rows;
   try {
     if (!session.options.check) scenes = with_chosen_steps(session, scenes);
@@ -357,6 +393,12 @@ int run_sweep_from_lua(lua_State* L) {
   return 1;
 }
 
+// clock(): wall seconds since some moment.
+int clock_seconds(lua_State* L) {
+  lua_pushnumber(L, std::chrono::duration<double>(Clock::now().time_since_epoch()).count());
+  return 1;
+}
+
 // columns(): name -> unit of every outcome, for labels and for checking names.
 int columns(lua_State* L) {
   lua_newtable(L);
@@ -367,7 +409,7 @@ int columns(lua_State* L) {
 }  // namespace
 
 void add_sweeps(lua_State* L) {
-  const luaL_Reg list[] = {{"run_sweep", guarded<run_sweep_from_lua>}, {"columns", columns}};
+  const luaL_Reg list[] = {{"run_sweep", guarded<run_sweep_from_lua>}, {"columns", columns}, {"pilot", guarded<pilot>}, {"clock", clock_seconds}};
   for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
 }
 

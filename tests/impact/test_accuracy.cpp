@@ -112,10 +112,28 @@ TEST_CASE("scenes of one kind share their trials, and keep the estimate") {
   int told = 0;
   const auto chosen = with_chosen_steps(scenes, 1, go_on, [&](const std::string&) { ++told; });
   CHECK(told == 1);
-  CHECK(chosen[0].integration.step == chosen[7].integration.step);
+  CHECK(chosen[0].integration.theta > 0);
+  CHECK(chosen[0].integration.theta == chosen[7].integration.theta);
   CHECK(chosen[0].error_estimate <= 1e-4);
   CHECK(chosen[8].hash() == plain.hash());
   CHECK(run_scene(*build_lattice(*chosen[0].projectile), *build_lattice(*chosen[0].target), chosen[0], go_on).error_estimate == chosen[0].error_estimate);
-  scenes[0].integration.step = 0.001;
-  CHECK_THROWS_AS(with_chosen_steps(scenes, 1, go_on, [](const std::string&) {}), SceneError);
+}
+
+TEST_CASE("only one of step, theta and accuracy is given, and theta follows each scene's lattices") {
+  Scene scene = small_scene(1, 1), other = small_scene(2, 1);
+  scene.integration.theta = other.integration.theta = 1;
+  const Outcome a = run_scene(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, go_on);
+  const Outcome b = run_scene(*build_lattice(*other.projectile), *build_lattice(*other.target), other, go_on);
+  CHECK(a.step != b.step);
+  CHECK(a.theta == Catch::Detail::Approx(1).epsilon(1e-14));
+  CHECK(b.theta == Catch::Detail::Approx(1).epsilon(1e-14));
+  Integration i;
+  CHECK_NOTHROW(i.check());
+  for (const auto& [first, second] : {std::pair{&Integration::step, &Integration::theta}, std::pair{&Integration::step, &Integration::accuracy}, std::pair{&Integration::theta, &Integration::accuracy}}) {
+    Integration both;
+    both.*first = 0.01;
+    CHECK_NOTHROW(both.check());
+    both.*second = 0.01;
+    CHECK_THROWS_AS(both.check(), FieldError);
+  }
 }

@@ -1,0 +1,257 @@
+-- ricochet.plan: the error budget of a sweep (time step, lattice size, samples), and the cheapest way to a wanted standard error.
+local core = require "ricochet.core"
+local make_sweep = require("ricochet.sweep").sweep
+local refine = require "ricochet.refine"
+
+local most_points = 12        -- of the sweep's points that the pilot visits
+local step_share = 0.2        -- of the wanted standard error that the time step may take: 2 % of its square
+local factors = {}            -- of the number of nodes, that a plan chooses from
+for i = -4, 8 do factors[#factors + 1] = 2 ^ (i / 2) end
+
+local function copy(t)
+  local result = {}
+  for k, v in pairs(t) do result[k] = v end
+  return result
+end
+
+-- The sweep's points without their sample, each once, and how many samples it has.
+local function points_of(sweep, sample)
+  local list, seen, samples = {}, {}, {}
+  for _, point in ipairs(sweep.points) do
+    local rest, key = copy(point), ""
+    rest[sample] = nil
+    for _, name in ipairs(sweep.names) do
+      if name ~= sample then key = key .. tostring(rest[name]) .. "\0" end
+    end
+    if not seen[key] then
+      seen[key] = true
+      list[#list + 1] = rest
+    end
+    samples[point[sample]] = true
+  end
+  local count = 0
+  for value in pairs(samples) do
+    count = count + 1
+    if math.type(value) ~= "integer" then core.fail(("over.%s must hold whole numbers to be counted on, has %s"):format(sample, tostring(value)), "samples") end
+  end
+  return list, count
+end
+
+local function spread_out(list, most)
+  if #list <= most then return list end
+  local few = {}
+  for i = 1, most do few[i] = list[math.floor((i - 1) * (#list - 1) / (most - 1) + 1.5)] end
+  return few
+end
+
+local function mean_and_deviation(values)
+  local mean, square = 0, 0
+  for i, value in ipairs(values) do
+    local delta = value - mean
+    mean = mean + delta / i
+    square = square + delta * (value - mean)
+  end
+  return mean, math.sqrt(square / (#values - 1))
+end
+
+-- Seconds that the sweep's own function takes to make a sample of all points, the first time.
+local function making_seconds(sweep, sample, points, count)
+  local began = core.clock()
+  for i = 1, count do
+    for _, point in ipairs(points) do
+      local at = copy(point)
+      at[sample] = i
+      sweep:at(at)
+    end
+  end
+  return (core.clock() - began) / count
+end
+
+-- Every point with samples 1 ... count on lattices of `factor` times the nodes: rows by point, and seconds a sample of all points, from
+-- the sweep's own scenes to the outcomes.
+local function pilot(sweep, sample, points, count, factor, changes)
+  local began, scenes = core.clock(), {}
+  for i = 1, count do  -- points that share a lattice beside each other, as in the sweep
+    for _, point in ipairs(points) do
+      local at = copy(point)
+      at[sample] = i
+      local t = core.given(refine.refined(sweep:at(at), factor, 0))
+      for name, value in pairs(changes) do t[name] = value end
+      if changes.accuracy then t.step, t.theta, t.method = nil, nil, nil end
+      scenes[#scenes + 1] = core.scene(t)
+    end
+  end
+  local making = core.clock() - began
+  local rows, seconds = core.pilot(scenes)
+  local by_point = {}
+  for k in ipairs(points) do by_point[k] = {} end
+  for i, row in ipairs(rows) do table.insert(by_point[(i - 1) % #points + 1], row) end
+  return by_point, (making + seconds) / count
+end
+
+local function finished(rows, column)
+  local values = {}
+  for _, row in ipairs(rows) do
+    if row.status == "finished" and row[column] == row[column] then values[#values + 1] = row[column] end
+  end
+  return values
+end
+
+-- Seconds at a factor, by a power law through the two nearest sizes of the pilot.
+local function seconds_at(sizes, factor)
+  if #sizes == 1 then return sizes[1].seconds * (factor / sizes[1].factor) ^ 1.5 end  -- nodes times steps
+  local i = 1
+  while i < #sizes - 1 and factor > sizes[i + 1].factor do i = i + 1 end
+  local a, b = sizes[i], sizes[i + 1]
+  local power = math.log(b.seconds / a.seconds) / math.log(b.factor / a.factor)
+  return a.seconds * (factor / a.factor) ^ power
+end
+
+local function nearest_size(sizes, factor)
+  local best = sizes[1]
+  for _, size in ipairs(sizes) do
+    if math.abs(math.log(size.factor / factor)) < math.abs(math.log(best.factor / factor)) then best = size end
+  end
+  return best
+end
+
+local function name_of(point, names, sample)
+  local parts = {}
+  for _, name in ipairs(names) do
+    if name ~= sample then parts[#parts + 1] = ("%s=%s"):format(name, type(point[name]) == "number" and ("%.4g"):format(point[name]) or tostring(point[name])) end
+  end
+  return #parts > 0 and table.concat(parts, " ") or "all"
+end
+
+local Plan = { __name = "a plan" }
+Plan.__index = function(_, name) return rawget(Plan, name) or core.unknown("a plan", name, { "run", "points", "samples", "nodes", "method", "theta", "predicted_seconds" }) end
+
+local function print_plan(plan)
+  local function line(...) print((...):format(select(2, ...))) end
+  line("plan for %s of sweep '%s': standard error %g", plan.of, plan.sweep.name, plan.standard_error)
+  line("pilot: %d samples at %d points, %d sizes; %.1f s", plan.pilot, #plan.points, #plan.sizes, plan.pilot_seconds)
+  line("error budget of the sweep as it is: %d samples a point", plan.samples_now)
+  line("%-20s %9s %9s %12s %10s  %s", "point", plan.of, "sampling", "lattice size", "time step", "dominates")
+  for _, p in ipairs(plan.points) do line("%-20s %9.4f %9.2g %12s %10.2g  %s", p.name, p.mean, p.sampling, ("%.2g"):format(p.lattice), p.step, p.dominates) end
+  line("lattice size: what an infinitely fine lattice would change, %+.2g +- %.2g at every point, %s", -plan.slope, plan.slope_se,
+    math.abs(plan.slope) > 2 * plan.slope_se and "extrapolated in the spacing" or "not told apart from 0 by this pilot")
+  if plan.samples then
+    line("cheapest: %s with theta %.3g, %.3g times the nodes, %d samples a point; predicted %.1f s on %s", plan.method, plan.theta, plan.nodes, plan.samples, plan.predicted_seconds,
+      plan.machine)
+    line("  leaves %.2g from samples, %.2g from the lattice's size, %.2g from the time step", plan.budget.sampling, plan.budget.lattice, plan.budget.step)
+  else
+    line("no plan: with %.3g from the lattice's size alone, %g is out of reach of %.3g times the nodes; raise 'pilot' or 'sizes', or leave 'continuum' out", plan.budget.lattice,
+      plan.standard_error, factors[#factors])
+  end
+end
+
+local function plan(given)
+  local t = core.check("plan", given)
+  local sweep, sample, column = t.sweep, t.samples, t.of
+  if not core.columns()[column] then
+    local names = {}
+    for name in pairs(core.columns()) do names[#names + 1] = name end
+    core.fail(("an outcome has no '%s'%s"):format(column, core.did_you_mean(column, names)), "of")
+  end
+  local known = false
+  for _, name in ipairs(sweep.names) do known = known or name == sample end
+  if not known then core.fail(("the sweep's 'over' has no '%s' to count samples by"):format(sample), "samples") end
+  for _, factor in ipairs(t.sizes) do
+    if not (factor > 0 and factor <= 16) then core.fail(("a size is a factor of the nodes, above 0 and at most 16, not %g"):format(factor), "sizes") end
+  end
+  t.sizes = copy(t.sizes)
+  table.sort(t.sizes)
+  local all, samples_now = points_of(sweep, sample)
+  local points = spread_out(all, most_points)
+  if core.is_check() then
+    for _, point in ipairs(points) do
+      local at = copy(point)
+      at[sample] = 1
+      sweep:at(at)
+    end
+    return nil
+  end
+
+  local began = core.clock()
+  local making = making_seconds(sweep, sample, points, t.pilot)
+  local sizes = {}
+  for i, factor in ipairs(t.sizes) do
+    local rows, seconds = pilot(sweep, sample, points, t.pilot, factor, { accuracy = step_share * t.standard_error, accuracy_of = column })
+    sizes[i] = { factor = factor, rows = rows, seconds = (making + seconds) * #all / #points }
+    for k in ipairs(points) do
+      local values = finished(rows[k], column)
+      if #values < 2 then core.fail(("fewer than two impacts of the pilot finished at %s with %g times the nodes: %s"):format(name_of(points[k], sweep.names, sample), factor, rows[k][1].reason), "sweep") end
+      local mean, sd = mean_and_deviation(values)
+      sizes[i][k] = { mean = mean, sd = sd, se = sd / math.sqrt(#values) }
+    end
+  end
+  -- The sweep's own time step: the same samples by it and by the pilot's fine one.
+  local own = pilot(sweep, sample, points, math.min(t.pilot, 2), 1, {})
+  local fine = pilot(sweep, sample, points, math.min(t.pilot, 2), 1, { accuracy = 0.01 * t.standard_error, accuracy_of = column })
+
+  local curves = {}
+  for k in ipairs(points) do
+    curves[k] = {}
+    for i, size in ipairs(sizes) do curves[k][i] = { x = size.factor ^ -0.5, value = size[k].mean, se = math.max(size[k].se, 1e-12) } end
+  end
+  local slope, slope_se = 0, 0
+  if #sizes > 1 then slope, slope_se = refine.common_slope(curves) end
+  local slope_size = math.sqrt(slope ^ 2 + slope_se ^ 2)
+  local nearest = nearest_size(sizes, 1)
+
+  local processor, cores = core.machine()
+  local result = setmetatable({ sweep = sweep, sample = sample, of = column, standard_error = t.standard_error, pilot = t.pilot, sizes = sizes, samples_now = samples_now, all = all,
+    slope = slope, slope_se = slope_se, points = {}, budget = {}, samples = false, machine = ("%s (%d cores)"):format(processor, cores) }, Plan)
+  for k, point in ipairs(points) do
+    local square, count = 0, 0
+    for i, row in ipairs(own[k]) do
+      if row.status == "finished" and fine[k][i].status == "finished" then square, count = square + (row[column] - fine[k][i][column]) ^ 2, count + 1 end
+    end
+    local p = { name = name_of(point, sweep.names, sample), mean = nearest[k].mean, sd = nearest[k].sd, sampling = nearest[k].sd / math.sqrt(samples_now), lattice = slope_size,
+      step = count > 0 and math.sqrt(square / count) or 0 / 0 }
+    p.dominates = p.sampling >= p.lattice and p.sampling >= p.step and "samples" or p.lattice >= p.step and "lattice size" or "time step"
+    result.points[k] = p
+  end
+
+  -- Every factor of the nodes with the samples that it needs; the cheapest counts.
+  local step_error = step_share * t.standard_error
+  local function lattice_error(factor) return slope_size * math.abs(factor ^ -0.5 - (t.continuum and 0 or 1)) end
+  result.budget.lattice = lattice_error(t.continuum and factors[#factors] or 1)
+  for _, factor in ipairs(factors) do
+    local left = t.standard_error ^ 2 - step_error ^ 2 - lattice_error(factor) ^ 2
+    local size, sd = nearest_size(sizes, factor), 0
+    for k in ipairs(points) do sd = math.max(sd, size[k].sd) end
+    local samples = math.max(2, math.ceil(sd ^ 2 / left))
+    local seconds = samples * seconds_at(sizes, factor)
+    if left > 0 and (not result.samples or seconds < result.predicted_seconds) then
+      local row = size.rows[1][1]
+      result.samples, result.nodes, result.predicted_seconds, result.method = samples, factor, seconds, row.method
+      result.theta = row.theta
+      result.budget = { sampling = sd / math.sqrt(samples), lattice = lattice_error(factor), step = step_error }
+    end
+  end
+  result.pilot_seconds = core.clock() - began
+  print_plan(result)
+  return result
+end
+
+--- Runs the planned sweep; prints the predicted and the real time. Returns its rows.
+Plan.run = core.wrap(function(self)
+  if type(self) ~= "table" or getmetatable(self) ~= Plan then core.fail "is a method of a plan: write plan:run(), with a colon" end
+  if not self.samples then core.fail "there is no plan to run: the wanted standard error is out of reach" end
+  local sweep, over, values = self.sweep, {}, {}
+  for i = 1, self.samples do values[i] = i end
+  for _, name in ipairs(sweep.names) do over[name] = sweep.over[name] end
+  over[self.sample] = values
+  local planned = make_sweep { name = sweep.name, over = over, scene = function(at)
+    local scene = core.given(refine.refined(sweep.scene(at), self.nodes, 0))
+    scene.method, scene.theta, scene.step, scene.accuracy = self.method, self.theta, nil, nil
+    return core.scene(scene)
+  end }
+  local began = core.clock()
+  local rows = planned:run()
+  print(("predicted %.1f s, took %.1f s"):format(self.predicted_seconds, core.clock() - began))
+  return rows
+end)
+
+return { plan = plan }

@@ -1,0 +1,41 @@
+-- The same scene on other lattices: finer or coarser, or another sample of the same kind.
+local core = require "ricochet.core"
+
+local function refined_body(body, factor, shift)
+  local t = core.check("body", core.given(body))
+  t.nodes = math.floor(factor * t.nodes + 0.5)
+  -- Outline, total mass and stiffness stay: the modulus of a network does not depend on its spacing, while a spring's stretch at a
+  -- given strain does, as the spacing.
+  t.mass, t.quartic = t.mass / factor, t.quartic * factor
+  t.seed = t.seed + shift
+  return core.body(t)
+end
+
+--- The scene with `factor` times as many nodes in both bodies of the same outline, mass and stiffness; seeds are moved by `shift`.
+--- A step becomes the default one: another lattice needs its own.
+local function refined(scene, factor, shift)
+  local t = core.given(scene)
+  t.projectile, t.target = refined_body(t.projectile, factor, shift), refined_body(t.target, factor, shift)
+  if factor ~= 1 then t.step = nil end
+  return core.scene(t)
+end
+
+--- Least squares for value = limit of its curve + slope * x over several curves with one slope, points weighted by 1 / se^2.
+--- `curves`: list of lists of { x =, value =, se = }. Returns the slope, its standard error and the limits (at x = 0).
+local function common_slope(curves)
+  local xx, xy = 0, 0
+  local centres = {}
+  for i, points in ipairs(curves) do
+    local w, x, y = 0, 0, 0
+    for _, p in ipairs(points) do w, x, y = w + 1 / p.se ^ 2, x + p.x / p.se ^ 2, y + p.value / p.se ^ 2 end
+    centres[i] = { x = x / w, y = y / w }
+    for _, p in ipairs(points) do
+      xx, xy = xx + (p.x - x / w) ^ 2 / p.se ^ 2, xy + (p.x - x / w) * (p.value - y / w) / p.se ^ 2
+    end
+  end
+  local slope, limits = xy / xx, {}
+  for i, centre in ipairs(centres) do limits[i] = centre.y - slope * centre.x end
+  return slope, 1 / math.sqrt(xx), limits
+end
+
+return { refined = refined, common_slope = common_slope }
