@@ -23,8 +23,15 @@ double value_of(const Outcome& outcome, const std::string& column) {
 
 double richardson(double at_step, double at_half, int order) { return std::abs(at_step - at_half) / (1 - std::pow(2.0, -order)); }
 
-const Method& method_for(double accuracy) {
-  return method_named(accuracy >= 1e-5 ? "verlet" : accuracy >= 1e-8 ? "chin_4a" : "blanes_moan_srkn6b");
+std::vector<std::string> methods_for(double accuracy) {
+  if (accuracy >= 2e-4) return {"multirate_8", "multirate_4", "multirate_2", "verlet"};
+  return {accuracy >= 1e-5 ? "verlet" : accuracy >= 1e-8 ? "chin_4a" : "blanes_moan_srkn6b"};
+}
+
+double work_of_step(const Method& method, const Lattice& projectile, const Lattice& target) {
+  if (!method.multirate()) return method.evaluations();
+  const double fast = static_cast<double>(projectile.spring.size()), slow = static_cast<double>(target.spring.size());
+  return (method.evaluations() * fast + slow) / (fast + slow);
 }
 
 namespace {
@@ -37,8 +44,10 @@ constexpr double aim = 0.5;
 
 class Trials {
  public:
-  Trials(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop)
-      : projectile_(projectile), target_(target), scene_(scene), stop_(stop) {}
+  Trials(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::string& method, const std::atomic<bool>& stop)
+      : projectile_(projectile), target_(target), scene_(scene), stop_(stop) {
+    scene_.integration.method = method, scene_.integration.accuracy = not_given;
+  }
 
   // NaN if the impact does not finish.
   double at(double step) {
@@ -61,37 +70,75 @@ class Trials {
 
 }  // namespace
 
-Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target, const Scene& asked, const std::atomic<bool>& stop) {
-  const auto began = std::chrono::steady_clock::now();
-  const double wanted = asked.integration.accuracy;
-  Scene scene = asked;
-  if (scene.integration.method == "auto") scene.integration.method = method_for(wanted).name;
-  const Method& method = method_named(scene.integration.method);
-  scene.integration.accuracy = not_given, scene.integration.step = not_given;
+namespace {
+
+struct Candidate {
+  const Method* method;
+  Start start;
+  double longest;  ///< step [R/c]
+  double work;     ///< of a step
+};
+
+Candidate candidate(const Lattice& projectile, const Lattice& target, Scene scene, const std::string& name) {
+  const Method& method = method_named(name);
+  scene.integration.method = name, scene.integration.accuracy = not_given, scene.integration.step = not_given;
   const Start start = launch(scene, projectile, target);
-  if (!start.touches) return {method.name, start.step, start.theta, 0, 0, 0};
   // The default step resolves the contact's onset; the stability limit has room for springs that stiffen.
-  const double longest = start.step * std::min(2.0, 0.8 * method.stability_limit / start.theta);
-  Trials trials(projectile, target, scene, stop);
-  double step = std::clamp(start.step * std::pow(wanted / method.usual_accuracy, 1.0 / method.outcome_order), start.step / 4, longest);
+  return {&method, start, start.step * std::min(2.0, 0.8 * method.stability_limit / start.theta), work_of_step(method, projectile, target)};
+}
+
+struct Reached {
+  double step = 0, error = std::numeric_limits<double>::infinity();  ///< step 0: the accuracy was not reached; the least error was this
+  std::string reason;
+};
+
+// Shortens the step of a method until the estimated error is small enough, but not below `shortest`.
+Reached shorten_step(Trials& trials, const Candidate& c, const Integration& asked, double shortest) {
+  const double wanted = asked.accuracy;
+  const int order = c.method->outcome_order;
+  double step = std::clamp(c.start.step * std::pow(wanted / c.method->usual_accuracy, 1.0 / order), c.start.step / 4, c.longest);
   double best = std::numeric_limits<double>::infinity(), previous = not_given;
-  for (int attempt = 0; attempt < most_attempts; ++attempt) {
-    const double value = trials.at(step), half = trials.at(step / 2);
-    const double error = richardson(value, half, method.outcome_order);
-    if (error <= aim * wanted) {
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-      return {method.name, step, step * start.theta / start.step, error, trials.count, seconds};
-    }
+  for (int attempt = 0; attempt < most_attempts && step >= shortest; ++attempt) {
+    const double error = richardson(trials.at(step), trials.at(step / 2), order);
+    if (error <= aim * wanted) return {step, error, ""};
     // Two attempts in a row that gain less than a step of half as long should by far: rounding, or paths that part at a near tie.
     if (!(error < best / 2) && !(previous < 2 * best) && attempt > 3) break;
     previous = best, best = std::min(best, std::isnan(error) ? best : error);
-    const double ratio = std::isnan(error) ? 0.5 : std::pow(0.7 * aim * wanted / error, 1.0 / method.outcome_order);
+    const double ratio = std::isnan(error) ? 0.5 : std::pow(0.7 * aim * wanted / error, 1.0 / order);
     step *= std::clamp(ratio, 0.2, 0.8);
-    if (step < start.step / most_shortened) break;
   }
-  throw FieldError("accuracy", std::isinf(best) ? fmt::format("no trial run finished ({})", trials.reason)
-                                                : fmt::format("{:g} is below what {} can reach for {} here: the estimated error stays at {:.2g}; ask for that, or another method",
-                                                              wanted, method.name, asked.integration.accuracy_of, best));
+  return {0, best, trials.reason};
+}
+
+}  // namespace
+
+Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop) {
+  const auto began = std::chrono::steady_clock::now();
+  const Integration& asked = scene.integration;
+  const std::vector<std::string> names = asked.method == "auto" ? methods_for(asked.accuracy) : std::vector<std::string>{asked.method};
+  const Candidate last = candidate(projectile, target, scene, names.back());
+  if (!last.start.touches) return {last.method->name, last.start.step, last.start.theta, 0, 0, 0};
+  // From the cheapest at its longest step on, each as long as it stays cheaper than the next.
+  std::vector<Candidate> candidates;
+  for (const std::string& name : names)
+    if (const Candidate c = candidate(projectile, target, scene, name); c.work / c.longest < last.work / last.longest) candidates.push_back(c);
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.work / a.longest < b.work / b.longest; });
+  candidates.push_back(last);
+  int trial_count = 0;
+  Reached reached;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& c = candidates[i];
+    const double shortest = i + 1 < candidates.size() ? c.work * candidates[i + 1].longest / candidates[i + 1].work : c.start.step / most_shortened;
+    Trials trials(projectile, target, scene, c.method->name, stop);
+    reached = shorten_step(trials, c, asked, shortest);
+    trial_count += trials.count;
+    if (reached.step == 0) continue;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    return {c.method->name, reached.step, reached.step * c.start.theta / c.start.step, reached.error, trial_count, seconds};
+  }
+  throw FieldError("accuracy", std::isinf(reached.error) ? fmt::format("no trial run finished ({})", reached.reason)
+                                                         : fmt::format("{:g} is below what {} can reach for {} here: the estimated error stays at {:.2g}; ask for that, or another method",
+                                                                       asked.accuracy, names.back(), asked.accuracy_of, reached.error));
 }
 
 namespace {

@@ -27,8 +27,12 @@ double value_of(const Outcome& outcome, const std::string& column);
 /// Error of column x at step h by Richardson's extrapolation, |x(h) - x(h/2)| / (1 - 2^-p), p: the order at which outcomes converge.
 double richardson(double at_step, double at_half, int order);
 
-/// The method that reached a wanted error of e with the fewest force evaluations (README, "What accuracy costs").
-const Method& method_for(double accuracy);
+/// Methods worth trying for a wanted error of e, the last one for certain (README, "What accuracy costs"): below 2e-4 one, above it
+/// the multirate ones too, whose gain depends on the bodies.
+std::vector<std::string> methods_for(double accuracy);
+
+/// Force evaluations a step, in units of one of both bodies: a multirate method evaluates the target's springs once.
+double work_of_step(const Method& method, const Lattice& projectile, const Lattice& target);
 
 /// Chooses method (unless the scene names one with its accuracy) and step so that the estimated error of integration.accuracy_of is at
 /// most half of integration.accuracy. Throws FieldError("accuracy") if no step reaches it, with the error that was reached.

@@ -49,7 +49,7 @@ struct Run {
   double contact_length = Outcome::undefined, centre_offset = Outcome::undefined, tan_alpha = Outcome::undefined;
   double drift = 0;
   int looks = 0;
-  double spring_bound = 0;  // squared_frequency_bound of both bodies when it was last taken
+  double spring_bound = 0;  // squared_frequency_bound of both bodies when it was last taken, the target's times slower_by^2
   double theta_most = 0;  // greatest step times frequency bound, springs as stretched and contact included
   std::chrono::steady_clock::time_point began;
 
@@ -199,6 +199,26 @@ class Engine {
       }
     }
 
+    void fast(const Lane<W>& kick, const Lane<W>& drift, const Lane<W>& rim_drift) const {
+      engine.contact_energy_ = engine.contact_.add_forces(bodies[0], bodies[1]);
+      ricochet::kick_and_drift(bodies[0], Lane<W>(kick / bodies[0].lattice->mass), drift);
+      Moving<W>& target = bodies[1];
+      const Lane<W> per_mass = kick / target.lattice->mass;
+      for (const int i : target.lattice->rim) {
+        if (i >= target.lattice->free) continue;
+        target.velocity.x(i) += per_mass * target.force.x(i), target.velocity.y(i) += per_mass * target.force.y(i);
+        target.force.x(i).setZero(), target.force.y(i).setZero();
+        target.position.x(i) += rim_drift * target.velocity.x(i), target.position.y(i) += rim_drift * target.velocity.y(i);
+      }
+    }
+    void slow(const Lane<W>& kick, const Lane<W>& drift, const Lane<W>& rim_drift) const {
+      Moving<W>& target = bodies[1];
+      ricochet::kick_and_drift(target, Lane<W>(kick / target.lattice->mass), drift);
+      const Lane<W> back = rim_drift - drift;
+      for (const int i : target.lattice->rim)
+        if (i < target.lattice->free) target.position.x(i) += back * target.velocity.x(i), target.position.y(i) += back * target.velocity.y(i);
+    }
+
     void remember() const { engine.remembered_ = bodies; }
     // Through a kick of velocities that were 0, for a unit of time.
     void evaluate(std::size_t stage) const {
@@ -249,15 +269,21 @@ class Engine {
     contact_.set(lane, &scene.contact);
   }
 
-  // The state at the end of the last step, in end_: back by a drift and, for methods that begin with one, by a kick.
+  // The state at the end of the last step, in end_: back by what get_ahead had done.
   void go_to_step_end() {
     end_ = body_;
-    const Lane<W> drift = method_.ahead_drift * h_;
-    for (Moving<W>& body : end_)
-      for (int i = 0; i < body.lattice->free; ++i) body.position.x(i) -= drift * body.velocity.x(i), body.position.y(i) -= drift * body.velocity.y(i);
-    if (method_.ahead_kick == 0) return;
-    const Lane<W> contact_energy = contact_energy_;
-    Mover{*this, end_}.kick_and_drift(-method_.ahead_kick * h_, Lane<W>::Zero());
+    const auto drift = [](Moving<W>& body, int i, const Lane<W>& by) { body.position.x(i) += by * body.velocity.x(i), body.position.y(i) += by * body.velocity.y(i); };
+    const Lane<W> back = -method_.ahead_drift * h_;
+    for (Moving<W>& body : end_) {
+      const bool inside_further = method_.multirate() && &body == &end_[1];
+      for (int i = 0; i < body.lattice->free; ++i) drift(body, i, inside_further ? Lane<W>(-h_) : back);
+      if (!inside_further) continue;
+      for (const int i : body.lattice->rim)
+        if (i < body.lattice->free) drift(body, i, Lane<W>(back + h_));
+    }
+    const Lane<W> contact_energy = contact_energy_, still = Lane<W>::Zero();
+    if (method_.multirate()) Mover{*this, end_}.slow(Lane<W>(-0.5 * h_), still, still);
+    if (method_.ahead_kick != 0) Mover{*this, end_}.kick_and_drift(-method_.ahead_kick * h_, still);
     contact_energy_ = contact_energy;
   }
 
@@ -269,7 +295,8 @@ class Engine {
   void take_spring_bounds() {
     const auto due = [](const Run& run) { return run.scene && run.looks % looks_between_bounds == 0; };
     if (std::any_of(runs_.begin(), runs_.end(), due)) {
-      const Lane<W> bound = squared_frequency_bound(end_[0]).max(squared_frequency_bound(end_[1]));
+      const double slower = slower_by(method_);
+      const Lane<W> bound = squared_frequency_bound(end_[0]).max(Lane<W>(slower * slower * squared_frequency_bound(end_[1])));
       for (int lane = 0; lane < W; ++lane)
         if (due(runs_[lane])) runs_[lane].spring_bound = bound[lane];
     }

@@ -56,19 +56,21 @@ constexpr double onset_share = 0.3;
 Step choose_step(const Scene& scene, const Lattice& projectile, const Lattice& target, double fastest) {
   const Method& method = scene.integration.chosen_method();
   const FrequencyBound a = frequency_bound(projectile, scene.projectile->numbers.stiffness);
-  const FrequencyBound b = frequency_bound(target, scene.target->numbers.stiffness);
+  FrequencyBound b = frequency_bound(target, scene.target->numbers.stiffness);
+  b.omega *= slower_by(method);
   const double omega = std::max(a.omega, b.omega);
+  const double contacts = method.multirate() ? method.evaluations() : 1;  // evaluations that share a step evenly
   const Integration& wanted = scene.integration;
   const double step = !std::isnan(wanted.step)    ? wanted.step
                       : !std::isnan(wanted.theta) ? wanted.theta / omega
-                                                  : std::min(method.usual / omega, onset_share / (scene.contact.xi * fastest));
+                                                  : std::min(method.usual / omega, onset_share * contacts / (scene.contact.xi * fastest));
   const double theta = step * omega;
   if (theta > method.stability_limit) {
     if (std::isnan(wanted.step)) throw FieldError("theta", fmt::format("{:.6g} is unstable: {} needs less than {:g}; {:g} works", theta, method.name, method.stability_limit, method.usual));
     const bool first = a.omega >= b.omega;
     throw FieldError("step", fmt::format("{} is unstable: {} needs a step below {:.4g} here (node {} of the {} vibrates at up to {:.4g} c/R); {:.3g} works",
                                          wanted.step, method.name, method.stability_limit / omega, first ? a.node : b.node,
-                                         first ? "projectile" : "target", omega, method.usual / omega));
+                                         first ? "projectile" : "target", first ? a.omega : b.omega / slower_by(method), method.usual / omega));
   }
   return {step, theta};
 }

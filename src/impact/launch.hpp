@@ -4,6 +4,10 @@
 
 namespace ricochet {
 
+/// The factor by which the target's frequencies count against the stability limit: 1, or more for a multirate method, which follows
+/// its springs in long steps.
+inline double slower_by(const Method& method) { return method.multirate() ? method.stability_limit / method.slow_limit : 1; }
+
 /// A rigid motion of the projectile from its lattice's rest position.
 struct Pose {
   Vec2 centre = Vec2::Zero();   ///< of mass

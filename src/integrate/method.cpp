@@ -1,5 +1,7 @@
 #include "integrate/method.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "core/error.hpp"
@@ -58,10 +60,17 @@ std::vector<Method> make() {
                              -0.02586788826655834810965088, -0.05653436583288916976693514, 0.314241403071446406545624072, 0.004914688774711814489438773,
                              -0.13014445951741519949553631, 0.143761127168371838328147624, 0.106417700369541822245844601, 0.328567693746803460265115365,
                              -0.00879424312851017679925680, -0.19641146648646499316503147, 0.207305069056895757630053711}));
+  for (const int n : {2, 4, 8}) {
+    const double share = 1.0 / n;
+    Method m{fmt::format("multirate_{}", n), "Tuckerman, Berne & Martyna 1992, J. Chem. Phys. 97, 1990 (impulse r-RESPA): the target's springs once a step, the rest by verlet " + std::to_string(n) + " times",
+             2, 2.0 * n, 1.2 * n, 0, share / 2, std::vector<Stage>(static_cast<std::size_t>(n), Stage{share, share})};
+    m.slow_limit = 0.75;
+    list.push_back(std::move(m));
+  }
   // Controls: what a method costs that does not keep the energy.
-  list.push_back({"rk4", "Kutta 1901, Z. Math. Phys. 46, 435; not symplectic, a control", 4, 2.828, 1, 0, 0, {}, 4, {{{}, {0.5}, {0, 0.5}, {0, 0, 1}}, {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}}});
+  list.push_back({"rk4", "Kutta 1901, Z. Math. Phys. 46, 435; not symplectic, a control", 4, 2.828, 1, 0, 0, {}, 4, 0, {{{}, {0.5}, {0, 0.5}, {0, 0, 1}}, {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}}});
   list.push_back({"dop853", "Dormand & Prince; Hairer, Norsett & Wanner 1993, Solving Ordinary Differential Equations I, II.10; the method of order 8 at a fixed step; not symplectic, a control",
-                  8, 5.96, 2.4, 0, 0, {}, 8,
+                  8, 5.96, 2.4, 0, 0, {}, 8, 0,
                   {{{},
                     {0.05260015195876773},
                     {0.0197250569845379, 0.0591751709536137},

@@ -68,7 +68,7 @@ int accuracy_runs(lua_State* L) {
     lua_pop(L, 4);
     push_row(L, row_of(scene, outcome, seconds));
     lua_pushstring(L, method.name.c_str()), lua_setfield(L, -2, "method");
-    lua_pushnumber(L, outcome.steps * method.evaluations()), lua_setfield(L, -2, "evaluations");
+    lua_pushnumber(L, outcome.steps * work_of_step(method, *projectile, *target)), lua_setfield(L, -2, "evaluations");
     lua_seti(L, rows, k);
   }
   return 1;

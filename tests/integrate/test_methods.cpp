@@ -25,6 +25,10 @@ struct Particle {
   void displace(double by) { ++evaluations, displacement = -by * slope(x), x += displacement; }
   void put_back() { x -= displacement; }
 
+  // All of it is fast: a multirate method is then its own fast part.
+  void fast(double kick, double drift, double) { kick_and_drift(kick, drift); }
+  void slow(double, double, double) {}
+
   long double x0 = 0, v0 = 0;
   std::vector<long double> velocities = {}, accelerations = {};
   void remember() { x0 = x, v0 = v, velocities.clear(), accelerations.clear(); }
