@@ -11,8 +11,9 @@ local p = ricochet.parameters {
   speed     = { 0.1, unit = "c", min = 1e-6, doc = "impact speed" },
   roughness = { 0.03, unit = "R", min = 0, max = 0.2, doc = "standard deviation of the rims" },
   placement = { "poisson_disk", choices = { "poisson_disk", "uniform" }, doc = "how the nodes are placed" },
-  method    = { "pefrl", choices = { "pefrl", "forest_ruth", "verlet" }, doc = "integrator; the paper's is forest_ruth" },
+  method    = { "auto", choices = { "auto", "pefrl", "forest_ruth", "verlet" }, doc = "integrator; the paper's is forest_ruth" },
   step      = { 0, unit = "R/c", min = 0, doc = "time step; 0 chooses one from the lattice (the paper's is 0.001)" },
+  accuracy  = { 0, min = 0, max = 0.1, doc = "wanted error of e from the time step, which chooses method and step; 0: none (1e-3 is fastest)" },
 }
 
 local sweep = ricochet.sweep {
@@ -25,6 +26,7 @@ local sweep = ricochet.sweep {
       launch = { speed = p.speed, psi1 = at.psi1 },
       method = p.method,
       step = p.step > 0 and p.step or nil,
+      accuracy = p.accuracy > 0 and p.accuracy or nil,
     }
   end,
 }

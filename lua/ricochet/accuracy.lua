@@ -70,8 +70,9 @@ local function cheapest(rows, column, wanted)
 end
 
 -- Mean and standard error of a column over samples of the scene's lattices at several sizes, and the limit of an infinitely fine one.
-local function lattice_study(scene, factors, samples, column)
-  local sizes, points = {}, {}
+local function lattice_study(scene, given, samples, column)
+  local sizes, points, factors = {}, {}, { table.unpack(given) }
+  table.sort(factors)
   for i, factor in ipairs(factors) do
     local scenes = {}
     for k = 1, samples do scenes[k] = refine.refined(scene, factor, k - 1) end
@@ -128,7 +129,7 @@ local function plot(study, name)
     for _, size in ipairs(lattice.sizes) do add("%.9g %.9g %.9g %g", size.factor ^ -0.5, size.mean, size.se, size.factor) end
     add "END"
   end
-  add "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb '#cccccc'\nset tics nomirror\nset border 3\nset key outside right top Left reverse samplen 1\nset rmargin 37"
+  add "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb '#cccccc'\nset tics nomirror\nset border 3\nset key outside right top Left reverse samplen 1 maxcols 1 font ',9' spacing 0.9\nset rmargin 35"
   local function panel(x, y, xlabel, ylabel, title, guides)
     local parts = {}
     for i, method in ipairs(study.methods) do
@@ -153,8 +154,12 @@ local function plot(study, name)
   end
   local by_time, by_step = { slope(2, t_low, t_high, t_low, -1), slope(4, t_low, t_high, t_low, -1) }, { slope(2, x_low, x_high, x_high, 1), slope(4, x_low, x_high, x_high, 1) }
   local floor = math.max(study.floor[column], 1e-16)
-  by_time[3] = line(t_low * 0.8, floor, t_high * 1.6, floor, "dt 3 lw 1.5 lc rgb '#000000' title 'floor'")
-  by_step[3] = line(x_low * 0.8, floor, x_high * 1.25, floor, "dt 3 lw 1.5 lc rgb '#000000' title 'floor'")
+  -- A floor far below every mark would only squeeze them.
+  local floor_shown = floor > e_low / 30
+  if floor_shown then
+    by_time[3] = line(t_low * 0.8, floor, t_high * 1.6, floor, "dt 3 lw 1.5 lc rgb '#000000' title 'floor'")
+    by_step[3] = line(x_low * 0.8, floor, x_high * 1.25, floor, "dt 3 lw 1.5 lc rgb '#000000' title 'floor'")
+  end
   local function plain(method) return method end
   local function with_order(method)
     local order, uncertainty = fitted_order(study.by_method[method], column, study.floor[column])
@@ -164,7 +169,7 @@ local function plot(study, name)
   for _, terminal in ipairs { { "pngcairo size 960,%d font 'DejaVu Sans,11'", "png" }, { "svg size 960,%d font 'DejaVu Sans,11' background 'white'", "svg" } } do
     add("set terminal %s\nset output '%s.%s'", terminal[1]:format(height), name, terminal[2])
     add("set multiplot layout %d,1 title %s noenhanced", lattice and 4 or 3, "'" .. study.caption .. "'")
-    add("set lmargin 11\nunset logscale\nset xrange [*:*]\nset yrange [*:*]\nset logscale xy\nset format y '10^{%%L}'\nset format x '%%g'\nset xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]", t_low * 0.8, t_high * 1.6, math.min(e_low, study.floor[column]) / 3, e_high * 3)
+    add("set lmargin 11\nunset logscale\nset xrange [*:*]\nset yrange [*:*]\nset logscale xy\nset format y '10^{%%L}'\nset format x '%%g'\nset xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]", t_low * 0.8, t_high * 1.6, (floor_shown and math.min(e_low, floor) or e_low) / 3, e_high * 3)
     add("set xtics (%s)", tics(t_low, t_high))
     panel(2, 3, "wall time [s]; marks labelled with the time step [R/c]", "time-step error of " .. column, plain, by_time)
     add("set xrange [%.9g:%.9g]\nset xtics (%s)", x_low * 0.8, x_high * 1.25, tics(x_low, x_high))
@@ -172,12 +177,13 @@ local function plot(study, name)
     add "set yrange [*:*]"
     panel(1, 4, "time step [R/c]", "greatest energy drift", plain, {})
     if lattice then
-      add "unset logscale\nset format '%g'\nset xtics auto\nset xrange [0:*]\nset yrange [*:*]"
+      add "unset logscale\nset format '%g'\nset xtics auto\nset yrange [*:*]\nset offsets graph 0, 0, 0.1, 0.1"
+      add("set xrange [0:%.9g]", 1.15 * lattice.sizes[1].factor ^ -0.5)
       add("set xlabel 'spacing of the lattice, in that of the scene (marks labelled with the factor of the nodes)'\nset ylabel '%s, mean of %d lattices'", column, study.lattice_samples)
       add("plot $lattice using 1:2:3 with yerrorbars pt 7 lw 1.5 lc rgb '%s' title 'mean ± standard error', $lattice using 1:2:4 with labels font ',8' left offset 0.8,0.5 notitle, \\\n"
         .. "     %.9g + %.9g*x with lines dt 2 lc rgb '#888888' title 'fit, to an infinitely fine lattice'", colours[1], lattice.limit, lattice.slope)
     end
-    add "unset multiplot"
+    add "unset multiplot\nunset offsets"
   end
   core.gnuplot(name, table.concat(lines, "\n") .. "\n")
 end
@@ -256,8 +262,8 @@ local function accuracy(given)
   local drawable = false
   for _, name in ipairs(study.methods) do drawable = drawable or #study.by_method[name] > 1 end
   if drawable then plot(study, t.name) end
-  --- study.cheapest(wanted [, column]): the row with the fewest force evaluations whose error is at most `wanted`, or nil.
-  study.cheapest = function(wanted, column) return cheapest(rows, column or t.of[1], wanted) end
+  --- study.cheapest(wanted [, column [, method]]): the row with the fewest force evaluations whose error is at most `wanted`, or nil.
+  study.cheapest = function(wanted, column, method) return cheapest(method and study.by_method[method] or rows, column or t.of[1], wanted) end
   return study
 end
 
