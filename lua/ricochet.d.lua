@@ -173,7 +173,7 @@ function ricochet.accuracy(t) end
 ---@field pilot? integer samples of the pilot at every point and size (default 8)
 ---@field sizes? number[] factors of the number of nodes that the pilot tries (default {0.25, 0.5, 1})
 ---@field continuum? boolean count as error what an infinitely fine lattice would change; else only what other lattices than the scene's own change (default false)
---- The error budget of a sweep (time step, lattice size, samples: which one dominates), from a pilot, and the cheapest method, step, nodes and samples that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the sweep's folder, and says how long it took. The lattice's error is extrapolated in the spacing of its nodes, with one slope for every point of the sweep.
+--- The error budget of a sweep (time step, lattice size, samples: which one dominates), from a pilot, and the cheapest method, step, nodes and samples that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the sweep's folder, and says how long it took. The lattice's error is extrapolated in the spacing of its nodes, and what the pilot leaves unknown of it counts as error too; the samples are planned with a deviation that nine pilots of ten do not underrate.
 ---@param t ricochet.plan_fields
 ---@return ricochet.plan
 function ricochet.plan(t) end

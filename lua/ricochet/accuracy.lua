@@ -89,8 +89,8 @@ local function lattice_study(scene, given, samples, column)
     sizes[i] = { factor = factor, mean = mean, sd = math.sqrt(square / (n - 1)), se = math.sqrt(square / (n - 1) / n), count = n, seconds = seconds / samples }
     points[i] = { x = factor ^ -0.5, value = mean, se = math.max(sizes[i].se, 1e-12) }
   end
-  local slope, slope_se, limits = refine.common_slope { points }
-  return { sizes = sizes, slope = slope, slope_se = slope_se, limit = limits[1] }
+  local slope, slope_se, limit = refine.fitted_line(points)
+  return { sizes = sizes, slope = slope, slope_se = slope_se, limit = limit }
 end
 
 -- 1, 2 and 5 of every decade.

@@ -44,6 +44,12 @@ local function spread_out(list, most)
   return few
 end
 
+-- The variance that is exceeded in one of ten cases, over the one that n degrees of freedom measured: n / chi^2 at 0.1, by
+-- Wilson and Hilferty's approximation, good to 1 % from 5 degrees on.
+local function cautious(n)
+  return 1 / math.max(0.05, 1 - 2 / (9 * n) - 1.2816 * math.sqrt(2 / (9 * n))) ^ 3
+end
+
 local function mean_and_deviation(values)
   local mean, square = 0, 0
   for i, value in ipairs(values) do
@@ -115,6 +121,13 @@ local function nearest_size(sizes, factor)
   return best
 end
 
+-- Deviation of a point's outcome over lattices, from all sizes of the pilot, and the one to plan with.
+local function deviation(sizes, k)
+  local square, freedom = 0, 0
+  for _, size in ipairs(sizes) do square, freedom = square + size[k].sd ^ 2 * size[k].freedom, freedom + size[k].freedom end
+  return math.sqrt(square / freedom), math.sqrt(square / freedom * cautious(freedom))
+end
+
 local function name_of(point, names, sample)
   local parts = {}
   for _, name in ipairs(names) do
@@ -131,16 +144,15 @@ local function print_plan(plan)
   line("plan for %s of sweep '%s': standard error %g", plan.of, plan.sweep.name, plan.standard_error)
   line("pilot: %d samples at %d points, %d sizes; %.1f s", plan.pilot, #plan.points, #plan.sizes, plan.pilot_seconds)
   line("error budget of the sweep as it is: %d samples a point", plan.samples_now)
-  line("%-20s %9s %9s %12s %10s  %s", "point", plan.of, "sampling", "lattice size", "time step", "dominates")
-  for _, p in ipairs(plan.points) do line("%-20s %9.4f %9.2g %12s %10.2g  %s", p.name, p.mean, p.sampling, ("%.2g"):format(p.lattice), p.step, p.dominates) end
-  line("lattice size: what an infinitely fine lattice would change, %+.2g +- %.2g at every point, %s", -plan.slope, plan.slope_se,
-    math.abs(plan.slope) > 2 * plan.slope_se and "extrapolated in the spacing" or "not told apart from 0 by this pilot")
+  line("%-20s %9s %9s %18s %10s  %s", "point", plan.of, "sampling", "lattice size", "time step", "dominates")
+  for _, p in ipairs(plan.points) do line("%-20s %9.4f %9.2g %18s %10.2g  %s", p.name, p.mean, p.sampling, ("%+.2g +- %.2g"):format(-p.slope, p.slope_se), p.step, p.dominates) end
+  line("  lattice size: what an infinitely fine lattice would change, extrapolated in the spacing, and what the pilot leaves unknown of it")
   if plan.samples then
     line("cheapest: %s with theta %.3g, %.3g times the nodes, %d samples a point; predicted %.1f s on %s", plan.method, plan.theta, plan.nodes, plan.samples, plan.predicted_seconds,
       plan.machine)
-    line("  leaves %.2g from samples, %.2g from the lattice's size, %.2g from the time step", plan.budget.sampling, plan.budget.lattice, plan.budget.step)
+    line("  leaves %.2g from samples (less nine times of ten), %.2g from the lattice's size, %.2g from the time step", plan.budget.sampling, plan.budget.lattice, plan.budget.step)
   else
-    line("no plan: with %.3g from the lattice's size alone, %g is out of reach of %.3g times the nodes; raise 'pilot' or 'sizes', or leave 'continuum' out", plan.budget.lattice,
+    line("no plan: with %.2g from the lattice's size alone, %g is out of reach of %.3g times the nodes; raise 'pilot' or 'sizes', or leave 'continuum' out", plan.budget.lattice,
       plan.standard_error, factors[#factors])
   end
 end
@@ -182,52 +194,54 @@ local function plan(given)
       local values = finished(rows[k], column)
       if #values < 2 then core.fail(("fewer than two impacts of the pilot finished at %s with %g times the nodes: %s"):format(name_of(points[k], sweep.names, sample), factor, rows[k][1].reason), "sweep") end
       local mean, sd = mean_and_deviation(values)
-      sizes[i][k] = { mean = mean, sd = sd, se = sd / math.sqrt(#values) }
+      sizes[i][k] = { mean = mean, sd = sd, se = sd / math.sqrt(#values), freedom = #values - 1 }
     end
   end
   -- The sweep's own time step: the same samples by it and by the pilot's fine one.
   local own = pilot(sweep, sample, points, math.min(t.pilot, 2), 1, {})
   local fine = pilot(sweep, sample, points, math.min(t.pilot, 2), 1, { accuracy = 0.01 * t.standard_error, accuracy_of = column })
 
-  local curves = {}
-  for k in ipairs(points) do
-    curves[k] = {}
-    for i, size in ipairs(sizes) do curves[k][i] = { x = size.factor ^ -0.5, value = size[k].mean, se = math.max(size[k].se, 1e-12) } end
-  end
-  local slope, slope_se = 0, 0
-  if #sizes > 1 then slope, slope_se = refine.common_slope(curves) end
-  local slope_size = math.sqrt(slope ^ 2 + slope_se ^ 2)
   local nearest = nearest_size(sizes, 1)
 
   local processor, cores = core.machine()
   local result = setmetatable({ sweep = sweep, sample = sample, of = column, standard_error = t.standard_error, pilot = t.pilot, sizes = sizes, samples_now = samples_now, all = all,
-    slope = slope, slope_se = slope_se, points = {}, budget = {}, samples = false, machine = ("%s (%d cores)"):format(processor, cores) }, Plan)
+    points = {}, budget = {}, samples = false, machine = ("%s (%d cores)"):format(processor, cores) }, Plan)
   for k, point in ipairs(points) do
     local square, count = 0, 0
     for i, row in ipairs(own[k]) do
       if row.status == "finished" and fine[k][i].status == "finished" then square, count = square + (row[column] - fine[k][i][column]) ^ 2, count + 1 end
     end
-    local p = { name = name_of(point, sweep.names, sample), mean = nearest[k].mean, sd = nearest[k].sd, sampling = nearest[k].sd / math.sqrt(samples_now), lattice = slope_size,
+    local sd, sd_cautious = deviation(sizes, k)
+    -- What the lattice's size changes, per unit of the spacing over the scene's own: as seen, and together with what is not known of it.
+    local by_spacing = {}
+    for i, size in ipairs(sizes) do by_spacing[i] = { x = size.factor ^ -0.5, value = size[k].mean, se = math.max(size[k].se, 1e-12) } end
+    local slope, slope_se = 0, 0
+    if #sizes > 1 then slope, slope_se = refine.fitted_line(by_spacing) end
+    local p = { name = name_of(point, sweep.names, sample), mean = nearest[k].mean, sd = sd, sd_cautious = sd_cautious, sampling = sd / math.sqrt(samples_now), slope = slope, slope_se = slope_se,
+      lattice = math.sqrt(slope ^ 2 + slope_se ^ 2),
       step = count > 0 and math.sqrt(square / count) or 0 / 0 }
     p.dominates = p.sampling >= p.lattice and p.sampling >= p.step and "samples" or p.lattice >= p.step and "lattice size" or "time step"
     result.points[k] = p
   end
 
-  -- Every factor of the nodes with the samples that it needs; the cheapest counts.
+  -- Every factor of the nodes with the samples that its worst point needs; the cheapest counts.
   local step_error = step_share * t.standard_error
-  local function lattice_error(factor) return slope_size * math.abs(factor ^ -0.5 - (t.continuum and 0 or 1)) end
-  result.budget.lattice = lattice_error(t.continuum and factors[#factors] or 1)
   for _, factor in ipairs(factors) do
-    local left = t.standard_error ^ 2 - step_error ^ 2 - lattice_error(factor) ^ 2
-    local size, sd = nearest_size(sizes, factor), 0
-    for k in ipairs(points) do sd = math.max(sd, size[k].sd) end
-    local samples = math.max(2, math.ceil(sd ^ 2 / left))
+    local strayed = math.abs(factor ^ -0.5 - (t.continuum and 0 or 1))
+    local samples, budget = 2, { sampling = 0, lattice = 0, step = step_error }
+    for _, p in ipairs(result.points) do
+      local left = t.standard_error ^ 2 - step_error ^ 2 - (p.lattice * strayed) ^ 2
+      samples = left > 0 and math.max(samples, math.ceil(p.sd_cautious ^ 2 / left)) or math.huge
+      budget.sampling, budget.lattice = math.max(budget.sampling, p.sd_cautious), math.max(budget.lattice, p.lattice * strayed)
+    end
+    budget.sampling = budget.sampling / math.sqrt(samples)
+    local size = nearest_size(sizes, factor)
     local seconds = samples * seconds_at(sizes, factor)
-    if left > 0 and (not result.samples or seconds < result.predicted_seconds) then
+    if samples < math.huge and (not result.samples or seconds < result.predicted_seconds) then
       local row = size.rows[1][1]
-      result.samples, result.nodes, result.predicted_seconds, result.method = samples, factor, seconds, row.method
-      result.theta = row.theta
-      result.budget = { sampling = sd / math.sqrt(samples), lattice = lattice_error(factor), step = step_error }
+      result.samples, result.nodes, result.predicted_seconds, result.method, result.theta, result.budget = samples, factor, seconds, row.method, row.theta, budget
+    elseif not result.samples then
+      result.budget = budget
     end
   end
   result.pilot_seconds = core.clock() - began
@@ -250,7 +264,23 @@ Plan.run = core.wrap(function(self)
   end }
   local began = core.clock()
   local rows = planned:run()
-  print(("predicted %.1f s, took %.1f s"):format(self.predicted_seconds, core.clock() - began))
+  local took = core.clock() - began
+  -- The standard error that came of it, at the worst of the points.
+  local by_point, worst = {}, { se = -1 }
+  for _, row in ipairs(rows) do
+    local name = name_of(row, sweep.names, self.sample)
+    by_point[name] = by_point[name] or {}
+    table.insert(by_point[name], row)
+  end
+  for name, list in pairs(by_point) do
+    local values = finished(list, self.of)
+    local _, sd = mean_and_deviation(values)
+    if #values > 1 and sd / math.sqrt(#values) > worst.se then worst = { name = name, se = sd / math.sqrt(#values), sd = sd } end
+  end
+  print(("predicted %.1f s, took %.1f s; largest standard error %.2g of %s at %s, wanted %g"):format(self.predicted_seconds, took, worst.se, self.of, worst.name, self.standard_error))
+  if worst.se > self.standard_error then
+    print(("  more than the pilot of %d had shown: %d samples would do"):format(self.pilot, math.ceil((worst.sd / self.standard_error) ^ 2)))
+  end
   return rows
 end)
 

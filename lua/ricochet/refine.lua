@@ -20,22 +20,14 @@ local function refined(scene, factor, shift)
   return core.scene(t)
 end
 
---- Least squares for value = limit of its curve + slope * x over several curves with one slope, points weighted by 1 / se^2.
---- `curves`: list of lists of { x =, value =, se = }. Returns the slope, its standard error and the limits (at x = 0).
-local function common_slope(curves)
-  local xx, xy = 0, 0
-  local centres = {}
-  for i, points in ipairs(curves) do
-    local w, x, y = 0, 0, 0
-    for _, p in ipairs(points) do w, x, y = w + 1 / p.se ^ 2, x + p.x / p.se ^ 2, y + p.value / p.se ^ 2 end
-    centres[i] = { x = x / w, y = y / w }
-    for _, p in ipairs(points) do
-      xx, xy = xx + (p.x - x / w) ^ 2 / p.se ^ 2, xy + (p.x - x / w) * (p.value - y / w) / p.se ^ 2
-    end
-  end
-  local slope, limits = xy / xx, {}
-  for i, centre in ipairs(centres) do limits[i] = centre.y - slope * centre.x end
-  return slope, 1 / math.sqrt(xx), limits
+--- Least squares for value = limit + slope * x over points { x =, value =, se = }, weighted by 1 / se^2. Returns the slope, its
+--- standard error and the limit.
+local function fitted_line(points)
+  local w, x, y, xx, xy = 0, 0, 0, 0, 0
+  for _, p in ipairs(points) do w, x, y = w + 1 / p.se ^ 2, x + p.x / p.se ^ 2, y + p.value / p.se ^ 2 end
+  for _, p in ipairs(points) do xx, xy = xx + (p.x - x / w) ^ 2 / p.se ^ 2, xy + (p.x - x / w) * (p.value - y / w) / p.se ^ 2 end
+  local slope = xy / xx
+  return slope, 1 / math.sqrt(xx), y / w - slope * x / w
 end
 
-return { refined = refined, common_slope = common_slope }
+return { refined = refined, fitted_line = fitted_line }

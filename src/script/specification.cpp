@@ -117,7 +117,8 @@ std::vector<Function> make() {
   list.push_back({"plan",
                   "The error budget of a sweep (time step, lattice size, samples: which one dominates), from a pilot, and the cheapest method, step, nodes and samples "
                   "that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the sweep's folder, and says how long it took. "
-                  "The lattice's error is extrapolated in the spacing of its nodes, with one slope for every point of the sweep.",
+                  "The lattice's error is extrapolated in the spacing of its nodes, and what the pilot leaves unknown of it counts as error too; the samples are planned with a "
+                  "deviation that nine pilots of ten do not underrate.",
                   {{"sweep", "sweep", "", "with one name in `over` that counts samples"},
                    {"standard_error", "number", "", "wanted at every point: root of the sum of the squares of the three errors", positive},
                    {"of", "string", "", "the outcome it is about", any_number, "e"},

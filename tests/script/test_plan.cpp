@@ -21,20 +21,19 @@ std::string planned(const std::string& then) {
 
 }  // namespace
 
-TEST_CASE("least squares with one slope for several curves: exact for lines, the known error for scattered points") {
+TEST_CASE("the fitted line is exact for points on one, and its standard error is the scatter of repeated fits") {
   const Workplace here;
   const Ended ended = here.script(R"(local ricochet = require "ricochet"
 local refine = require "ricochet.refine"
-local function curve(limit, slope, se) return { { x = 2, value = limit + 2 * slope, se = se }, { x = 1, value = limit + slope, se = 2 * se }, { x = 0.5, value = limit + slope / 2, se = se } } end
-local slope, se, limits = refine.common_slope { curve(0.7, -0.05, 0.01), curve(0.9, -0.05, 0.02) }
-assert(math.abs(slope + 0.05) < 1e-15 and math.abs(limits[1] - 0.7) < 1e-15 and math.abs(limits[2] - 0.9) < 1e-15)
--- The standard error is the scatter that repeated measurements show.
+local function points(slope) return { { x = 2, value = 0.7 + 2 * slope, se = 0.01 }, { x = 1, value = 0.7 + slope, se = 0.02 }, { x = 0.5, value = 0.7 + slope / 2, se = 0.01 } } end
+local slope, se, limit = refine.fitted_line(points(-0.05))
+assert(math.abs(slope + 0.05) < 1e-15 and math.abs(limit - 0.7) < 1e-15)
 local mean, square, n = 0, 0, 2000
 local function normal() return math.sqrt(-2 * math.log(1 - math.random())) * math.cos(2 * math.pi * math.random()) end
 for i = 1, n do
-  local a, b = curve(0.7, 0.3, 0.01), curve(0.1, 0.3, 0.02)
-  for _, points in ipairs { a, b } do for _, p in ipairs(points) do p.value = p.value + p.se * normal() end end
-  local s = refine.common_slope { a, b }
+  local list = points(0.3)
+  for _, p in ipairs(list) do p.value = p.value + p.se * normal() end
+  local s = refine.fitted_line(list)
   mean, square = mean + s / n, square + (s - 0.3) ^ 2 / n
 end
 assert(math.abs(mean - 0.3) < 4 * se / math.sqrt(n), mean)
@@ -63,7 +62,11 @@ TEST_CASE("a plan reaches the wanted standard error with the samples it says, an
   const Ended ended = here.script(planned(R"(local plan = ricochet.plan { sweep = sweep, standard_error = 0.05, sizes = { 0.7, 1, 1.5 } }
 assert(plan.samples >= 2 and plan.predicted_seconds > 0 and #plan.points == 3)
 local b = plan.budget
-assert(b.sampling ^ 2 + b.lattice ^ 2 + b.step ^ 2 <= 0.05 ^ 2 * (1 + 1e-12))
+assert(b.sampling <= 0.05 and b.lattice <= 0.05 and b.step <= 0.05)
+for _, p in ipairs(plan.points) do
+  local lattice = p.lattice * math.abs(plan.nodes ^ -0.5 - 1)
+  assert(p.sd_cautious ^ 2 / plan.samples + lattice ^ 2 + b.step ^ 2 <= 0.05 ^ 2 * (1 + 1e-12))
+end
 for _, p in ipairs(plan.points) do assert(p.step < 1e-3 and p.sampling > 0) end
 local rows = plan:run()
 assert(#rows == 3 * plan.samples)
