@@ -103,14 +103,17 @@ local function finished(rows, column)
   return values
 end
 
--- Seconds at a factor, by a power law through the two nearest sizes of the pilot.
+-- Seconds at a factor, by a power law between sizes of the pilot; beyond them by nodes times steps, which is power 1.5.
 local function seconds_at(sizes, factor)
-  if #sizes == 1 then return sizes[1].seconds * (factor / sizes[1].factor) ^ 1.5 end  -- nodes times steps
-  local i = 1
-  while i < #sizes - 1 and factor > sizes[i + 1].factor do i = i + 1 end
-  local a, b = sizes[i], sizes[i + 1]
-  local power = math.log(b.seconds / a.seconds) / math.log(b.factor / a.factor)
-  return a.seconds * (factor / a.factor) ^ power
+  local below, above
+  for _, size in ipairs(sizes) do
+    if size.factor <= factor then below = size elseif not above then above = size end
+  end
+  if not (below and above) then
+    local nearest = below or above
+    return nearest.seconds * (factor / nearest.factor) ^ 1.5
+  end
+  return below.seconds * (factor / below.factor) ^ (math.log(above.seconds / below.seconds) / math.log(above.factor / below.factor))
 end
 
 local function nearest_size(sizes, factor)
