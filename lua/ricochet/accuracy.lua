@@ -129,7 +129,7 @@ local function plot(study, name)
     for _, size in ipairs(lattice.sizes) do add("%.9g %.9g %.9g %g", size.factor ^ -0.5, size.mean, size.se, size.factor) end
     add "END"
   end
-  add "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb '#cccccc'\nset tics nomirror\nset border 3\nset key outside right top Left reverse samplen 1 maxcols 1 font ',9' spacing 0.9\nset rmargin 35"
+  add "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb '#cccccc'\nset tics nomirror\nset border 3\nset key outside right top Left reverse samplen 1 maxcols 1 font ',9'\nset rmargin 35"
   local function panel(x, y, xlabel, ylabel, title, guides)
     local parts = {}
     for i, method in ipairs(study.methods) do

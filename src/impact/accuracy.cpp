@@ -25,7 +25,9 @@ double richardson(double at_step, double at_half, int order) { return std::abs(a
 
 std::vector<std::string> methods_for(double accuracy) {
   if (accuracy >= 2e-4) return {"multirate_8", "multirate_4", "multirate_2", "verlet"};
-  return {accuracy >= 1e-5 ? "verlet" : accuracy >= 1e-8 ? "chin_4a" : "blanes_moan_srkn6b"};
+  if (accuracy >= 1e-5) return {"verlet", "takahashi_imada"};
+  if (accuracy >= 1e-8) return {"takahashi_imada", "chin_4a"};
+  return {"blanes_moan_srkn6b"};
 }
 
 double work_of_step(const Method& method, const Lattice& projectile, const Lattice& target) {

@@ -27,8 +27,8 @@ double value_of(const Outcome& outcome, const std::string& column);
 /// Error of column x at step h by Richardson's extrapolation, |x(h) - x(h/2)| / (1 - 2^-p), p: the order at which outcomes converge.
 double richardson(double at_step, double at_half, int order);
 
-/// Methods worth trying for a wanted error of e, the last one for certain (README, "What accuracy costs"): below 2e-4 one, above it
-/// the multirate ones too, whose gain depends on the bodies.
+/// Methods worth trying for a wanted error of e (README, "What accuracy costs"), the last one in any case: which of them is the cheapest
+/// depends on the bodies.
 std::vector<std::string> methods_for(double accuracy);
 
 /// Force evaluations a step, in units of one of both bodies: a multirate method evaluates the target's springs once.
