@@ -3,6 +3,7 @@
 #include "impact/accuracy.hpp"
 
 #include <fmt/format.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <chrono>
@@ -33,6 +34,30 @@ Scene with_chosen_step(Session& session, const Scene& scene) {
 
 namespace {
 
+/// Keeps the thread on the core it is on, so that wall times of one study are those of one core.
+class Pinned {
+ public:
+  Pinned() {
+    CPU_ZERO(&before_);
+    known_ = sched_getaffinity(0, sizeof before_, &before_) == 0;
+    cpu_set_t here;
+    CPU_ZERO(&here);
+    const int core = sched_getcpu();
+    if (!known_ || core < 0) return;
+    CPU_SET(core, &here);
+    sched_setaffinity(0, sizeof here, &here);
+  }
+  ~Pinned() {
+    if (known_) sched_setaffinity(0, sizeof before_, &before_);
+  }
+  Pinned(const Pinned&) = delete;
+  Pinned& operator=(const Pinned&) = delete;
+
+ private:
+  cpu_set_t before_;
+  bool known_ = false;
+};
+
 // accuracy_runs(scene, list of { method =, step = } or { method =, theta = }, repeats): a row for each, with method, evaluations (of
 // the force) and seconds (the least of the repeats). Steps that are refused, and runs that do not finish, have their status.
 int accuracy_runs(lua_State* L) {
@@ -40,6 +65,7 @@ int accuracy_runs(lua_State* L) {
   const SceneObject& object = scene_at(L, 1);
   const lua_Integer repeats = luaL_checkinteger(L, 3);
   const auto projectile = build_lattice(*object.scene.projectile), target = build_lattice(*object.scene.target);
+  const Pinned pinned;
   lua_newtable(L);
   const int rows = lua_gettop(L);
   const lua_Integer count = luaL_len(L, 2);
