@@ -3,6 +3,8 @@
 
 ---@class ricochet.body
 
+---@class ricochet.effect
+
 ---@class ricochet.scene
 ---@field run fun(self: ricochet.scene): table
 ---@field text fun(self: ricochet.scene): string
@@ -77,6 +79,7 @@ function ricochet.wall(t) end
 ---@field target ricochet.body the body that is hit; free or anchored
 ---@field launch? ricochet.launch_fields how the projectile comes in (default {})
 ---@field contact? ricochet.contact_fields how the bodies repel each other (default {})
+---@field effects? ricochet.effect[] list of what else acts, e.g. { ricochet.gravity { g = 1e-4 } }; what is not named is not computed (default {})
 ---@field method? "auto"|"pefrl"|"forest_ruth"|"verlet"|"takahashi_imada"|"chin_4a"|"mclachlan_sb3a4"|"blanes_moan_s6"|"blanes_moan_srkn6b"|"okunbor_skeel_13"|"blanes_moan_srkn11b"|"blanes_moan_srkn14a"|"multirate_2"|"multirate_4"|"multirate_8"|"rk4"|"dop853" integrator; auto is pefrl, or the cheapest one for `accuracy` (default auto)
 ---@field step? number time step; chosen from the stiffest node and the contact's onset unless given [R/c]
 ---@field theta? number time step times the bound of the highest frequency of this scene's lattices, instead of a step: equal for lattices of one kind
@@ -104,6 +107,38 @@ function ricochet.scene(t) end
 ---@field xi? number inverse range of the repulsion [1/R] (default 300)
 ---@field reach? number segments farther than this from a node are left out; 20 <= xi reach <= 700 [R] (default 0.1)
 ---@field sides? "one"|"two" one: projectile nodes are pushed off target segments (the paper); two: and the other way round (default one)
+
+---@class ricochet.gravity_fields
+---@field g number acceleration [c^2/R]
+---@field on? "projectile"|"target"|"both" the bodies it acts on (default projectile)
+--- An effect, for the `effects` of a scene. A constant acceleration along -y, from the first approach of the rims on.
+---@param t ricochet.gravity_fields
+---@return ricochet.effect
+function ricochet.gravity(t) end
+
+---@class ricochet.drag_fields
+---@field rate number share of the velocity lost in a unit of time [c/R]
+---@field on? "projectile"|"target"|"both" the bodies it acts on (default projectile)
+--- An effect, for the `effects` of a scene. Friction of every node against a medium at rest, in proportion to its velocity, from the first approach of the rims on. Depends on velocities: steps are split, half of it before and half after each, which is of order 2.
+---@param t ricochet.drag_fields
+---@return ricochet.effect
+function ricochet.drag(t) end
+
+---@class ricochet.absorbing_fields
+---@field width number of the layer, from the anchors inwards [R]
+---@field rate number share of the velocity lost in a unit of time at the anchors [c/R]
+--- An effect, for the `effects` of a scene. A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. Depends on velocities: steps are split, half of it before and half after each, which is of order 2.
+---@param t ricochet.absorbing_fields
+---@return ricochet.effect
+function ricochet.absorbing(t) end
+
+---@class ricochet.damping_fields
+---@field time number viscosity over stiffness of a spring: the retardation time of the material [R/c]
+---@field on? "projectile"|"target"|"both" the bodies it acts in (default both)
+--- An effect, for the `effects` of a scene. A dashpot beside every spring (Kelvin-Voigt): the material's viscosity. Depends on velocities: steps are split, half of it before and half after each, which is of order 2.
+---@param t ricochet.damping_fields
+---@return ricochet.effect
+function ricochet.damping(t) end
 
 ---@class ricochet.sweep_fields
 ---@field name string names the folder of its results

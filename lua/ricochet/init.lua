@@ -11,6 +11,8 @@ local ricochet = {
   file = { write = core.file_write, read = core.file_read },
 }
 
+for name, make in pairs(core.effects) do ricochet[name] = make end
+
 local shapes = require "ricochet.shapes"
 ricochet.disk = core.wrap(shapes.disk)
 ricochet.wall = core.wrap(shapes.wall)

@@ -4,6 +4,7 @@
 // (W = 1) and in any batch.
 
 #include <Eigen/Core>
+#include <string_view>
 #include <vector>
 
 #include "core/vec2.hpp"
@@ -45,5 +46,8 @@ struct Moving {
   NodeVectors<W> position, velocity, force;
   Lane<W> stiffness = Lane<W>::Zero();  ///< ka of each lane [m0 c^2/R^2]
 };
+
+/// True if what acts on "projectile", "target" or "both" acts on body 0 (the projectile) or 1.
+inline bool acts_on(std::string_view on, int body) { return on == "both" || on == (body == 0 ? "projectile" : "target"); }
 
 }  // namespace ricochet

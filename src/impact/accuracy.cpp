@@ -117,7 +117,11 @@ Reached shorten_step(Trials& trials, const Candidate& c, const Integration& aske
 Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop) {
   const auto began = std::chrono::steady_clock::now();
   const Integration& asked = scene.integration;
-  const std::vector<std::string> names = asked.method == "auto" ? methods_for(asked.accuracy) : std::vector<std::string>{asked.method};
+  std::vector<std::string> names = asked.method == "auto" ? methods_for(asked.accuracy) : std::vector<std::string>{asked.method};
+  if (asked.method == "auto") {
+    std::erase_if(names, [&](const std::string& name) { return !scene.conflict_with(method_named(name)).empty(); });
+    if (names.empty()) names = {"verlet"};  // beside any effect
+  }
   const Candidate last = candidate(projectile, target, scene, names.back());
   if (!last.start.touches) return {last.method->name, last.start.step, last.start.theta, 0, 0, 0};
   // From the cheapest at its longest step on, each as long as it stays cheaper than the next.
@@ -155,7 +159,7 @@ std::string kind_of(const Scene& scene) {
     kind += fmt::format(" {} {} {} {} {} {};", n.nodes, n.placement, n.stiffness, n.quartic, n.mass, n.roughness);
   }
   const Integration& i = scene.integration;
-  return kind + fmt::format("{} {} {} {} {} {} {}", i.method, i.accuracy, i.accuracy_of, scene.contact.V0, scene.contact.xi, scene.contact.reach, scene.contact.sides);
+  return kind + fmt::format("{} {} {} {} {} {} {}", i.method, i.accuracy, i.accuracy_of, scene.contact.V0, scene.contact.xi, scene.contact.reach, scene.contact.sides) + text_of(scene.effects);
 }
 
 }  // namespace

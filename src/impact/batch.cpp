@@ -38,7 +38,7 @@ bool drain(Engine<W>& engine, Queue& queue, int width) {
     if (busy.empty()) return true;
     if constexpr (W > 1)
       if (queue.next == queue.scenes.size() && static_cast<int>(busy.size()) <= W / 2) {
-        Engine<W / 2> narrow(queue.projectile, queue.target, engine.method());
+        Engine<W / 2> narrow(queue.projectile, queue.target, engine.method(), queue.scenes.front().effects);
         for (std::size_t i = 0; i < busy.size(); ++i) narrow.take(static_cast<int>(i), engine, busy[i]);
         return drain(narrow, queue, W / 2);
       }
@@ -54,7 +54,7 @@ bool drain(Engine<W>& engine, Queue& queue, int width) {
 
 template <int W>
 bool run_lanes(Queue queue, int width) {
-  Engine<W> engine(queue.projectile, queue.target, queue.scenes.front().integration.chosen_method());
+  Engine<W> engine(queue.projectile, queue.target, queue.scenes.front().method(), queue.scenes.front().effects);
   return drain(engine, queue, width);
 }
 
@@ -69,7 +69,7 @@ bool run_batch(const Lattice& projectile, const Lattice& target, std::span<const
 }
 
 Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop, const Observer* observer) {
-  Engine<1> engine(projectile, target, scene.integration.chosen_method());
+  Engine<1> engine(projectile, target, scene.method(), scene.effects);
   if (const auto outcome = engine.begin(0, scene, 0)) return *outcome;
   Outcome result;
   bool ended = false;
@@ -88,7 +88,7 @@ Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene&
 void check_start(const Lattice& projectile, const Lattice& target, const Scene& scene) { launch(scene, projectile, target); }
 
 Snapshot run_until(const Lattice& projectile, const Lattice& target, const Scene& scene, double time) {
-  Engine<1> engine(projectile, target, scene.integration.chosen_method());
+  Engine<1> engine(projectile, target, scene.method(), scene.effects);
   if (engine.begin(0, scene, 0)) throw Error("run_until: the projectile passes by the target");
   while (engine.run(0).time() < time - engine.run(0).start.step / 2) engine.advance_one_step();
   return engine.snapshot(0);

@@ -10,6 +10,7 @@
 
 #include "force/contact/contact.hpp"
 #include "force/springs.hpp"
+#include "impact/acting_effects.hpp"
 #include "impact/batch.hpp"
 #include "impact/endings.hpp"
 #include "impact/launch.hpp"
@@ -38,6 +39,7 @@ struct Run {
   Start start;
   Ledger before;
   double energy_before = 0;
+  std::array<double, effect_kinds> effects_before{};  // energies of the effects
   double reference_height = 0;  // overlap of the smooth outlines is this minus the height between the centres
   double projectile_radius = 0, target_radius = 0;
   std::int64_t steps = 0;
@@ -62,8 +64,8 @@ class Engine {
   friend class Engine;
 
  public:
-  Engine(const Lattice& projectile, const Lattice& target, const Method& method)
-      : body_{Moving<W>{&projectile}, Moving<W>{&target}}, method_(method), contact_(projectile, target) {
+  Engine(const Lattice& projectile, const Lattice& target, const Method& method, const std::vector<Effect>& effects)
+      : body_{Moving<W>{&projectile}, Moving<W>{&target}}, method_(method), contact_(projectile, target), effects_(effects, projectile, target) {
     for (int b : {0, 1}) {
       Moving<W>& body = body_[b];
       for (NodeVectors<W>* values : {&body.position, &body.velocity, &body.force, &displacement_[b]}) values->resize(body.lattice->nodes());
@@ -92,9 +94,10 @@ class Engine {
     place(lane, run.start, scene);
     runs_[lane] = run;
     // The ledger before: the state is still at the end of step 0.
-    const auto [p, t, contact] = motions(body_);
+    const Motions motions = motions_of(body_);
     Run& now = runs_[lane];
-    now.before = ledger(lane, p, t, contact);
+    for (std::size_t kind = 0; kind < effect_kinds; ++kind) now.effects_before[kind] = motions.effects[kind][lane];
+    now.before = ledger(lane, motions);
     now.energy_before = now.before.total();
     now.projectile_radius = support(body_[0].lattice->smooth_rim, Vec2(0, -1)) + body_[0].lattice->centre().y();
     now.target_radius = support(body_[1].lattice->smooth_rim, Vec2(0, 1)) - body_[1].lattice->centre().y();
@@ -102,7 +105,7 @@ class Engine {
     threshold_[lane] = touch_share * run.start.energy;
     Lane<W> alone = Lane<W>::Zero();  // a step of 0 leaves the other lanes as they are, bit for bit
     alone[lane] = h_[lane];
-    get_ahead(method_, alone, Mover{*this, body_});
+    if (!effects_.split()) get_ahead(method_, alone, Mover{*this, body_});
     return std::nullopt;
   }
 
@@ -120,12 +123,21 @@ class Engine {
     for (int b : {0, 1}) copy(from.body_[b], body_[b]);
     runs_[lane] = from.runs_[from_lane], h_[lane] = from.h_[from_lane], threshold_[lane] = from.threshold_[from_lane];
     contact_.set(lane, &runs_[lane].scene->contact);
+    effects_.take(lane, from.effects_, from_lane);
   }
 
   void clear(int lane) { runs_[lane] = Run{}, h_[lane] = 0, contact_.set(lane, nullptr); }
 
   void advance_one_step() {
-    step(method_, h_, Mover{*this, body_});
+    const Mover mover{*this, body_};
+    if (effects_.split()) {
+      // What depends on velocities is split off the step, half before and half after it; both find the ends of steps.
+      effects_.dissipate(body_, h_ / 2, true);
+      get_ahead(method_, h_, mover), step(method_, h_, mover), fall_back(body_);
+      effects_.dissipate(body_, h_ / 2, false);
+    } else {
+      step(method_, h_, mover);
+    }
     for (int lane = 0; lane < W; ++lane) {
       Run& run = runs_[lane];
       if (!run.scene) continue;
@@ -141,22 +153,21 @@ class Engine {
   template <class Ended>
   void look(Ended&& ended) {
     go_to_step_end();
-    const auto [p, t, contact] = motions(end_);
+    const Motions motions = motions_of(end_);
     take_spring_bounds();
     for (int lane = 0; lane < W; ++lane) {
       if (!runs_[lane].scene) continue;
       Outcome outcome;
-      outcome.status = follow(lane, p, t, contact, outcome.reason);
+      outcome.status = follow(lane, motions, outcome.reason);
       if (outcome.status == Status::not_run) continue;
-      write(lane, p, t, contact, outcome);
+      write(lane, motions, outcome);
       ended(lane, outcome);
     }
   }
 
   Snapshot snapshot(int lane) {
     go_to_step_end();
-    const auto [p, t, contact] = motions(end_);
-    Snapshot shot{runs_[lane].time(), {}, {}, {}, {}, ledger(lane, p, t, contact)};
+    Snapshot shot{runs_[lane].time(), {}, {}, {}, {}, ledger(lane, motions_of(end_))};
     for (int i = 0; i < body_[0].lattice->nodes(); ++i)
       shot.projectile.push_back(end_[0].position.at(i, lane)), shot.projectile_velocity.push_back(end_[0].velocity.at(i, lane));
     for (int i = 0; i < body_[1].lattice->nodes(); ++i)
@@ -180,7 +191,13 @@ class Engine {
 
     void kick_and_drift(const Lane<W>& kick, const Lane<W>& drift) const {
       engine.contact_energy_ = engine.contact_.add_forces(bodies[0], bodies[1]);
+      if (!engine.effects_.empty())
+        for (int b : {0, 1}) engine.effects_.add_forces(b, bodies[b]);
       for (Moving<W>& body : bodies) ricochet::kick_and_drift(body, Lane<W>(kick / body.lattice->mass), drift);
+    }
+    void drift(const Lane<W>& by) const {
+      for (Moving<W>& body : bodies)
+        for (int i = 0; i < body.lattice->free; ++i) body.position.x(i) += by * body.velocity.x(i), body.position.y(i) += by * body.velocity.y(i);
     }
     // A kick of displacements that were 0, and a drift with them for a unit of time.
     void displace(const Lane<W>& by) const {
@@ -247,7 +264,11 @@ class Engine {
     }
   };
 
-  using Motions = std::tuple<RigidMotion<W>, RigidMotion<W>, Lane<W>>;
+  struct Motions {
+    RigidMotion<W> projectile, target;
+    Lane<W> contact;  // energy
+    typename ActingEffects<W>::Energies effects;
+  };
 
   void place(int lane, const Start& start, const Scene& scene) {
     const Lattice &p = *body_[0].lattice, &t = *body_[1].lattice;
@@ -267,28 +288,34 @@ class Engine {
     body_[1].stiffness[lane] = scene.target->numbers.stiffness;
     h_[lane] = start.step;
     contact_.set(lane, &scene.contact);
+    effects_.begin(lane, start.step);
   }
 
-  // The state at the end of the last step, in end_: back by what get_ahead had done.
+  // The state at the end of the last step, in end_.
   void go_to_step_end() {
     end_ = body_;
+    if (!effects_.split()) fall_back(end_);
+  }
+
+  // Undoes what get_ahead had done.
+  void fall_back(Bodies& bodies) {
     const auto drift = [](Moving<W>& body, int i, const Lane<W>& by) { body.position.x(i) += by * body.velocity.x(i), body.position.y(i) += by * body.velocity.y(i); };
     const Lane<W> back = -method_.ahead_drift * h_;
-    for (Moving<W>& body : end_) {
-      const bool inside_further = method_.multirate() && &body == &end_[1];
+    for (Moving<W>& body : bodies) {
+      const bool inside_further = method_.multirate() && &body == &bodies[1];
       for (int i = 0; i < body.lattice->free; ++i) drift(body, i, inside_further ? Lane<W>(-h_) : back);
       if (!inside_further) continue;
       for (const int i : body.lattice->rim)
         if (i < body.lattice->free) drift(body, i, Lane<W>(back + h_));
     }
     const Lane<W> contact_energy = contact_energy_, still = Lane<W>::Zero();
-    if (method_.multirate()) Mover{*this, end_}.slow(Lane<W>(-0.5 * h_), still, still);
-    if (method_.ahead_kick != 0) Mover{*this, end_}.kick_and_drift(-method_.ahead_kick * h_, still);
+    if (method_.multirate()) Mover{*this, bodies}.slow(Lane<W>(-0.5 * h_), still, still);
+    if (method_.ahead_kick != 0) Mover{*this, bodies}.kick_and_drift(-method_.ahead_kick * h_, still);
     contact_energy_ = contact_energy;
   }
 
-  Motions motions(const Bodies& bodies) {
-    return {rigid_motion(bodies[0]), rigid_motion(bodies[1]), contact_.energy(bodies[0].position, bodies[1].position)};
+  Motions motions_of(const Bodies& bodies) {
+    return {rigid_motion(bodies[0]), rigid_motion(bodies[1]), contact_.energy(bodies[0].position, bodies[1].position), effects_.energies(bodies)};
   }
 
   // Every lane at its own eighth looks, so that its neighbours do not change what it sees.
@@ -303,14 +330,18 @@ class Engine {
     for (Run& run : runs_) ++run.looks;
   }
 
-  static Ledger ledger(int lane, const RigidMotion<W>& p, const RigidMotion<W>& t, const Lane<W>& contact) {
-    return {p.translation[lane], p.rotation[lane], p.vibration[lane], t.translation[lane], t.rotation[lane], t.vibration[lane], contact[lane]};
+  Ledger ledger(int lane, const Motions& motions) const {
+    const auto& [p, t, contact, effects] = motions;
+    Ledger ledger{p.translation[lane], p.rotation[lane], p.vibration[lane], t.translation[lane], t.rotation[lane], t.vibration[lane], contact[lane]};
+    for (std::size_t kind = 0; kind < effect_kinds; ++kind) ledger.effects += effects[kind][lane] - runs_[lane].effects_before[kind];
+    return ledger;
   }
 
   // Follows a lane; not_run means that it goes on.
-  Status follow(int lane, const RigidMotion<W>& p, const RigidMotion<W>& t, const Lane<W>& contact, std::string& reason) {
+  Status follow(int lane, const Motions& motions, std::string& reason) {
     Run& run = runs_[lane];
-    const double total = ledger(lane, p, t, contact).total();
+    const RigidMotion<W>&p = motions.projectile, &t = motions.target;
+    const double total = ledger(lane, motions).total();
     if (!std::isfinite(total)) {
       reason = fmt::format("a position or velocity was not finite at t = {:.6g}", run.time());
       return Status::not_finite;
@@ -390,9 +421,11 @@ class Engine {
     run.tan_alpha = run.contact_length > 0 ? (b->y() - a->y()) / run.contact_length : Outcome::undefined;
   }
 
-  void write(int lane, const RigidMotion<W>& p, const RigidMotion<W>& t, const Lane<W>& contact, Outcome& o) const {
+  void write(int lane, const Motions& motions, Outcome& o) const {
+    const RigidMotion<W>&p = motions.projectile, &t = motions.target;
     const Run& run = runs_[lane];
-    o.before = run.before, o.after = ledger(lane, p, t, contact);
+    o.before = run.before, o.after = ledger(lane, motions);
+    for (const Effect& effect : run.scene->effects) o.effect_energy[effect.index()] = motions.effects[effect.index()][lane] - run.effects_before[effect.index()];
     o.energy_closure = std::abs(o.after.total() - run.energy_before) / run.energy_before;
     o.energy_drift = run.drift;
     o.certified = run.start.certified;
@@ -431,6 +464,7 @@ class Engine {
   std::vector<std::array<Rates, 2>> rates_;     // [stage]
   const Method& method_;
   Contact<W> contact_;
+  ActingEffects<W> effects_;
   double rim_gap_ = 0;  // the longest distance of neighbours in the projectile's rim [R]
   std::array<Run, W> runs_{};
   Lane<W> h_ = Lane<W>::Zero(), contact_energy_ = Lane<W>::Zero(), threshold_ = Lane<W>::Zero();

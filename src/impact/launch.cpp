@@ -54,7 +54,8 @@ constexpr double onset_share = 0.3;
 
 // `fastest`: no node of the projectile is faster [c].
 Step choose_step(const Scene& scene, const Lattice& projectile, const Lattice& target, double fastest) {
-  const Method& method = scene.integration.chosen_method();
+  const Method& method = scene.method();
+  if (const std::string conflict = scene.conflict_with(method); !conflict.empty()) throw FieldError("method", conflict);
   const FrequencyBound a = frequency_bound(projectile, scene.projectile->numbers.stiffness);
   FrequencyBound b = frequency_bound(target, scene.target->numbers.stiffness);
   b.omega *= slower_by(method);

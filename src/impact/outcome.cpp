@@ -2,9 +2,10 @@
 
 namespace ricochet {
 
-const std::vector<std::pair<Field, double (*)(const Outcome&)>>& Outcome::fields() {
+const std::vector<std::pair<Field, std::function<double(const Outcome&)>>>& Outcome::fields() {
   using O = const Outcome&;
-  static const std::vector<std::pair<Field, double (*)(O)>> list{
+  static const auto list = [] {
+  std::vector<std::pair<Field, std::function<double(O)>>> columns{
       {{"e", "number", "", "normal restitution of the centre of mass, -v_n' / v_n"}, [](O o) { return o.e; }},
       {{"beta", "number", "", "tangential restitution of the contact point, -v_ct' / v_ct; undefined if v_ct = 0"}, [](O o) { return o.beta; }},
       {{"mu", "number", "", "impulse ratio |n x J| / (n . J)"}, [](O o) { return o.mu; }},
@@ -44,6 +45,12 @@ const std::vector<std::pair<Field, double (*)(const Outcome&)>>& Outcome::fields
       {{"momentum_residual", "number", "", "|total momentum after - before| / before; undefined if the target is anchored"}, [](O o) { return o.momentum_residual; }},
       {{"error_estimate", "number", "", "estimated error of the scene's accuracy_of from the time step; undefined unless accuracy was asked for"}, [](O o) { return o.error_estimate; }},
   };
+    each_effect_kind([&]<class E>(const E&) {
+      const std::size_t kind = Effect(E{}).index();
+      columns.push_back({{std::string(E::name) + "_energy", "number", "m0 c^2", std::string(E::energy_doc) + "; undefined in scenes without it"}, [kind](O o) { return o.effect_energy[kind]; }});
+    });
+    return columns;
+  }();
   return list;
 }
 

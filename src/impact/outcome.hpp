@@ -1,9 +1,12 @@
 #pragma once
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 
 #include "core/field.hpp"
+#include "force/catalogue.hpp"
 
 namespace ricochet {
 
@@ -20,9 +23,10 @@ struct Ledger {
   double projectile_translation = 0, projectile_rotation = 0, projectile_vibration = 0;
   double target_translation = 0, target_rotation = 0, target_vibration = 0;
   double contact = 0;
+  double effects = 0;  ///< gained in the potentials of effects and lost to those that dissipate, since the start
 
   double total() const {
-    return projectile_translation + projectile_rotation + projectile_vibration + target_translation + target_rotation + target_vibration + contact;
+    return projectile_translation + projectile_rotation + projectile_vibration + target_translation + target_rotation + target_vibration + contact + effects;
   }
 };
 
@@ -43,7 +47,14 @@ struct Outcome {
   double certified = 0, time = undefined, step = undefined, theta = undefined, theta_most = undefined, steps = 0;
   double momentum_residual = undefined, error_estimate = undefined;
 
-  static const std::vector<std::pair<Field, double (*)(const Outcome&)>>& fields();
+  /// Of each kind of effect that the scene names: energy lost to it, or gained in its potential. [m0 c^2]
+  std::array<double, effect_kinds> effect_energy = [] {
+    std::array<double, effect_kinds> none;
+    none.fill(undefined);
+    return none;
+  }();
+
+  static const std::vector<std::pair<Field, std::function<double(const Outcome&)>>>& fields();
 };
 
 }  // namespace ricochet

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -87,16 +88,31 @@ void Integration::check() const {
   if (given(theta) && given(step)) throw FieldError("theta", "give step or theta, not both");
 }
 
+const Method& Scene::method() const {
+  if (integration.method != "auto") return method_named(integration.method);
+  return method_named(std::any_of(effects.begin(), effects.end(), is_split) ? "verlet" : "pefrl");
+}
+
+std::string Scene::conflict_with(const Method& method) const {
+  for (const Effect& effect : effects) {
+    const char* name = std::visit([]<class E>(const E&) { return E::name; }, effect);
+    if (is_split(effect) && method.outcome_order > 2)
+      return fmt::format("{} of order {} would fall to order 2 beside {}, which is split off its steps; give verlet or leave method out", method.name, method.outcome_order, name);
+    if (method.multirate()) return fmt::format("{} cannot hold {} beside the target's long steps; give verlet or leave method out", method.name, name);
+  }
+  return "";
+}
+
 std::string Scene::text() const {
   return fmt::format("projectile {} ka {}\ntarget {} ka {}\n", projectile->geometry_text(), projectile->numbers.stiffness, target->geometry_text(),
                      target->numbers.stiffness) +
-         text_of("launch", launch) + text_of("contact", contact) + text_of("integration", integration);
+         text_of("launch", launch) + text_of("contact", contact) + text_of("integration", integration) + (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects));
 }
 
 std::string Scene::hash() const { return hash_text(text()); }
 
 std::string Scene::group() const {
-  return projectile->geometry_text() + "\n" + target->geometry_text() + "\n" + integration.method;
+  return projectile->geometry_text() + "\n" + target->geometry_text() + "\n" + integration.method + "\n" + ricochet::text_of(effects);
 }
 
 }  // namespace ricochet

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "force/catalogue.hpp"
 #include "force/contact/exponential_repulsion.hpp"
 #include "integrate/method.hpp"
 #include "lattice/lattice.hpp"
@@ -43,7 +44,6 @@ struct Integration {
   static const std::vector<Member<Integration>>& fields();
   /// Throws FieldError if more than one of step, theta and accuracy is given.
   void check() const;
-  const Method& chosen_method() const { return method_named(method == "auto" ? "pefrl" : method); }
 };
 
 struct Scene {
@@ -51,7 +51,13 @@ struct Scene {
   Launch launch;
   ExponentialRepulsion contact;
   Integration integration;
+  std::vector<Effect> effects;  ///< what acts beside springs and contact
   double error_estimate = not_given;  ///< of integration.accuracy_of, if its step was chosen for an accuracy; no part of the text
+
+  /// The method named, or the one that `auto` stands for: verlet beside effects that are split off the step, pefrl else.
+  const Method& method() const;
+  /// Why a method cannot be used beside the effects of the scene; empty if it can.
+  std::string conflict_with(const Method& method) const;
 
   /// One line a quantity, shortest exact numbers.
   std::string text() const;

@@ -5,6 +5,7 @@ namespace ricochet {
 
 /// What a method moves:
 ///   kick_and_drift(a, b)  v += a F(x)/m; x += b v
+///   drift(b)              x += b v
 ///   displace(a)           x += d, d = a F(x)/m; remembers d
 ///   put_back()            x -= d
 /// and for Runge-Kutta methods
@@ -47,11 +48,12 @@ void step(const Method& method, const Number& h, System&& system) {
 template <class Number, class System>
 void get_ahead(const Method& method, const Number& h, System&& system) {
   if (method.multirate()) {
-    system.fast(Number(0 * h), Number(method.ahead_drift * h), Number(0 * h));
+    system.drift(Number(method.ahead_drift * h));
     system.slow(Number(0.5 * h), h, Number(method.ahead_drift * h));
     return;
   }
-  system.kick_and_drift(Number(method.ahead_kick * h), Number(method.ahead_drift * h));
+  if (method.ahead_kick == 0) system.drift(Number(method.ahead_drift * h));
+  else system.kick_and_drift(Number(method.ahead_kick * h), Number(method.ahead_drift * h));
 }
 
 }  // namespace ricochet

@@ -89,6 +89,17 @@ int body(lua_State* L) {
   return 1;
 }
 
+// A function of the catalogue: reads the fields of an effect.
+template <std::size_t kind>
+int effect(lua_State* L) {
+  using E = std::variant_alternative_t<kind, Effect>;
+  check_table(L, 1, function_named(E::name));
+  E made;
+  read_members(L, 1, made);
+  push_object(L, "ricochet.effect", EffectObject{made});
+  return 1;
+}
+
 int scene(lua_State* L) {
   check_table(L, 1, function_named("scene"));
   SceneObject made{{}, call_site(L)};
@@ -97,14 +108,21 @@ int scene(lua_State* L) {
   read_members(L, 1, made.scene.integration);
   if (lua_getfield(L, 1, "launch") == LUA_TTABLE) read_members(L, lua_gettop(L), made.scene.launch);
   if (lua_getfield(L, 1, "contact") == LUA_TTABLE) read_members(L, lua_gettop(L), made.scene.contact);
+  if (lua_getfield(L, 1, "effects") == LUA_TTABLE)
+    for (lua_Integer i = 1; i <= luaL_len(L, -1); ++i) {
+      lua_geti(L, -1, i);
+      made.scene.effects.push_back(effect_at(L, -1).effect);
+      lua_pop(L, 1);
+    }
   try {
     made.scene.launch.velocity(), made.scene.integration.check();
+    if (const std::string conflict = made.scene.conflict_with(made.scene.method()); !conflict.empty()) throw FieldError("method", conflict);
     const auto& held = made.scene.projectile->anchored;
     if (std::find(held.begin(), held.end(), true) != held.end()) throw FieldError("projectile", "must be free, but this body has anchored nodes");
   } catch (const FieldError& error) {
     throw_at(session_of(L), made.site, error);
   }
-  if (const Method& method = made.scene.integration.chosen_method(); !method.symplectic())
+  if (const Method& method = made.scene.method(); !method.symplectic())
     session_of(L).warn(fmt::format("{} is a control: it is not symplectic, so the energy of an impact drifts for good", method.name));
   push_object(L, "ricochet.scene", std::move(made));
   if (session_of(L).options.study) {
@@ -201,9 +219,15 @@ void make_type(lua_State* L, const char* type, lua_CFunction collector, std::ini
 
 void add_bodies(lua_State* L) {
   make_type(L, "ricochet.body", collect_object<BodyObject>, {});
+  make_type(L, "ricochet.effect", collect_object<EffectObject>, {});
   make_type(L, "ricochet.scene", collect_object<SceneObject>, {{"run", guarded<scene_run>}, {"text", guarded<scene_text>}, {"hash", guarded<scene_hash>}});
   const luaL_Reg list[] = {{"body", guarded<body>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}, {"given", given}};
   for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
+  lua_newtable(L);  // core.effects: name -> function
+  [&]<std::size_t... kind>(std::index_sequence<kind...>) {
+    ((lua_pushcfunction(L, guarded<effect<kind>>), lua_setfield(L, -2, std::variant_alternative_t<kind, Effect>::name)), ...);
+  }(std::make_index_sequence<effect_kinds>{});
+  lua_setfield(L, -2, "effects");
 }
 
 }  // namespace ricochet

@@ -14,6 +14,10 @@ struct BodyObject {
   std::shared_ptr<const Body> body;
 };
 
+struct EffectObject {
+  Effect effect;
+};
+
 struct SceneObject {
   Scene scene;
   CallSite site;
@@ -42,6 +46,8 @@ int collect_object(lua_State* L) {
 
 inline SceneObject& scene_at(lua_State* L, int index) { return *static_cast<SceneObject*>(luaL_checkudata(L, index, "ricochet.scene")); }
 inline BodyObject& body_at(lua_State* L, int index) { return *static_cast<BodyObject*>(luaL_checkudata(L, index, "ricochet.body")); }
+
+inline EffectObject& effect_at(lua_State* L, int index) { return *static_cast<EffectObject*>(luaL_checkudata(L, index, "ricochet.effect")); }
 
 /// A row of results as values in the order of row_fields().
 struct Row {

@@ -82,7 +82,16 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
   }
   if (type == "rows") return is_rows(L, index) ? "" : must_be("rows (from sweep:run())");
   if (!lua_istable(L, index))
-    return must_be(type == "points" ? "a list of points { {x, y}, ... }" : type == "strings" ? "a list of strings { \"...\", ... }" : type == "numbers" ? "a list of numbers { ... }" : "a table");
+    return must_be(type == "effects" ? "a list of effects, e.g. { ricochet.gravity { g = 1e-4 } }" : type == "points" ? "a list of points { {x, y}, ... }" : type == "strings" ? "a list of strings { \"...\", ... }" : type == "numbers" ? "a list of numbers { ... }" : "a table");
+  if (type == "effects") {
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+      if (lua_type(L, -2) == LUA_TNUMBER && is_userdata(L, -1, "effect")) continue;
+      const std::string what = lua_type(L, -2) == LUA_TSTRING ? fmt::format("{} = {}", lua_tostring(L, -2), shown(L, -1)) : shown(L, -1);
+      lua_pop(L, 2);
+      return fmt::format("'{}' must be a list of effects, e.g. {{ ricochet.gravity {{ g = 1e-4 }} }}, holds {}", field.name, what);
+    }
+    return "";
+  }
   if (type == "numbers" || type == "strings" || type == "points") {
     const lua_Integer n = luaL_len(L, index);
     if (n == 0) return fmt::format("'{}' must not be empty", field.name);
@@ -226,7 +235,7 @@ std::string shown(lua_State* L, int index) {
     case LUA_TBOOLEAN: return lua_toboolean(L, index) ? "true" : "false";
     case LUA_TNUMBER: return lua_isinteger(L, index) ? fmt::format("{}", lua_tointeger(L, index)) : (lua_tonumber(L, index) != lua_tonumber(L, index) ? "nan" : fmt::format("{}", lua_tonumber(L, index)));
     case LUA_TSTRING: return fmt::format("a string ('{:.40}')", lua_tostring(L, index));
-    case LUA_TUSERDATA: return luaL_getmetafield(L, index, "__name") == LUA_TSTRING ? (lua_pop(L, 1), std::string("a ") + (is_userdata(L, index, "body") ? "body" : "scene")) : "an object";
+    case LUA_TUSERDATA: return luaL_getmetafield(L, index, "__name") == LUA_TSTRING ? (lua_pop(L, 1), std::string(is_userdata(L, index, "body") ? "a body" : is_userdata(L, index, "effect") ? "an effect" : "a scene")) : "an object";
     default:
       if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) {
         const std::string name = lua_tostring(L, -1);

@@ -292,7 +292,7 @@ std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>&
   std::map<std::string, Steps> methods;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (std::isnan(rows[i].values[step])) continue;  // passed by
-    Steps& of = methods[scenes[i].integration.chosen_method().name];
+    Steps& of = methods[scenes[i].method().name];
     of.step.take(rows[i].values[step]), of.theta.take(rows[i].values[theta]), of.most.take(rows[i].values[most]);
   }
   std::string text;
@@ -336,7 +336,7 @@ int pilot(lua_State* L) {
   lua_createtable(L, static_cast<int>(rows.size()), 0);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     push_row(L, rows[i]);
-    lua_pushstring(L, scenes[i].integration.chosen_method().name.c_str()), lua_setfield(L, -2, "method");
+    lua_pushstring(L, scenes[i].method().name.c_str()), lua_setfield(L, -2, "method");
     lua_seti(L, -2, static_cast<lua_Integer>(i) + 1);
   }
   lua_pushnumber(L, seconds);

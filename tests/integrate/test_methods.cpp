@@ -22,6 +22,7 @@ struct Particle {
   long double displacement = 0;
 
   void kick_and_drift(double kick, double drift) { ++evaluations, v -= kick * slope(x), x += drift * v; }
+  void drift(double by) { x += by * v; }
   void displace(double by) { ++evaluations, displacement = -by * slope(x), x += displacement; }
   void put_back() { x -= displacement; }
 
