@@ -127,7 +127,7 @@ function ricochet.drag(t) end
 ---@class ricochet.absorbing_fields
 ---@field width number of the layer, from the anchors inwards [R]
 ---@field rate number share of the velocity lost in a unit of time at the anchors [c/R]
---- An effect, for the `effects` of a scene. A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. Depends on velocities: steps are split, half of it before and half after each, which is of order 2.
+--- An effect, for the `effects` of a scene. A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. A wave much shorter than the width, of speed c_w comes back with exp(-rate width / 3 c_w) of its amplitude. Depends on velocities: steps are split, half of it before and half after each, which is of order 2.
 ---@param t ricochet.absorbing_fields
 ---@return ricochet.effect
 function ricochet.absorbing(t) end

@@ -34,5 +34,6 @@ end
 
 local E_mean, E_error = mean_and_error(E)
 local nu_mean, nu_error = mean_and_error(nu)
-print(("%d bands of %g R x %g R, %s: E = %.4g +- %.2g m0 c^2/R^2 (E/k = %.4f), nu = %.4f +- %.2g"):format(
-  p.samples, p.width, p.height, p.placement, E_mean, E_error, E_mean / p.stiffness, nu_mean, nu_error))
+local function pm(error) return error == error and (" +- %.2g"):format(error) or "" end
+print(("%d bands of %g R x %g R, %s: E = %.4g%s m0 c^2/R^2 (E/k = %.4f), nu = %.4f%s"):format(
+  p.samples, p.width, p.height, p.placement, E_mean, pm(E_error), E_mean / p.stiffness, nu_mean, pm(nu_error)))

@@ -249,7 +249,8 @@ local function accuracy(given)
   local processor, cores = core.machine()
   local study = { rows = rows, columns = t.of, methods = {}, by_method = {}, reference = exact, floor = floor,
     caption = ("what accuracy costs on %s (%d cores), %s, one core"):format(processor, cores, t.repeats > 1 and ("least of %d runs"):format(t.repeats) or "one run each") }
-  if t.lattices then study.lattice, study.lattice_samples = lattice_study(t.scene, t.lattices, t.lattice_samples, t.of[1]), t.lattice_samples end
+  study.lattice = t.lattices and lattice_study(t.scene, t.lattices, t.lattice_samples, t.of[1]) or false
+  study.lattice_samples = t.lattice_samples
   for _, method in ipairs(methods) do study.methods[#study.methods + 1], study.by_method[method.name] = method.name, {} end
   for _, row in ipairs(rows) do
     local errors = {}
@@ -264,7 +265,7 @@ local function accuracy(given)
   if drawable then plot(study, t.name) end
   --- study.cheapest(wanted [, column [, method]]): the row with the fewest force evaluations whose error is at most `wanted`, or nil.
   study.cheapest = function(wanted, column, method) return cheapest(method and study.by_method[method] or rows, column or t.of[1], wanted) end
-  return study
+  return core.strict(study, "the study")
 end
 
 return { accuracy = accuracy }

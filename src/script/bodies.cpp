@@ -173,6 +173,26 @@ int scene_hash(lua_State* L) {
   return 1;
 }
 
+// A misspelt field of a table that was returned is an error, not nil.
+int unknown_result(lua_State* L) {
+  std::vector<std::string> names;
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
+    if (lua_type(L, -2) == LUA_TSTRING) names.push_back(lua_tostring(L, -2));
+  luaL_getmetafield(L, 1, "__name");
+  throw unknown_name(L, lua_tostring(L, -1), lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2), names);
+}
+
+// strict(table, what): the table, in which names that it has not are errors.
+int strict(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_createtable(L, 0, 2);
+  lua_pushstring(L, luaL_checkstring(L, 2)), lua_setfield(L, -2, "__name");
+  lua_pushcfunction(L, guarded<unknown_result>), lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, 1);
+  lua_settop(L, 1);
+  return 1;
+}
+
 int elasticity(lua_State* L) {
   check_table(L, 1, function_named("elasticity"));
   lua_getfield(L, 1, "body");
@@ -188,6 +208,8 @@ int elasticity(lua_State* L) {
   lua_createtable(L, 0, 2);
   lua_pushnumber(L, result.young_modulus), lua_setfield(L, -2, "E");
   lua_pushnumber(L, result.poisson_ratio), lua_setfield(L, -2, "nu");
+  lua_pushcfunction(L, strict), lua_insert(L, -2), lua_pushliteral(L, "the table of moduli");
+  lua_call(L, 2, 1);
   return 1;
 }
 
@@ -221,7 +243,7 @@ void add_bodies(lua_State* L) {
   make_type(L, "ricochet.body", collect_object<BodyObject>, {});
   make_type(L, "ricochet.effect", collect_object<EffectObject>, {});
   make_type(L, "ricochet.scene", collect_object<SceneObject>, {{"run", guarded<scene_run>}, {"text", guarded<scene_text>}, {"hash", guarded<scene_hash>}});
-  const luaL_Reg list[] = {{"body", guarded<body>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}, {"given", given}};
+  const luaL_Reg list[] = {{"body", guarded<body>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}, {"given", given}, {"strict", strict}};
   for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
   lua_newtable(L);  // core.effects: name -> function
   [&]<std::size_t... kind>(std::index_sequence<kind...>) {

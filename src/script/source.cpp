@@ -134,7 +134,11 @@ std::string syntax_hint(const std::string& source, int line, const std::string& 
   if (near("&")) return " (Lua writes and, or, not)";
   for (const char* sign : {"+", "-", "*", "/"})
     if (excerpt(source, {line, 1, 0}).find(std::string(sign) + "=") != std::string::npos) return fmt::format(" (Lua has no {0}=; write x = x {0} ...)", sign);
-  if (message.find("'}' expected") != std::string::npos && !near("<eof>")) return " (is a comma missing before it?)";
+  // A name, string or bracket that stands where a comma or the end of the table should: not a keyword.
+  const std::size_t at = message.find("near '");
+  const std::string word = at == std::string::npos ? "" : message.substr(at + 6, message.find('\'', at + 6) - at - 6);
+  if (message.find("'}' expected") != std::string::npos && !word.empty())
+    return std::find(keywords.begin(), keywords.end(), word) == keywords.end() ? " (is a comma missing before it?)" : " (is a bracket missing before it?)";
   return "";
 }
 

@@ -101,6 +101,7 @@ int unknown_global(lua_State* L) {
     for (int i = 1; const char* local = lua_getlocal(L, &frame, i); ++i, lua_pop(L, 1))
       if (local[0] != '(') names.push_back(local);
   std::string hint = did_you_mean(name, names);
+  if (name == "O" || name == "o") hint = " (did you mean the digit 0?)";
   if (name == "io") hint = " (files are below the run's folder, through ricochet.file)";
   if (hint.empty() && is_choice(name)) hint = fmt::format(" (if the text is meant, write \"{}\")", name);
   if (name == "ricochet") hint = " (begin the script with: local ricochet = require \"ricochet\")";
