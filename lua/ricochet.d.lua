@@ -127,7 +127,7 @@ function ricochet.drag(t) end
 ---@class ricochet.absorbing_fields
 ---@field width number of the layer, from the anchors inwards [R]
 ---@field rate number share of the velocity lost in a unit of time at the anchors [c/R]
---- An effect, for the `effects` of a scene. A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. A wave much shorter than the width, of speed c_w comes back with exp(-rate width / 3 c_w) of its amplitude. Depends on velocities: steps are split, half of it before and half after each, which is of order 2.
+--- An effect, for the `effects` of a scene. A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. A wave much shorter than the width, of speed c_w, comes back with exp(-rate width / 3 c_w) of its amplitude. Depends on velocities: steps are split, half of it before and half after each, which is of order 2.
 ---@param t ricochet.absorbing_fields
 ---@return ricochet.effect
 function ricochet.absorbing(t) end
@@ -199,6 +199,16 @@ function ricochet.record(t) end
 ---@param t ricochet.accuracy_fields
 ---@return table
 function ricochet.accuracy(t) end
+
+---@class ricochet.relevance_fields
+---@field scene ricochet.scene what happens
+---@field effects ricochet.effect[] those that may matter
+---@field of? string[] outcomes to compare (default {"e", "beta", "mu"})
+---@field samples? integer lattices: the scene's own and others of its kind (default 8)
+--- Which effects a scene calls for: runs it with and without each on the same lattices, prints the change of outcomes with its standard error beside that of their mean over the samples, and the cost in time. All by verlet. Returns a list of tables: name, cost, and by outcome change, se, sampling.
+---@param t ricochet.relevance_fields
+---@return table
+function ricochet.relevance(t) end
 
 ---@class ricochet.plan_fields
 ---@field sweep ricochet.sweep with one name in `over` that counts samples

@@ -19,6 +19,7 @@ ricochet.wall = core.wrap(shapes.wall)
 ricochet.sweep = core.wrap(require("ricochet.sweep").sweep)
 ricochet.plot = core.wrap(require("ricochet.plot").plot)
 ricochet.accuracy = core.wrap(require("ricochet.accuracy").accuracy)
+ricochet.relevance = core.wrap(require("ricochet.effects").relevance)
 ricochet.plan = core.wrap(require("ricochet.plan").plan)
 
 --- range(n): 1 ... n; range(first, last [, step]).

@@ -125,7 +125,7 @@ int scene(lua_State* L) {
   if (const Method& method = made.scene.method(); !method.symplectic())
     session_of(L).warn(fmt::format("{} is a control: it is not symplectic, so the energy of an impact drifts for good", method.name));
   push_object(L, "ricochet.scene", std::move(made));
-  if (session_of(L).options.study) {
+  if (!session_of(L).options.study.empty()) {
     const bool first = lua_getfield(L, LUA_REGISTRYINDEX, "ricochet.first_scene") == LUA_TNIL;
     lua_pop(L, 1);
     if (first) lua_pushvalue(L, -1), lua_setfield(L, LUA_REGISTRYINDEX, "ricochet.first_scene");
@@ -160,6 +160,31 @@ int given(lua_State* L) {
     lua_insert(L, -2);
     lua_settable(L, 3);
   }
+  return 1;
+}
+
+// catalogue(): { { name =, example = }, ... } of every kind of effect.
+int catalogue(lua_State* L) {
+  lua_newtable(L);
+  each_effect_kind([&]<class E>(const E&) {
+    lua_createtable(L, 0, 2);
+    lua_pushstring(L, E::name), lua_setfield(L, -2, "name");
+    lua_pushstring(L, E::example), lua_setfield(L, -2, "example");
+    lua_seti(L, -2, luaL_len(L, -2) + 1);
+  });
+  return 1;
+}
+
+// effect_name(effect): that of its kind.
+int effect_name(lua_State* L) {
+  lua_pushstring(L, std::visit([]<class E>(const E&) { return E::name; }, effect_at(L, 1).effect));
+  return 1;
+}
+
+// nodes(scene): of both bodies.
+int nodes(lua_State* L) {
+  const Scene& scene = scene_at(L, 1).scene;
+  lua_pushinteger(L, scene.projectile->numbers.nodes + scene.target->numbers.nodes);
   return 1;
 }
 
@@ -243,7 +268,7 @@ void add_bodies(lua_State* L) {
   make_type(L, "ricochet.body", collect_object<BodyObject>, {});
   make_type(L, "ricochet.effect", collect_object<EffectObject>, {});
   make_type(L, "ricochet.scene", collect_object<SceneObject>, {{"run", guarded<scene_run>}, {"text", guarded<scene_text>}, {"hash", guarded<scene_hash>}});
-  const luaL_Reg list[] = {{"body", guarded<body>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}, {"given", given}, {"strict", strict}};
+  const luaL_Reg list[] = {{"body", guarded<body>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}, {"given", given}, {"strict", strict}, {"catalogue", catalogue}, {"effect_name", effect_name}, {"nodes", nodes}};
   for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
   lua_newtable(L);  // core.effects: name -> function
   [&]<std::size_t... kind>(std::index_sequence<kind...>) {

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/spelling.hpp"
+#include "force/catalogue.hpp"
 #include "force/lane.hpp"
 #include "script/specification.hpp"
 #include "script/state.hpp"
@@ -28,9 +29,9 @@ int run(RunOptions options, const std::string& script, const std::vector<std::st
   if (!session.options.help && arguments.empty()) session.refuse_earlier_results(session.own_folder());
   State state(session);
   try {
-    if (session.options.study) session.options.check = true;
+    if (!session.options.study.empty()) session.options.check = true;
     state.run_script();
-    if (session.options.study && !session.done) session.options.check = false, state.study_first_scene();
+    if (!session.options.study.empty() && !session.done) session.options.check = false, state.study_first_scene();
     if (session.options.help && !session.done) session.print(fmt::format("{} declares no parameters.\n", script));
   } catch (const Error& error) {
     session.log(fmt::format("error: {}\n", error.what()));
@@ -61,6 +62,18 @@ int repl() {
   }
   fmt::print("\n");
   return 0;
+}
+
+void print_effects() {
+  each_effect_kind([]<class E>(const E&) {
+    fmt::print("{}: {}\n  {}\n", E::name, E::doc, E::example);
+    for (const auto& member : E::fields()) {
+      const Field& f = member.field;
+      fmt::print("    {:<8} {}{}{}\n", f.name, f.doc, f.unit.empty() ? "" : " [" + f.unit + "]", f.initial.empty() ? "" : " (default " + f.initial + ")");
+    }
+    fmt::print("  column {}_energy: {}\n\n", E::name, E::energy_doc);
+  });
+  fmt::print("What a scene does not name in `effects = {{ ... }}` is not computed; ricochet effects --cost measures what each costs.\n");
 }
 
 int info(const std::string& path) {
@@ -112,6 +125,12 @@ int program(int count, char** words) {
   accuracy_command->add_option("name=value", arguments, "the script's parameters");
   accuracy_command->add_option("--out", options.out, "folder of the results (default: out)");
   accuracy_command->add_flag("--force", options.force, "replace earlier results");
+  bool price = false;
+  CLI::App* effects_command = app.add_subcommand("effects", "The effects that a scene may name, and what they cost: ricochet effects [--cost [SCRIPT [name=value ...]]]");
+  effects_command->add_flag("--cost", price, "measure what each costs, in the script's first scene or the paper's soft wall");
+  effects_command->add_option("SCRIPT", script, "the Lua script");
+  effects_command->add_option("name=value", arguments, "the script's parameters");
+  effects_command->add_option("--out", options.out, "folder of the results (default: out)");
   CLI::App* repl_command = app.add_subcommand("repl", "Type Lua");
   CLI::App* info_command = app.add_subcommand("info", "What a results.h5 holds and where it came from");
   info_command->add_option("FILE", file, "an HDF5 file of ours")->required();
@@ -128,7 +147,7 @@ int program(int count, char** words) {
     std::cout << version_text() << '\n';
     return 0;
   } catch (const CLI::ParseError& error) {
-    const std::vector<std::string> commands{"run", "accuracy", "repl", "info", "reference"};
+    const std::vector<std::string> commands{"run", "accuracy", "effects", "repl", "info", "reference"};
     std::string hint;
     const std::vector<std::string> options_known{"--threads", "--batch", "--out", "--budget", "--resume", "--force", "--check", "--traceback", "--quiet", "--unsafe", "--help"};
     for (int i = 1; i < count && *run_command; ++i) {
@@ -149,8 +168,19 @@ int program(int count, char** words) {
     return run(options, script, arguments);
   }
   if (*accuracy_command) {
-    options.study = true;
+    options.study = "require('ricochet').accuracy { scene = first_scene }";
     return run(options, script, arguments);
+  }
+  if (*effects_command) {
+    if (!price) {
+      print_effects();
+      return 0;
+    }
+    options.study = "require('ricochet.effects').cost(first_scene, 5)";
+    if (!script.empty()) return run(options, script, arguments);
+    Session session({}, "effects", {});
+    State(session).run_text("require('ricochet.effects').cost(nil, 5)");
+    return 0;
   }
   if (*repl_command) return repl();
   if (*info_command) return info(file);

@@ -98,14 +98,15 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
     for (lua_Integer i = 1; i <= n; ++i) {
       lua_geti(L, index, i);
       bool good = type == "strings" ? lua_type(L, -1) == LUA_TSTRING : type == "numbers" ? lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1)) : lua_istable(L, -1);
+      std::string found = "is " + shown(L, -1);
       if (good && type == "points") {
         for (int axis : {1, 2}) {
           lua_geti(L, -1, axis);
-          good = good && lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1));
+          if (good && !(lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1)))) good = false, found = fmt::format("has {} = {}", axis == 1 ? "x" : "y", shown(L, -1));
           lua_pop(L, 1);
         }
       }
-      const std::string element = good ? "" : fmt::format("'{}' must hold {}; element {} is {}", field.name, type == "points" ? "points {x, y} of finite numbers" : "only " + type, i, shown(L, -1));
+      const std::string element = good ? "" : fmt::format("'{}' must hold {}; element {} {}", field.name, type == "points" ? "points {x, y} of finite numbers" : "only " + type, i, found);
       lua_pop(L, 1);
       if (!good) return element;
     }

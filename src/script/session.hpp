@@ -21,7 +21,7 @@ struct RunOptions {
   int batch = 0;  ///< 0: as many lanes as there are
   std::string out = "out";
   bool resume = false, force = false, check = false, traceback = false, quiet = false, unsafe = false, help = false;
-  bool study = false;     ///< ricochet accuracy: the script is only checked, then its first scene is studied
+  std::string study;     ///< Lua that studies `first_scene`: the script is then only checked
   long long budget = 0;  ///< Lua instructions; 0: no limit
 };
 

@@ -103,10 +103,26 @@ std::optional<Place> find_field(const std::string& source, int line, const std::
   return std::nullopt;
 }
 
+namespace {
+
+std::string line_of(const std::string& source, int number) {
+  std::size_t start = 0;
+  for (int line = 1; line < number && start != std::string::npos; ++line) {
+    start = source.find('\n', start);
+    if (start != std::string::npos) ++start;
+  }
+  return start == std::string::npos || start >= source.size() ? "" : source.substr(start, source.find('\n', start) - start);
+}
+
+}  // namespace
+
 std::string syntax_hint(const std::string& source, int line, const std::string& message) {
   static const std::vector<std::string> keywords{"and", "break", "do", "else", "elseif", "end", "false", "for", "function", "if", "in", "local",
                                                  "nil", "not", "or", "repeat", "return", "then", "true", "until", "while"};
   const std::vector<Token> tokens = tokens_of(source);
+  const std::string text = line_of(source, line);
+  for (const char quote : {'"', '\''})
+    if (std::count(text.begin(), text.end(), quote) % 2 == 1 && text.find("--") == std::string::npos) return " (is a quote missing in this line?)";
   // From the line where the block was opened, if the message names one, to where Lua could not go on.
   int first = std::max(line - 1, 1);
   if (message.find("<eof> expected") != std::string::npos) first = 1;  // an "end" too many: what it should close began anywhere
@@ -121,35 +137,42 @@ std::string syntax_hint(const std::string& source, int line, const std::string& 
     const bool name = !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) && std::find(keywords.begin(), keywords.end(), word) == keywords.end();
     if (tokens[i].line < first || !name || word.size() < 2 || declared.contains(word)) continue;
     if (i > 0 && (tokens[i - 1].text == "." || tokens[i - 1].text == ":")) continue;
+    const std::vector<std::string> near = nearest_names(word, keywords);
+    // The beginning of a longer word is no slip of a keyword.
+    if (near.empty() || near[0].size() + 1 < word.size() || word.size() + 2 < near[0].size()) continue;
     const std::string hint = did_you_mean(word, keywords);
-    if (hint.empty()) continue;
     suspect = &tokens[i], meant = hint;  // the last one before the error is the likeliest
   }
   if (suspect) {
     meant.insert(meant.size() - 2, fmt::format(" for '{}'{}", suspect->text, suspect->line == line ? "" : fmt::format(" in line {}", suspect->line)));
     return meant;
   }
-  const auto near = [&](const std::string& text) { return message.find("near '" + text) != std::string::npos; };
+  const auto near = [&](const std::string& mark) { return message.find("near '" + mark) != std::string::npos; };
+  if (message.find("']' expected near ','") != std::string::npos || near("[")) return " (lists are written { ... })";
+  if (message.find("unexpected symbol near 'end'") != std::string::npos) {
+    std::vector<const Token*> open;
+    for (const Token& t : tokens) {
+      if (t.line > line || (t.line == line && t.text == "end")) break;
+      if (t.text == "{" || t.text == "(" || t.text == "[") open.push_back(&t);
+      if ((t.text == "}" || t.text == ")" || t.text == "]") && !open.empty()) open.pop_back();
+    }
+    if (!open.empty()) return fmt::format(" (is the '{}' of line {} closed?)", open.back()->text, open.back()->line);
+  }
   if (near("!")) return " (Lua writes ~= for 'differs from', and not for the negation)";
   if (near("&")) return " (Lua writes and, or, not)";
   for (const char* sign : {"+", "-", "*", "/"})
-    if (excerpt(source, {line, 1, 0}).find(std::string(sign) + "=") != std::string::npos) return fmt::format(" (Lua has no {0}=; write x = x {0} ...)", sign);
+    if (text.find(std::string(sign) + "=") != std::string::npos) return fmt::format(" (Lua has no {0}=; write x = x {0} ...)", sign);
   // A name, string or bracket that stands where a comma or the end of the table should: not a keyword.
   const std::size_t at = message.find("near '");
   const std::string word = at == std::string::npos ? "" : message.substr(at + 6, message.find('\'', at + 6) - at - 6);
-  if (message.find("'}' expected") != std::string::npos && !word.empty())
+  if (message.find("'}' expected") != std::string::npos && !word.empty() && (std::isalnum(static_cast<unsigned char>(word[0])) || word[0] == '_' || word[0] == '{'))
     return std::find(keywords.begin(), keywords.end(), word) == keywords.end() ? " (is a comma missing before it?)" : " (is a bracket missing before it?)";
   return "";
 }
 
 std::string excerpt(const std::string& source, const Place& place) {
-  std::size_t start = 0;
-  for (int line = 1; line < place.line && start != std::string::npos; ++line) {
-    start = source.find('\n', start);
-    if (start != std::string::npos) ++start;
-  }
-  if (start == std::string::npos || start >= source.size()) return "";
-  const std::string text = source.substr(start, source.find('\n', start) - start);
+  const std::string text = line_of(source, place.line);
+  if (text.empty()) return "";
   std::string result = fmt::format("{:5} | {}\n", place.line, text);
   if (place.length > 0) {
     // Tabs before the name are repeated, so that the carets stand below it.

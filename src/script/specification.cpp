@@ -120,6 +120,14 @@ std::vector<Function> make() {
                    {"repeats", "integer", "", "runs of each step; the least wall time counts", {1, 1000}, "3"},
                    {"name", "string", "", "file name without extension", any_number, "accuracy"}},
                   "table", "ricochet.accuracy { scene = scene, methods = { \"verlet\", \"pefrl\" }, of = { \"e\", \"beta\" } }"});
+  list.push_back({"relevance",
+                  "Which effects a scene calls for: runs it with and without each on the same lattices, prints the change of outcomes with its standard error beside "
+                  "that of their mean over the samples, and the cost in time. All by verlet. Returns a list of tables: name, cost, and by outcome change, se, sampling.",
+                  {scene,
+                   {"effects", "effects", "", "those that may matter"},
+                   {"of", "strings", "", "outcomes to compare", any_number, "{\"e\", \"beta\", \"mu\"}"},
+                   {"samples", "integer", "", "lattices: the scene's own and others of its kind", {2, 100000}, "8"}},
+                  "table", "ricochet.relevance { scene = scene, effects = { ricochet.gravity { g = 1e-4 } } }"});
   list.push_back({"plan",
                   "The error budget of a sweep (time step, lattice size, samples: which one dominates), from a pilot, and the cheapest method, step, nodes and samples "
                   "that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the sweep's folder, and says how long it took. "

@@ -474,8 +474,8 @@ void State::study_first_scene() {
   lua_getfield(L_, LUA_REGISTRYINDEX, "ricochet.first_scene");
   lua_rawset(L_, -3);
   lua_pop(L_, 1);
-  const char* text = "require('ricochet').accuracy { scene = first_scene }";
-  if (luaL_loadbufferx(L_, text, std::strlen(text), "=accuracy", "t") != LUA_OK) throw std::logic_error("study_first_scene");
+  const std::string& text = session_.options.study;
+  if (luaL_loadbufferx(L_, text.data(), text.size(), "=study", "t") != LUA_OK) throw std::logic_error("study_first_scene");
   call_chunk(0);
 }
 

@@ -190,3 +190,36 @@ TEST_CASE("./workbench without root or sudo says which packages to install and h
   CHECK_THAT(ended.first_line(), Catch::Matchers::StartsWith("error: workbench: these Debian packages are missing and need root to install: g++ cmake"));
   CHECK_THAT(ended.err, Catch::Matchers::Contains("as root: apt-get install --no-install-recommends g++ cmake"));
 }
+
+TEST_CASE("effects lists the catalogue, and --cost prices it in a script's scene beside the scene's own") {
+  const Workplace here;
+  const Ended list = here.shell("ricochet effects");
+  CHECK(list.status == 0);
+  for (const char* text : {"gravity: ", "ricochet.drag { rate = 0.01 }", "column damping_energy: ", "retardation time of the material [R/c]"}) CHECK_THAT(list.out, Catch::Matchers::Contains(text));
+  here.write("s.lua", "local ricochet = require 'ricochet'\nricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 }, effects = { ricochet.gravity { g = 1e-3 }, "
+                      "ricochet.damping { time = 1e-3 } } }");
+  const Ended priced = here.shell("ricochet effects --cost s.lua");
+  INFO(priced.err);
+  CHECK(priced.status == 0);
+  for (const char* text : {"210 nodes", "\nbare ", "\nabsorbing ", "\nthe scene's own "}) CHECK_THAT(priced.out, Catch::Matchers::Contains(text));
+}
+
+TEST_CASE("relevance compares the same lattices with and without an effect") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+local function scene(effects, seed)
+  return ricochet.scene { projectile = ricochet.disk { nodes = 60, roughness = 0.03, seed = seed }, target = ricochet.wall { nodes = 150, width = 4, stiffness = 400, seed = seed },
+    launch = { psi1 = 1 }, effects = effects, method = "verlet", theta = 1.2 }
+end
+local drag = ricochet.drag { rate = 0.02 }
+local result = ricochet.relevance { scene = scene({}, 5), effects = { drag, ricochet.gravity { g = 0 } }, of = { "e" }, samples = 3 }
+local sum = 0
+for seed = 5, 7 do sum = sum + scene({ drag }, seed):run().e - scene({}, seed):run().e end
+assert(math.abs(result[1].e.change - sum / 3) < 1e-14, result[1].e.change .. " " .. sum / 3)
+assert(result[1].name == "drag" and result[1].e.count == 3 and result[1].e.se > 0 and result[1].e.sampling > result[1].e.se)
+assert(result[2].e.change == 0)  -- gravity of nothing
+)");
+  INFO(ended.out << ended.err);
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("not seen"));
+}

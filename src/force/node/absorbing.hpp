@@ -11,12 +11,12 @@ namespace ricochet {
 
 /// A sponge along the target's anchored edges: dv/dt = -rate (1 - d/width)^2 v at a distance d < width from the nearest anchor, so
 /// that waves fade before they come back and the target acts as a half-space. The square makes the layer's own reflection small: it
-/// begins without a kink. A wave of speed c_w loses rate/2 of its amplitude in a unit of time where half of its energy moves, so if it
-/// is short it comes back with exp(-rate width / (3 c_w)) of it. [here; the profile: e.g. Israeli & Orszag 1981, J. Comput. Phys. 41, 115]
+/// begins without a kink. A wave of speed c_w loses rate/2 of its amplitude in a unit of time where half of its energy moves, so a wave much
+/// shorter than the width comes back with exp(-rate width / (3 c_w)) of it. [here; the profile: e.g. Israeli & Orszag 1981, J. Comput. Phys. 41, 115]
 struct Absorbing {
   static constexpr const char* name = "absorbing";
-  static constexpr const char* doc = "A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. A wave much shorter than the width, of "
-                                     "speed c_w comes back with exp(-rate width / 3 c_w) of its amplitude.";
+  static constexpr const char* doc = "A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. A wave much shorter than the width, "
+                                     "of speed c_w, comes back with exp(-rate width / 3 c_w) of its amplitude.";
   static constexpr const char* example = "ricochet.absorbing { width = 1, rate = 5 }";
   static constexpr const char* energy_doc = "energy lost in the absorbing layer";
 

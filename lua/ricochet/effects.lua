@@ -1,0 +1,89 @@
+-- What effects cost and what they change: ricochet effects --cost, ricochet.relevance.
+local core = require "ricochet.core"
+local refine = require "ricochet.refine"
+
+local function with_effects(scene, effects)
+  local t = core.given(scene)
+  t.effects = effects
+  -- One method for all, so that only the effects differ.
+  t.method, t.step, t.theta, t.accuracy = "verlet", nil, 1.2, nil
+  return core.scene(t)
+end
+
+--- Prints what each effect of the catalogue costs in a scene, and the scene's own effects together: nanoseconds a node and step
+--- beside those of the bare scene, all by verlet in one run; the least of the repeats counts. Without a scene: the paper's soft wall.
+local function cost(scene, repeats)
+  local ricochet = require "ricochet"
+  scene = scene or ricochet.scene {
+    projectile = ricochet.disk { nodes = 800, placement = "poisson_disk", roughness = 0.03, seed = 1 },
+    target = ricochet.wall { nodes = 4000, placement = "poisson_disk", stiffness = 100, roughness = 0.03, seed = 1 },
+    launch = { speed = 0.1, psi1 = 1 },
+  }
+  local own = core.given(scene).effects or {}
+  local variants = { { name = "bare", scene = with_effects(scene, {}), seconds = math.huge } }
+  for _, effect in ipairs(core.catalogue()) do
+    variants[#variants + 1] = { name = effect.name, scene = with_effects(scene, { load("local ricochet = ... return " .. effect.example)(ricochet) }), seconds = math.huge, example = effect.example }
+  end
+  if #own > 0 then variants[#variants + 1] = { name = "the scene's own", scene = with_effects(scene, own), seconds = math.huge } end
+  for _ = 1, repeats do  -- in turn, so that a busy moment does not fall on one of them alone
+    for _, variant in ipairs(variants) do
+      local row = core.accuracy_runs(variant.scene, { { method = "verlet", theta = 1.2 } }, 1)[1]
+      if row.status ~= "finished" then core.fail(("with %s the impact ended %s: %s"):format(variant.name, row.status, row.reason)) end
+      variant.seconds, variant.steps = math.min(variant.seconds, row.wall_seconds / row.steps), row.steps
+    end
+  end
+  local processor, cores = core.machine()
+  local nodes = core.nodes(scene)
+  print(("cost of effects on %s (%d cores), %d nodes, one impact alone, least of %d runs"):format(processor, cores, nodes, repeats))
+  print(("%-16s %16s %14s   %s"):format("", "ns/node/step", "of the bare", "as in"))
+  for _, variant in ipairs(variants) do
+    print(("%-16s %16.2f %13.1f%%   %s"):format(variant.name, variant.seconds / nodes * 1e9, 100 * variant.seconds / variants[1].seconds, variant.example or ""))
+  end
+end
+
+local function relevance(given)
+  local t = core.check("relevance", given)
+  local known = core.columns()
+  for _, column in ipairs(t.of) do
+    if not known[column] then
+      local names = {}
+      for name in pairs(known) do names[#names + 1] = name end
+      core.fail(("an outcome has no '%s'%s"):format(column, core.did_you_mean(column, names)), "of")
+    end
+  end
+  if #t.effects == 0 then core.fail("'effects' is empty; name those that may matter", "effects") end
+  if core.is_check() then return nil end
+  local function runs(effects)
+    local scenes = {}
+    for k = 1, t.samples do scenes[k] = with_effects(refine.refined(t.scene, 1, k - 1), effects) end
+    return core.pilot(scenes)
+  end
+  local bare, bare_seconds = runs {}
+  print(("%-10s %8s %12s %22s %20s %8s"):format("effect", "outcome", "bare", "change +- its se", "se of the mean", "cost"))
+  local result = {}
+  for i, effect in ipairs(t.effects) do
+    local rows, seconds = runs { effect }
+    local entry = { name = core.effect_name(effect), cost = seconds / bare_seconds }
+    for _, column in ipairs(t.of) do
+      -- The same lattices with and without: their scatter falls out of the difference.
+      local n, mean, square, base, base_square = 0, 0, 0, 0, 0
+      for k, row in ipairs(rows) do
+        local change, value = row[column] - bare[k][column], bare[k][column]
+        if row.status == "finished" and bare[k].status == "finished" and change == change then
+          n = n + 1
+          local d, b = change - mean, value - base
+          mean, base = mean + d / n, base + b / n
+          square, base_square = square + d * (change - mean), base_square + b * (value - base)
+        end
+      end
+      local c = { count = n, bare = base, change = mean, se = math.sqrt(square / (n - 1) / n), sampling = math.sqrt(base_square / (n - 1) / n) }
+      entry[column] = c
+      local verdict = math.abs(c.change) <= 2 * c.se and "not seen" or math.abs(c.change) < c.sampling and "below the sampling error" or "matters"
+      print(("%-10s %8s %12.4f %22s %20.2g %7.0f%%  %s"):format(entry.name, column, c.bare, ("%+.2g +- %.1g"):format(c.change, c.se), c.sampling, 100 * entry.cost, verdict))
+    end
+    result[i] = entry
+  end
+  return result
+end
+
+return { cost = cost, relevance = relevance }
