@@ -160,6 +160,23 @@ local function print_plan(plan)
   end
 end
 
+-- Measured times differ between runs, and with them the cheapest plan: what a run decided is kept, so that --resume goes on with it.
+local function plan_file(sweep) return sweep.name .. "_plan.txt" end
+
+local function keep(plan)
+  core.file_write(plan_file(plan.sweep), ("standard_error %.17g of %s\nsamples %d\nnodes %.17g\nmethod %s\ntheta %.17g\npredicted_seconds %.3g\n"):format(plan.standard_error, plan.of,
+    plan.samples, plan.nodes, plan.method, plan.theta, plan.predicted_seconds))
+end
+
+local function go_on_with_kept(plan)
+  local known, text = pcall(core.file_read, plan_file(plan.sweep))
+  local wanted = ("standard_error %.17g of %s\n"):format(plan.standard_error, plan.of)
+  if not known or text:sub(1, #wanted) ~= wanted then return end
+  local samples, nodes, method, theta = text:match "samples (%S+)\nnodes (%S+)\nmethod (%S+)\ntheta (%S+)\n"
+  plan.samples, plan.nodes, plan.method, plan.theta = math.tointeger(samples), tonumber(nodes), method, tonumber(theta)
+  print(("goes on with the plan of the earlier run: %s with theta %.3g, %.3g times the nodes, %d samples a point"):format(plan.method, plan.theta, plan.nodes, plan.samples))
+end
+
 local function plan(given)
   local t = core.check("plan", given)
   local sweep, sample, column = t.sweep, t.samples, t.of
@@ -249,6 +266,8 @@ local function plan(given)
   end
   result.pilot_seconds = core.clock() - began
   print_plan(result)
+  if result.samples and core.is_resume() then go_on_with_kept(result) end
+  if result.samples then keep(result) end
   return result
 end
 

@@ -77,6 +77,13 @@ for _, line in ipairs(rows:summary { by = "psi1", of = { "e" } }) do assert(line
   CHECK_THAT(ended.out, Catch::Matchers::Contains("cheapest: ") && Catch::Matchers::Contains("s, took "));
   const Table table = read_table(here.path / "out/s/results.h5");
   CHECK(table.rows() >= 6);
+  // Another time the pilot may find another plan the cheapest: --resume goes on with the one that was kept.
+  const std::string kept = here.read("out/s/s_plan.txt");
+  CHECK(kept.starts_with("standard_error 0.05"));
+  const Ended again = here.run("s.lua samples=3 --quiet --resume");
+  INFO(again.err);
+  CHECK(again.status == 0);
+  CHECK_THAT(again.out, Catch::Matchers::Contains("goes on with the plan of the earlier run"));
 }
 
 TEST_CASE("a plan for the continuum says when the lattice's size puts it out of reach") {
