@@ -38,6 +38,7 @@ function ricochet.parameters(t) end
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
 ---@field mass? number mass of one node [m0] (default 1)
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
+---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
 --- A random mass-spring lattice in a closed outline.
 ---@param t ricochet.body_fields
@@ -53,6 +54,7 @@ function ricochet.body(t) end
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
 ---@field mass? number mass of one node [m0] (default 1)
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
+---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
 --- A disk around the origin.
 ---@param t ricochet.disk_fields
@@ -69,6 +71,7 @@ function ricochet.disk(t) end
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
 ---@field mass? number mass of one node [m0] (default 1)
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
+---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 --- A rectangular block whose top is y = 0, held at both sides and at the bottom.
 ---@param t ricochet.wall_fields
 ---@return ricochet.body
@@ -119,7 +122,7 @@ function ricochet.gravity(t) end
 ---@class ricochet.drag_fields
 ---@field rate number share of the velocity lost in a unit of time [c/R]
 ---@field on? "projectile"|"target"|"both" the bodies it acts on (default projectile)
---- An effect, for the `effects` of a scene. Friction of every node against a medium at rest, in proportion to its velocity, from the first approach of the rims on. Depends on velocities: steps are split, half of it before and half after each, which is of order 2.
+--- An effect, for the `effects` of a scene. Friction of every node against a medium at rest, in proportion to its velocity, from the first approach of the rims on. Goes with verlet only: order 2.
 ---@param t ricochet.drag_fields
 ---@return ricochet.effect
 function ricochet.drag(t) end
@@ -127,18 +130,70 @@ function ricochet.drag(t) end
 ---@class ricochet.absorbing_fields
 ---@field width number of the layer, from the anchors inwards [R]
 ---@field rate number share of the velocity lost in a unit of time at the anchors [c/R]
---- An effect, for the `effects` of a scene. A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. A wave much shorter than the width, of speed c_w, comes back with exp(-rate width / 3 c_w) of its amplitude. Depends on velocities: steps are split, half of it before and half after each, which is of order 2.
+--- An effect, for the `effects` of a scene. A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. A wave much shorter than the width, of speed c_w, comes back with exp(-rate width / 3 c_w) of its amplitude. Goes with verlet only: order 2.
 ---@param t ricochet.absorbing_fields
 ---@return ricochet.effect
 function ricochet.absorbing(t) end
 
+---@class ricochet.moving_anchor_fields
+---@field amplitude number greatest displacement [R]
+---@field omega number angular frequency [c/R]
+---@field phase? number at the rims' coming within reach; at 0 the wall passes its middle, upwards or forwards [degrees] (default 0)
+---@field along? "normal"|"tangential" normal: up and down; tangential: to and fro (default normal)
+--- An effect, for the `effects` of a scene. A shaken wall: the target's anchors move by amplitude sin(omega t + phase), t from the rims' coming within reach on; the target starts displaced and moving as a whole. e and all velocities are those in the frame at rest. An impact ends when the bodies first part. Goes with verlet only: order 2.
+---@param t ricochet.moving_anchor_fields
+---@return ricochet.effect
+function ricochet.moving_anchor(t) end
+
 ---@class ricochet.damping_fields
 ---@field time number viscosity over stiffness of a spring: the retardation time of the material [R/c]
 ---@field on? "projectile"|"target"|"both" the bodies it acts in (default both)
---- An effect, for the `effects` of a scene. A dashpot beside every spring (Kelvin-Voigt): the material's viscosity. Depends on velocities: steps are split, half of it before and half after each, which is of order 2.
+--- An effect, for the `effects` of a scene. A dashpot beside every spring (Kelvin-Voigt): the material's viscosity. Goes with verlet only: order 2.
 ---@param t ricochet.damping_fields
 ---@return ricochet.effect
 function ricochet.damping(t) end
+
+---@class ricochet.plastic_fields
+---@field yield number stretch over rest length at which a spring yields, drawn out or pressed
+---@field hardening? number by how much the yield stretch grows with the plastic stretch (default 0)
+---@field on? "projectile"|"target"|"both" the bodies whose springs yield (default projectile)
+--- An effect, for the `effects` of a scene. Springs that yield: past a share of its rest length a spring's rest length moves along, and the work of that is lost. Goes with verlet only: order 2.
+---@param t ricochet.plastic_fields
+---@return ricochet.effect
+function ricochet.plastic(t) end
+
+---@class ricochet.breaking_fields
+---@field strain number stretch over rest length beyond which a spring breaks
+---@field on? "projectile"|"target"|"both" the bodies whose springs break (default projectile)
+--- An effect, for the `effects` of a scene. Springs that break when drawn out too far. Springs of the rim hold, so cracks stay inside a body, and crack faces do not touch. A break falls on the end of a step: outcomes converge at order 1 at best. Goes with verlet only: order 2.
+---@param t ricochet.breaking_fields
+---@return ricochet.effect
+function ricochet.breaking(t) end
+
+---@class ricochet.adhesion_fields
+---@field strength number of the attraction at distance 0 [m0 c^2]
+---@field xi? number inverse range, below that of the contact; xi reach >= 20 [1/R] (default 150)
+--- An effect, for the `effects` of a scene. Rims attract each other: -strength exp(-xi d) beside the contact's repulsion. With xi half of the contact's, each pair has Morse's potential, of depth strength^2 / (4 V0). A projectile that sticks ends out_of_time.
+---@param t ricochet.adhesion_fields
+---@return ricochet.effect
+function ricochet.adhesion(t) end
+
+---@class ricochet.friction_fields
+---@field mu number coefficient of friction
+---@field stiffness? number of a touching node's tangential spring [m0 c^2/R^2] (default 10000)
+--- An effect, for the `effects` of a scene. Coulomb friction of the rims: every touching node holds on by a tangential spring, and slides where that would pull more than mu times the load. Goes with verlet only: order 2.
+---@param t ricochet.friction_fields
+---@return ricochet.effect
+function ricochet.friction(t) end
+
+---@class ricochet.thermal_fields
+---@field temperature number energy of a mode, on average [m0 c^2]
+---@field seed? integer chooses the vibration (default 1)
+---@field on? "projectile"|"target"|"both" the warm bodies (default both)
+--- An effect, for the `effects` of a scene. Bodies that are warm when they meet: vibrations drawn from the canonical ensemble of the linearised lattice at a temperature, without a rigid motion.
+---@param t ricochet.thermal_fields
+---@return ricochet.effect
+function ricochet.thermal(t) end
 
 ---@class ricochet.sweep_fields
 ---@field name string names the folder of its results

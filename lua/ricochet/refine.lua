@@ -11,12 +11,16 @@ local function refined_body(body, factor, shift)
   return core.body(t)
 end
 
---- The scene with `factor` times as many nodes in both bodies of the same outline, mass and stiffness; seeds are moved by `shift`.
+--- The scene with `factor` times as many nodes in both bodies of the same outline, mass and stiffness; seeds, those of effects
+--- too, are moved by `shift`.
 --- A step becomes the default one: another lattice needs its own.
 local function refined(scene, factor, shift)
   local t = core.given(scene)
   t.projectile, t.target = refined_body(t.projectile, factor, shift), refined_body(t.target, factor, shift)
   if factor ~= 1 then t.step = nil end
+  local effects = {}
+  for i, effect in ipairs(t.effects or {}) do effects[i] = core.reseeded(effect, shift) end
+  t.effects = effects
   return core.scene(t)
 end
 

@@ -39,7 +39,7 @@ class NodeVectors {
 };
 
 /// One body in motion, in W lanes. `force` collects what acts on a node until its kick, which empties it; on an anchored
-/// node, which is never kicked, it only grows and nobody reads it.
+/// node, which is never kicked, it only grows, and only moving anchors are asked for it.
 template <int W>
 struct Moving {
   const struct Lattice* lattice = nullptr;

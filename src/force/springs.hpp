@@ -51,7 +51,7 @@ void kick_and_drift(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) 
   with_spring_law(*body.lattice, [&](const auto& law) { kick_and_drift(body, law, kick, drift); });
 }
 
-/// Potential energy of all springs. [m0 c^2]
+/// Potential energy of all springs, above that at rest. [m0 c^2]
 template <int W>
 Lane<W> spring_energy(const Moving<W>& body) {
   const Lattice& lattice = *body.lattice;
@@ -65,7 +65,7 @@ Lane<W> spring_energy(const Moving<W>& body) {
         const Lane<W> stretch = (dx * dx + dy * dy).sqrt() - spring.length;
         sum += spring.stiffness * law.energy(stretch);
       }
-    return Lane<W>(body.stiffness * sum);
+    return Lane<W>(body.stiffness * (sum - lattice.rest_energy));
   });
 }
 

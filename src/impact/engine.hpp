@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/error.hpp"
 #include "force/contact/contact.hpp"
 #include "force/springs.hpp"
 #include "impact/acting_effects.hpp"
@@ -65,7 +66,7 @@ class Engine {
 
  public:
   Engine(const Lattice& projectile, const Lattice& target, const Method& method, const std::vector<Effect>& effects)
-      : body_{Moving<W>{&projectile}, Moving<W>{&target}}, method_(method), contact_(projectile, target), effects_(effects, projectile, target) {
+      : body_{Moving<W>{&projectile}, Moving<W>{&target}}, method_(method), contact_(projectile, target, find_effect<Adhesion>(effects), find_effect<Friction>(effects)), effects_(effects, projectile, target) {
     for (int b : {0, 1}) {
       Moving<W>& body = body_[b];
       for (NodeVectors<W>* values : {&body.position, &body.velocity, &body.force, &displacement_[b]}) values->resize(body.lattice->nodes());
@@ -93,9 +94,11 @@ class Engine {
     }
     place(lane, run.start, scene);
     runs_[lane] = run;
+    Run& now = runs_[lane];
     // The ledger before: the state is still at the end of step 0.
     const Motions motions = motions_of(body_);
-    Run& now = runs_[lane];
+    if (motions.contact[lane] > touch_share * run.start.energy)
+      throw FieldError("effects", "thermal: the vibration reaches across the gap between the bodies at the start; lower its temperature or raise contact.reach");
     for (std::size_t kind = 0; kind < effect_kinds; ++kind) now.effects_before[kind] = motions.effects[kind][lane];
     now.before = ledger(lane, motions);
     now.energy_before = now.before.total();
@@ -123,6 +126,7 @@ class Engine {
     for (int b : {0, 1}) copy(from.body_[b], body_[b]);
     runs_[lane] = from.runs_[from_lane], h_[lane] = from.h_[from_lane], threshold_[lane] = from.threshold_[from_lane];
     contact_.set(lane, &runs_[lane].scene->contact);
+    contact_.take(lane, from.contact_, from_lane);
     effects_.take(lane, from.effects_, from_lane);
   }
 
@@ -190,14 +194,18 @@ class Engine {
     Bodies& bodies;
 
     void kick_and_drift(const Lane<W>& kick, const Lane<W>& drift) const {
+      const bool shakes = engine.effects_.shakes();
+      if (shakes) engine.effects_.release_anchors(bodies[1]);
       engine.contact_energy_ = engine.contact_.add_forces(bodies[0], bodies[1]);
       if (!engine.effects_.empty())
         for (int b : {0, 1}) engine.effects_.add_forces(b, bodies[b]);
       for (Moving<W>& body : bodies) ricochet::kick_and_drift(body, Lane<W>(kick / body.lattice->mass), drift);
+      if (shakes) engine.effects_.book_anchors(bodies[1], kick), engine.effects_.drift_anchors(bodies[1], drift);
     }
     void drift(const Lane<W>& by) const {
       for (Moving<W>& body : bodies)
         for (int i = 0; i < body.lattice->free; ++i) body.position.x(i) += by * body.velocity.x(i), body.position.y(i) += by * body.velocity.y(i);
+      if (engine.effects_.shakes()) engine.effects_.drift_anchors(bodies[1], by);
     }
     // A kick of displacements that were 0, and a drift with them for a unit of time.
     void displace(const Lane<W>& by) const {
@@ -288,7 +296,7 @@ class Engine {
     body_[1].stiffness[lane] = scene.target->numbers.stiffness;
     h_[lane] = start.step;
     contact_.set(lane, &scene.contact);
-    effects_.begin(lane, start.step);
+    effects_.begin(lane, start.step, scene.effects, body_, start.pose.angle);
   }
 
   // The state at the end of the last step, in end_.
@@ -308,6 +316,7 @@ class Engine {
       for (const int i : body.lattice->rim)
         if (i < body.lattice->free) drift(body, i, Lane<W>(back + h_));
     }
+    if (effects_.shakes()) effects_.drift_anchors(bodies[1], back);
     const Lane<W> contact_energy = contact_energy_, still = Lane<W>::Zero();
     if (method_.multirate()) Mover{*this, bodies}.slow(Lane<W>(-0.5 * h_), still, still);
     if (method_.ahead_kick != 0) Mover{*this, bodies}.kick_and_drift(-method_.ahead_kick * h_, still);
@@ -315,7 +324,13 @@ class Engine {
   }
 
   Motions motions_of(const Bodies& bodies) {
-    return {rigid_motion(bodies[0]), rigid_motion(bodies[1]), contact_.energy(bodies[0].position, bodies[1].position), effects_.energies(bodies)};
+    Motions m{rigid_motion(bodies[0]), rigid_motion(bodies[1]), contact_.energy(bodies[0].position, bodies[1].position), effects_.energies(bodies)};
+    if (effects_.empty()) return m;
+    m.projectile.vibration += effects_.spring_change(0, bodies[0]), m.target.vibration += effects_.spring_change(1, bodies[1]);
+    const auto friction = contact_.friction_energies(bodies[0], bodies[1]);
+    m.contact += friction.held, m.effects[Effect(Friction{}).index()] += friction.lost;
+    m.effects[Effect(Adhesion{}).index()] += contact_.adhesion_energy(bodies[0].position, bodies[1].position);
+    return m;
   }
 
   // Every lane at its own eighth looks, so that its neighbours do not change what it sees.
@@ -426,6 +441,7 @@ class Engine {
     const Run& run = runs_[lane];
     o.before = run.before, o.after = ledger(lane, motions);
     for (const Effect& effect : run.scene->effects) o.effect_energy[effect.index()] = motions.effects[effect.index()][lane] - run.effects_before[effect.index()];
+    o.effect_count = effects_.counts(lane);
     o.energy_closure = std::abs(o.after.total() - run.energy_before) / run.energy_before;
     o.energy_drift = run.drift;
     o.certified = run.start.certified;

@@ -101,11 +101,28 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
   if (scene.contact.xi * scene.contact.reach > 700)
     throw FieldError("contact", fmt::format("xi reach = {:g} is beyond exp(-700), the smallest number there is; lower reach to {:g} or less",
                                             scene.contact.xi * scene.contact.reach, 700 / scene.contact.xi));
+  if (const std::string conflict = conflict_of(scene.effects); !conflict.empty()) throw FieldError("effects", conflict);
+  for (const Effect& effect : scene.effects)
+    if (!target.anchored())
+      std::visit(
+          []<class E>(const E&) {
+            if constexpr (AnchorMotion<E> || std::same_as<E, Absorbing>) throw FieldError("effects", fmt::format("{} needs a target with anchored nodes, and this one is free", E::name));
+          },
+          effect);
+  const Adhesion* adhesion = find_effect<Adhesion>(scene.effects);
+  if (adhesion && adhesion->xi * scene.contact.reach < 20)
+    throw FieldError("effects", fmt::format("adhesion: xi reach = {:g} cuts the attraction at more than exp(-20); raise contact.reach to {:g} or more", adhesion->xi * scene.contact.reach, 20 / adhesion->xi));
+  if (adhesion && adhesion->xi >= scene.contact.xi)
+    throw FieldError("effects", fmt::format("adhesion: xi = {:g} must be below the contact's, {:g}, or the rims would be drawn into one another", adhesion->xi, scene.contact.xi));
+  const MovingAnchor* shaken = find_effect<MovingAnchor>(scene.effects);
   Start start;
   start.velocity = scene.launch.velocity();
   start.spin = scene.launch.spin;
   const Vec2 centre = projectile.centre();
-  const Points rim = rim_of(projectile), target_rim = rim_of(target);
+  const Points rim = rim_of(projectile);
+  Points target_rim = rim_of(target);
+  if (shaken)
+    for (Vec2& p : target_rim) p += shaken->displacement(0);
   double radius = 0;
   for (const Vec2& p : rim) radius = std::max(radius, (p - centre).norm());
   const double fastest = start.velocity.stableNorm() + std::abs(start.spin) * radius;
@@ -118,7 +135,8 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
   const double reduced = target.anchored() ? mass : mass * target.total_mass() / (mass + target.total_mass());
   const double rotation = projectile.inertia() * start.spin * start.spin / 2;
   start.energy = mass * start.velocity.squaredNorm() / 2 + rotation;
-  start.certified = reduced * start.velocity.squaredNorm() / 2 + rotation < scene.contact.V0;
+  // Attraction lowers the wall that V0 is, and moving anchors bring energy: no claim then.
+  start.certified = reduced * start.velocity.squaredNorm() / 2 + rotation < scene.contact.V0 && !adhesion && !shaken;
 
   // The smooth outlines, projectile moved so that its centre lies above `at`, resting on the target.
   Points smooth = projectile.smooth_rim;
@@ -134,7 +152,7 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
     return largest;
   };
   const bool given = !std::isnan(scene.launch.height);
-  const double height = given ? scene.launch.height : reach + roughest(rim, projectile.smooth_rim) + roughest(target_rim, target.smooth_rim);
+  const double height = given ? scene.launch.height : reach + roughest(rim, projectile.smooth_rim) + roughest(target_rim, target.smooth_rim);  // a shaken target's displacement included
   if (normal_speed == 0 && !given) {
     start.touches = false;
     return start;

@@ -26,6 +26,8 @@ const std::vector<std::pair<Field, std::function<double(const Outcome&)>>>& Outc
       {{"e_alpha", "number", "", "restitution of the contact point against the normal turned by alpha"}, [](O o) { return o.e_alpha; }},
       {{"before_projectile_translation", "number", "m0 c^2", "energy before: projectile, centre of mass"}, [](O o) { return o.before.projectile_translation; }},
       {{"before_projectile_rotation", "number", "m0 c^2", "energy before: projectile, spin"}, [](O o) { return o.before.projectile_rotation; }},
+      {{"before_projectile_vibration", "number", "m0 c^2", "energy before: projectile, vibration"}, [](O o) { return o.before.projectile_vibration; }},
+      {{"before_target_vibration", "number", "m0 c^2", "energy before: target, vibration"}, [](O o) { return o.before.target_vibration; }},
       {{"before_total", "number", "m0 c^2", "energy before: all"}, [](O o) { return o.before.total(); }},
       {{"after_projectile_translation", "number", "m0 c^2", "energy after: projectile, centre of mass"}, [](O o) { return o.after.projectile_translation; }},
       {{"after_projectile_rotation", "number", "m0 c^2", "energy after: projectile, spin"}, [](O o) { return o.after.projectile_rotation; }},
@@ -47,7 +49,11 @@ const std::vector<std::pair<Field, std::function<double(const Outcome&)>>>& Outc
   };
     each_effect_kind([&]<class E>(const E&) {
       const std::size_t kind = Effect(E{}).index();
-      columns.push_back({{std::string(E::name) + "_energy", "number", "m0 c^2", std::string(E::energy_doc) + "; undefined in scenes without it"}, [kind](O o) { return o.effect_energy[kind]; }});
+      const auto add = [&](const char* ending, const char* unit, const char* doc, std::function<double(O)> value) {
+        columns.push_back({{E::name + std::string(ending), "number", unit, std::string(doc) + "; undefined in scenes without it"}, std::move(value)});
+      };
+      if (E::energy_doc) add("_energy", "m0 c^2", E::energy_doc, [kind](O o) { return o.effect_energy[kind]; });
+      if constexpr (SpringChange<E>) add("_springs", "", E::count_doc, [kind](O o) { return o.effect_count[kind]; });
     });
     return columns;
   }();

@@ -47,12 +47,14 @@ struct Outcome {
   double certified = 0, time = undefined, step = undefined, theta = undefined, theta_most = undefined, steps = 0;
   double momentum_residual = undefined, error_estimate = undefined;
 
-  /// Of each kind of effect that the scene names: energy lost to it, or gained in its potential. [m0 c^2]
-  std::array<double, effect_kinds> effect_energy = [] {
-    std::array<double, effect_kinds> none;
+  using OfEffects = std::array<double, effect_kinds>;
+  static constexpr OfEffects no_effects() {
+    OfEffects none{};
     none.fill(undefined);
     return none;
-  }();
+  }
+  OfEffects effect_energy = no_effects();  ///< of each kind that the scene names: lost to it, or gained in its potential [m0 c^2]
+  OfEffects effect_count = no_effects();   ///< of each kind that changes springs: how many it changed
 
   static const std::vector<std::pair<Field, std::function<double(const Outcome&)>>>& fields();
 };

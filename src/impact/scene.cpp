@@ -96,8 +96,7 @@ const Method& Scene::method() const {
 std::string Scene::conflict_with(const Method& method) const {
   for (const Effect& effect : effects) {
     const char* name = std::visit([]<class E>(const E&) { return E::name; }, effect);
-    if (is_split(effect) && method.outcome_order > 2)
-      return fmt::format("{} of order {} would fall to order 2 beside {}, which is split off its steps; give verlet or leave method out", method.name, method.outcome_order, name);
+    if (is_split(effect) && method.outcome_order > 2) return fmt::format("{} of order {} would fall to order 2 beside {}; give verlet or leave method out", method.name, method.outcome_order, name);
     if (method.multirate()) return fmt::format("{} cannot hold {} beside the target's long steps; give verlet or leave method out", method.name, name);
   }
   return "";
@@ -112,7 +111,7 @@ std::string Scene::text() const {
 std::string Scene::hash() const { return hash_text(text()); }
 
 std::string Scene::group() const {
-  return projectile->geometry_text() + "\n" + target->geometry_text() + "\n" + integration.method + "\n" + ricochet::text_of(effects);
+  return projectile->geometry_text() + "\n" + target->geometry_text() + "\n" + integration.method + "\n" + batch_text_of(effects);
 }
 
 }  // namespace ricochet

@@ -13,11 +13,14 @@ FrequencyBound frequency_bound(const Lattice& lattice, double stiffness) {
   for (int i = 0; i < lattice.free; ++i)
     for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
       const Spring& spring = lattice.spring[s];
-      const Vec2 n = (lattice.points[spring.other] - lattice.points[i]) / spring.length;
+      const Vec2 d = lattice.points[spring.other] - lattice.points[i];
+      const double r = d.norm(), x = r - spring.length;  // not 0 under prestress
+      const Vec2 n = d / r;
+      const double across = spring.stiffness * std::abs(x) / r, more = spring.stiffness - across;
       for (const int node : {i, spring.other}) {
-        blocks[node].xx += spring.stiffness * n.x() * n.x();
-        blocks[node].xy += spring.stiffness * n.x() * n.y();
-        blocks[node].yy += spring.stiffness * n.y() * n.y();
+        blocks[node].xx += across + more * n.x() * n.x();
+        blocks[node].xy += more * n.x() * n.y();
+        blocks[node].yy += across + more * n.y() * n.y();
       }
     }
   FrequencyBound bound{0, 0};

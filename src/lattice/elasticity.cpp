@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "lattice/tangent.hpp"
 
 namespace ricochet {
 namespace {
@@ -57,13 +58,11 @@ Elasticity stretch_band(const Lattice& band, double stiffness) {
   };
   each_spring([&](int i, const Spring& spring) {
     const int j = spring.other;
-    const Vec2 n = (band.points[static_cast<std::size_t>(j)] - band.points[static_cast<std::size_t>(i)]) / spring.length;
-    const double k = stiffness * spring.stiffness;
+    const Eigen::Matrix2d k = stiffness * tangent_block(band, i, spring);
     const std::size_t dof[4] = {2 * static_cast<std::size_t>(i), 2 * static_cast<std::size_t>(i) + 1, 2 * static_cast<std::size_t>(j), 2 * static_cast<std::size_t>(j) + 1};
-    const double direction[4] = {-n.x(), -n.y(), n.x(), n.y()};
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b < 4; ++b) {
-        const double value = k * direction[a] * direction[b];
+        const double value = (a / 2 == b / 2 ? 1 : -1) * k(a % 2, b % 2);
         if (column[dof[a]] < 0) continue;
         if (column[dof[b]] >= 0) entries.emplace_back(column[dof[a]], column[dof[b]], value);
         else load[column[dof[a]]] -= value * held[dof[b]];
@@ -82,10 +81,9 @@ Elasticity stretch_band(const Lattice& band, double stiffness) {
   double force = 0;
   each_spring([&](int i, const Spring& spring) {
     const int j = spring.other;
-    const Vec2 n = (band.points[static_cast<std::size_t>(j)] - band.points[static_cast<std::size_t>(i)]) / spring.length;
-    const double tension = stiffness * spring.stiffness * n.dot(displacement(j) - displacement(i));
-    if (upper[static_cast<std::size_t>(i)]) force -= tension * n.y();
-    if (upper[static_cast<std::size_t>(j)]) force += tension * n.y();
+    const double pull = (stiffness * tangent_block(band, i, spring) * (displacement(j) - displacement(i))).y();
+    if (upper[static_cast<std::size_t>(i)]) force -= pull;
+    if (upper[static_cast<std::size_t>(j)]) force += pull;
   });
   std::vector<double> x, y, ux, uy;
   for (int i = 0; i < nodes; ++i) {

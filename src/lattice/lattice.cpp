@@ -7,13 +7,15 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/rng.hpp"
 #include "lattice/node_order.hpp"
 #include "lattice/outline.hpp"
+#include "lattice/tangent.hpp"
 
 namespace ricochet {
 namespace {
 
-constexpr std::uint32_t interior_stream = 1, roughness_stream = 2;
+constexpr std::uint32_t interior_stream = 1, roughness_stream = 2, prestress_stream = 3;
 
 double spacing_of(const Points& outline, const BodyNumbers& numbers) { return std::sqrt(signed_area(outline) / numbers.nodes); }
 
@@ -39,6 +41,7 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
       {{"mass", "number", "m0", "mass of one node", positive, "1"}, &BodyNumbers::mass},
       {{"roughness", "number", "R", "standard deviation of the rim along its outward normal; anchored rim nodes stay smooth", not_negative, "0"},
        &BodyNumbers::roughness},
+      {{"prestress", "number", "", "standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance", {0, 0.3}, "0"}, &BodyNumbers::prestress},
   };
   return list;
 }
@@ -48,9 +51,9 @@ std::string Body::geometry_text() const {
   for (const Vec2& p : outline) outline_text += fmt::format("{} {};", p.x(), p.y());
   for (const bool held : anchored) anchor_text += held ? '1' : '0';
   for (const double k : node_stiffness) stiffness_text += fmt::format("{};", k);
-  return fmt::format("outline {} anchored {} stiffness {} nodes {} placement {} seed {} roughness {} quartic {} mass {}", hash_text(outline_text),
+  return fmt::format("outline {} anchored {} stiffness {} nodes {} placement {} seed {} roughness {} quartic {} mass {} prestress {}", hash_text(outline_text),
                      hash_text(anchor_text), hash_text(stiffness_text), numbers.nodes, numbers.placement, numbers.seed, numbers.roughness,
-                     numbers.quartic, numbers.mass);
+                     numbers.quartic, numbers.mass, numbers.prestress);
 }
 
 Points plan_rim(const Points& outline, const BodyNumbers& numbers) {
@@ -112,6 +115,7 @@ std::shared_ptr<const Lattice> build_lattice(const Body& body) {
 
   struct Edge {
     int low, high;
+    bool on_rim;
     double stiffness;
   };
   std::vector<Edge> springs;
@@ -121,7 +125,8 @@ std::shared_ptr<const Lattice> build_lattice(const Body& body) {
     const double stiffness = body.node_stiffness.empty()
                                  ? 1.0
                                  : (body.node_stiffness[static_cast<std::size_t>(a)] + body.node_stiffness[static_cast<std::size_t>(b)]) / 2 / body.numbers.stiffness;
-    springs.push_back({low, high, stiffness});
+    const bool on_rim = b < plan.rim && (b - a == 1 || b - a == plan.rim - 1);  // edges are pairs a < b, the rim's nodes come first
+    springs.push_back({low, high, on_rim, stiffness});
   }
   std::sort(springs.begin(), springs.end(), [](const Edge& a, const Edge& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
   lattice->first.assign(plan.points.size() + 1, 0);
@@ -129,10 +134,25 @@ std::shared_ptr<const Lattice> build_lattice(const Body& body) {
     lattice->edges.push_back({e.low, e.high});
     if (e.low >= lattice->free) continue;
     const Vec2 d = lattice->points[static_cast<std::size_t>(e.high)] - lattice->points[static_cast<std::size_t>(e.low)];
-    lattice->spring.push_back({e.high, std::sqrt(d.x() * d.x() + d.y() * d.y()), e.stiffness});
+    lattice->spring.push_back({e.high, e.on_rim, std::sqrt(d.x() * d.x() + d.y() * d.y()), e.stiffness});
     ++lattice->first[static_cast<std::size_t>(e.low) + 1];
   }
   for (std::size_t i = 0; i + 1 < lattice->first.size(); ++i) lattice->first[i + 1] += lattice->first[i];
+  if (body.numbers.prestress > 0) {
+    Random random(static_cast<std::uint64_t>(body.numbers.seed), prestress_stream);
+    for (Spring& spring : lattice->spring) spring.length *= std::max(0.1, 1 + body.numbers.prestress * random.normal());
+    try {
+      relax(*lattice);
+    } catch (const Error& error) {
+      throw FieldError("prestress", fmt::format("{} is too much for this lattice: {}; lower it or take another seed", body.numbers.prestress, error.what()));
+    }
+    for (int i = 0; i < lattice->free; ++i)
+      for (int s = lattice->first[i]; s < lattice->first[i + 1]; ++s) {
+        const Spring& spring = lattice->spring[s];
+        const double x = (lattice->points[spring.other] - lattice->points[i]).norm() - spring.length;
+        lattice->rest_energy += spring.stiffness * x * x * (0.5 + 0.25 * lattice->quartic * x * x);
+      }
+  }
   return lattice;
 }
 

@@ -22,6 +22,7 @@ struct BodyNumbers {
   double quartic = 1e-3;
   double mass = 1;
   double roughness = 0;
+  double prestress = 0;
 
   static const std::vector<Member<BodyNumbers>>& fields();
 };
@@ -54,7 +55,8 @@ Points plan_rim(const Points& outline, const BodyNumbers& numbers);
 
 struct Spring {
   int other;         ///< the other end; larger than the node that holds the spring
-  double length;     ///< rest length, the initial distance of its ends [R]
+  bool on_rim;       ///< joins neighbours in the rim
+  double length;     ///< rest length: the distance of its ends at rest, but for prestress [R]
   double stiffness;  ///< relative to the body's stiffness
 };
 
@@ -72,6 +74,7 @@ struct Lattice {
   Points smooth_rim;         ///< [rim] where they lay before roughness
   double mass = 1;           ///< of a node [m0]
   double quartic = 0;        ///< kb / ka [1/R^2]
+  double rest_energy = 0;    ///< of the springs at rest, which prestress alone gives, per unit of the body's stiffness [R^2]
 
   int nodes() const { return static_cast<int>(points.size()); }
   bool anchored() const { return free < nodes(); }

@@ -116,6 +116,7 @@ int scene(lua_State* L) {
     }
   try {
     made.scene.launch.velocity(), made.scene.integration.check();
+    if (const std::string conflict = conflict_of(made.scene.effects); !conflict.empty()) throw FieldError("effects", conflict);
     if (const std::string conflict = made.scene.conflict_with(made.scene.method()); !conflict.empty()) throw FieldError("method", conflict);
     const auto& held = made.scene.projectile->anchored;
     if (std::find(held.begin(), held.end(), true) != held.end()) throw FieldError("projectile", "must be free, but this body has anchored nodes");
@@ -178,6 +179,20 @@ int catalogue(lua_State* L) {
 // effect_name(effect): that of its kind.
 int effect_name(lua_State* L) {
   lua_pushstring(L, std::visit([]<class E>(const E&) { return E::name; }, effect_at(L, 1).effect));
+  return 1;
+}
+
+// reseeded(effect, shift): the effect, with its seed moved on if it has one.
+int reseeded(lua_State* L) {
+  Effect effect = effect_at(L, 1).effect;
+  const lua_Integer shift = luaL_checkinteger(L, 2);
+  std::visit(
+      [&](auto& e) {
+        if constexpr (requires { e.seed; }) e.seed += shift;
+      },
+      effect);
+  lua_newtable(L), lua_replace(L, 1);  // what it was made from: nothing that is asked for
+  push_object(L, "ricochet.effect", EffectObject{effect});
   return 1;
 }
 
@@ -268,7 +283,7 @@ void add_bodies(lua_State* L) {
   make_type(L, "ricochet.body", collect_object<BodyObject>, {});
   make_type(L, "ricochet.effect", collect_object<EffectObject>, {});
   make_type(L, "ricochet.scene", collect_object<SceneObject>, {{"run", guarded<scene_run>}, {"text", guarded<scene_text>}, {"hash", guarded<scene_hash>}});
-  const luaL_Reg list[] = {{"body", guarded<body>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}, {"given", given}, {"strict", strict}, {"catalogue", catalogue}, {"effect_name", effect_name}, {"nodes", nodes}};
+  const luaL_Reg list[] = {{"body", guarded<body>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}, {"given", given}, {"strict", strict}, {"catalogue", catalogue}, {"effect_name", effect_name}, {"reseeded", reseeded}, {"nodes", nodes}};
   for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
   lua_newtable(L);  // core.effects: name -> function
   [&]<std::size_t... kind>(std::index_sequence<kind...>) {

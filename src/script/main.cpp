@@ -69,9 +69,11 @@ void print_effects() {
     fmt::print("{}: {}\n  {}\n", E::name, E::doc, E::example);
     for (const auto& member : E::fields()) {
       const Field& f = member.field;
-      fmt::print("    {:<8} {}{}{}\n", f.name, f.doc, f.unit.empty() ? "" : " [" + f.unit + "]", f.initial.empty() ? "" : " (default " + f.initial + ")");
+      fmt::print("    {:<12}{}{}{}\n", f.name, f.doc, f.unit.empty() ? "" : " [" + f.unit + "]", f.initial.empty() ? "" : " (default " + f.initial + ")");
     }
-    fmt::print("  column {}_energy: {}\n\n", E::name, E::energy_doc);
+    if (E::energy_doc) fmt::print("  column {}_energy: {}\n", E::name, E::energy_doc);
+    if constexpr (SpringChange<E>) fmt::print("  column {}_springs: {}\n", E::name, E::count_doc);
+    fmt::print("\n");
   });
   fmt::print("What a scene does not name in `effects = {{ ... }}` is not computed; ricochet effects --cost measures what each costs.\n");
 }

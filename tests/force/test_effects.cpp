@@ -8,12 +8,15 @@
 
 #include "core/error.hpp"
 #include "core/rng.hpp"
+#include "force/contact/contact.hpp"
 #include "force/springs.hpp"
 #include "impact/acting_effects.hpp"
 #include "impact/batch.hpp"
 #include "impact/launch.hpp"
 #include "impact/rigid_motion.hpp"
 #include "lattice/elasticity.hpp"
+#include "lattice/tangent.hpp"
+#include "lattice/vibration.hpp"
 #include "scenes.hpp"
 
 using namespace ricochet;
@@ -43,6 +46,15 @@ E set_up() {
         },
         member.place);
   return effect;
+}
+
+const auto unbroken = [](int) { return 1.0; };
+
+Moving<1> at_rest(const Lattice& lattice, double stiffness) {
+  Moving<1> body{&lattice, {}, {}, {}, one(stiffness)};
+  for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(lattice.nodes());
+  for (int i = 0; i < lattice.nodes(); ++i) body.position.set(i, 0, lattice.points[i]);
+  return body;
 }
 
 Moving<1> shaken(const Lattice& lattice, double stiffness, std::uint64_t seed) {
@@ -91,7 +103,9 @@ TEST_CASE("effects and their fields are documented, named once, and all in the t
     CHECK(names.insert(E::name).second);
     CHECK(std::string(E::doc).size() > 20);
     CHECK(std::string(E::example).starts_with(fmt::format("ricochet.{} {{", E::name)));
-    CHECK_FALSE(std::string(E::energy_doc).empty());
+    CHECK((E::energy_doc ? std::string(E::energy_doc).size() > 8 : AtStart<E>));
+    // Every kind says of itself what it is, once.
+    CHECK(NodeForce<E> + NodeDamping<E> + SpringDamping<E> + SpringChange<E> + AnchorMotion<E> + PairForce<E> + PairMemory<E> + AtStart<E> == 1);
     std::set<std::string> fields;
     const Effect changed = set_up<E>(), initial = E{};
     const std::string text = text_of(std::span(&changed, 1)), plain = text_of(std::span(&initial, 1));
@@ -107,7 +121,7 @@ TEST_CASE("effects and their fields are documented, named once, and all in the t
 TEST_CASE("forces of conservative effects are minus the gradient of their energies") {
   const auto lattice = build_lattice(*wall(60, 30, 0.02, 1));
   each_effect_kind([&]<class E>(const E&) {
-    if constexpr (Conservative<E>) {
+    if constexpr (NodeForce<E>) {
       const E effect = set_up<E>();
       for (int body : {0, 1}) {
         Moving<1> moving = shaken(*lattice, 30, 2);
@@ -130,12 +144,12 @@ TEST_CASE("forces of conservative effects are minus the gradient of their energi
 TEST_CASE("what depends on velocities takes energy, exactly as much as it books, for steps of any length") {
   const auto free_lattice = build_lattice(*disk(60, 30, 0.02, 1)), held_lattice = build_lattice(*wall(80, 30, 0.02, 1));
   each_effect_kind([&]<class E>(const E&) {
-    if constexpr (!Conservative<E>) {
+    if constexpr (NodeDamping<E> || SpringDamping<E>) {
       for (const double h : {1e-3, 0.1, 10.0}) {
         INFO(E::name << " " << h);
         std::array<Moving<1>, 2> bodies{shaken(*free_lattice, 30, 7), shaken(*held_lattice, 30, 8)};
         ActingEffects<1> acting({set_up<E>()}, *free_lattice, *held_lattice);
-        acting.begin(0, h);
+        acting.begin(0, h, {}, bodies, 0);
         const double before = kinetic(bodies[0]) + kinetic(bodies[1]);
         acting.dissipate(bodies, one(h / 2), true);
         const double middle = kinetic(bodies[0]) + kinetic(bodies[1]);
@@ -155,25 +169,25 @@ TEST_CASE("damping conserves momentum and angular momentum, and leaves a body th
   Moving<1> moving = shaken(*lattice, 30, 4);
   const Vec2 p = momentum(moving);
   const double L = angular_momentum(moving);
-  damping.damp(0, moving, one(0.2), true), damping.damp(0, moving, one(0.2), false);
+  damping.damp(0, moving, one(0.2), true, unbroken), damping.damp(0, moving, one(0.2), false, unbroken);
   CHECK((momentum(moving) - p).norm() < 1e-13);
   CHECK(std::abs(angular_momentum(moving) - L) < 1e-13);
   for (int i = 0; i < lattice->nodes(); ++i) {
     moving.position.set(i, 0, lattice->points[i]);
     moving.velocity.set(i, 0, Vec2(0.3, -0.2) + 0.7 * perpendicular(lattice->points[i]));
   }
-  CHECK(damping.damp(0, moving, one(0.2), true)[0] < 1e-25);
+  CHECK(damping.damp(0, moving, one(0.2), true, unbroken)[0] < 1e-25);
 }
 
 TEST_CASE("damping of two nodes follows the exact decay of their speed at order 2") {
   Lattice pair;
-  pair.points = {Vec2(0, 0), Vec2(1, 0)}, pair.free = 2, pair.first = {0, 1, 1}, pair.spring = {{1, 1.0, 1.5}}, pair.mass = 2;
+  pair.points = {Vec2(0, 0), Vec2(1, 0)}, pair.free = 2, pair.first = {0, 1, 1}, pair.spring = {{1, false, 1.0, 1.5}}, pair.mass = 2;
   const Damping damping{0.25, "both"};
   const auto error = [&](int steps) {
     Moving<1> moving{&pair, {}, {}, {}, one(4.0)};
     for (auto* values : {&moving.position, &moving.velocity, &moving.force}) values->resize(2);
     moving.position.set(1, 0, {1, 0}), moving.velocity.set(1, 0, {1, 0});
-    for (int i = 0; i < steps; ++i) damping.damp(0, moving, one(1.0 / steps), i % 2 == 0);
+    for (int i = 0; i < steps; ++i) damping.damp(0, moving, one(1.0 / steps), i % 2 == 0, unbroken);
     // du/dt = -(1/m + 1/m) time k u with k = 4 * 1.5, m = 2: u = exp(-1.5).
     return std::abs(moving.velocity.at(1, 0).x() - moving.velocity.at(0, 0).x() - std::exp(-1.5));
   };
@@ -185,37 +199,261 @@ TEST_CASE("drag is exact for any step: velocities fall as exp(-rate t)") {
   std::array<Moving<1>, 2> bodies{shaken(*lattice, 30, 7), shaken(*lattice, 30, 8)};
   const Vec2 v = bodies[0].velocity.at(5, 0);
   ActingEffects<1> acting({Drag{0.8, "projectile"}}, *lattice, *lattice);
-  acting.begin(0, 0.5);
+  acting.begin(0, 0.5, {}, bodies, 0);
   for (int i = 0; i < 6; ++i) acting.dissipate(bodies, one(0.25), i % 2 == 0);
   CHECK((bodies[0].velocity.at(5, 0) - v * std::exp(-0.8 * 6 * 0.25)).norm() < 1e-15);
 }
 
-TEST_CASE("the ledger closes with every effect and with all of them, ever better with a shorter step, and each takes its part") {
-  const std::vector<Effect> all{Gravity{0.004, "both"}, Drag{0.006, "both"}, Absorbing{0.8, 0.5}, Damping{4e-3, "both"}};
+TEST_CASE("springs that remember pull by the slope of their energy, lose energy and never gain it, and hold none that their law would not") {
+  const std::vector<double> stretches{0.001, 0.3, 1.1, 0.4, -0.9, -1.6, 0.2, 2.5, -2.4};
+  each_effect_kind([&]<class E>(const E&) {
+    if constexpr (SpringChange<E>) {
+      INFO(E::name);
+      const E effect = set_up<E>();
+      const Quartic law{0.3};
+      const Spring spring{1, false, 1.7, 1.0};
+      SpringMemory<1> memory{one(0), one(0)};
+      double lost = 0, before = 0, work = 0;
+      for (std::size_t k = 0; k < stretches.size(); ++k) {
+        // Slowly from one stretch to the next: the work done on the spring is what it holds and what it has lost.
+        constexpr int steps = 20000;
+        for (int i = 1; i <= steps; ++i) {
+          const double x = before + (stretches[k] - before) * i / steps, width = (stretches[k] - before) / steps;
+          const double pulled = effect.tension(law, one(x - width), memory)[0];
+          const double step_lost = effect.change(law, spring, one(x), memory)[0];
+          CHECK_FALSE(step_lost < 0);
+          lost += step_lost;
+          work += (pulled + effect.tension(law, one(x), memory)[0]) / 2 * width;
+        }
+        before = stretches[k];
+        const double held = effect.energy(law, one(before), memory)[0], h = 1e-5;
+        CHECK(effect.tension(law, one(before), memory)[0] == Catch::Detail::Approx((effect.energy(law, one(before + h), memory)[0] - effect.energy(law, one(before - h), memory)[0]) / (2 * h)).epsilon(1e-7).margin(1e-9));
+        CHECK(work == Catch::Detail::Approx(held + lost).epsilon(1e-3));
+      }
+      CHECK(lost > 0);
+      CHECK(effect.counted(memory)[0]);
+    }
+  });
+}
+
+TEST_CASE("a plastic spring yields at its limit, hardens, and yields the other way as far below its new rest length") {
+  const Plastic plastic{0.1, 0.5, "both"};
+  const Spring spring{1, false, 2.0, 1.0};
+  SpringMemory<1> memory{one(0), one(0)};
+  const auto tension_at = [&](double x) { return plastic.change(Linear{}, spring, one(x), memory), plastic.tension(Linear{}, one(x), memory)[0]; };
+  CHECK(tension_at(0.19) == Catch::Detail::Approx(0.19));
+  // Past 0.2 the tension grows with slope H / (1 + H) = 1/3.
+  CHECK(tension_at(0.5) == Catch::Detail::Approx(0.2 + 0.3 / 3));
+  CHECK(memory[0][0] == Catch::Detail::Approx(0.2));
+  CHECK(tension_at(0.2) == Catch::Detail::Approx(0).margin(1e-15));
+  CHECK(tension_at(-0.09) == Catch::Detail::Approx(-0.29));
+  CHECK(tension_at(-0.4) == Catch::Detail::Approx(-(0.3 + 0.3 / 3)));
+}
+
+TEST_CASE("a spring breaks beyond its strain, for good, unless it is of the rim") {
+  const Breaking breaking{0.1, "both"};
+  SpringMemory<1> memory{one(0), one(0)}, rim = memory;
+  const Spring inner{1, false, 2.0, 1.0}, outer{1, true, 2.0, 1.0};
+  breaking.change(Linear{}, inner, one(0.199), memory);
+  CHECK(breaking.tension(Linear{}, one(0.199), memory)[0] == 0.199);
+  CHECK(breaking.change(Linear{}, inner, one(0.21), memory)[0] == Catch::Detail::Approx(0.21 * 0.21 / 2));
+  CHECK(breaking.change(Linear{}, inner, one(0.3), memory)[0] == 0);
+  CHECK(breaking.tension(Linear{}, one(0.01), memory)[0] == 0);
+  breaking.change(Linear{}, outer, one(0.3), rim);
+  CHECK(breaking.tension(Linear{}, one(0.3), rim)[0] == 0.3);
+}
+
+TEST_CASE("forces between rims of a pair are minus the slope of its energy") {
+  each_effect_kind([&]<class E>(const E&) {
+    if constexpr (PairForce<E>) {
+      const E effect = set_up<E>();
+      for (const double d : {0.0, 0.01, 0.3, 2.0}) CHECK(effect.force(d) == Catch::Detail::Approx(-(effect.energy(d + 1e-5) - effect.energy(d - 1e-5)) / 2e-5).epsilon(1e-6));
+    }
+  });
+}
+
+TEST_CASE("what acts between rims has a reaction: no momentum or angular momentum comes of it") {
+  const auto a = build_lattice(*disk(60, 1e3, 0.02, 1)), b = build_lattice(*disk(90, 1e3, 0.02, 2));
+  each_effect_kind([&]<class E>(const E&) {
+    if constexpr (PairForce<E> || PairMemory<E>) {
+      INFO(E::name);
+      const E effect = set_up<E>();
+      const Adhesion* adhesion = nullptr;
+      const Friction* friction = nullptr;
+      if constexpr (PairForce<E>) adhesion = &effect;
+      else friction = &effect;
+      for (const char* sides : {"one", "two"}) {
+        Contact<1> contact(*a, *b, adhesion, friction), bare(*a, *b);
+        const ExponentialRepulsion law{150, 60, 0.5, sides};
+        contact.set(0, &law), bare.set(0, &law);
+        Moving<1> p = shaken(*a, 1e3, 5), t = shaken(*b, 1e3, 6);
+        for (int i = 0; i < a->nodes(); ++i) p.position.add(i, 0, Vec2(0.1, 2.02));
+        Moving<1> plain_p, plain_t;
+        for (int k = 0; k < 3; ++k) {
+          for (Moving<1>* body : {&p, &t}) {
+            body->force.resize(body->lattice->nodes());
+            for (int i = 0; i < body->lattice->nodes(); ++i) body->position.add(i, 0, 0.02 * body->velocity.at(i, 0));
+          }
+          plain_p = p, plain_t = t;
+          contact.add_forces(p, t), bare.add_forces(plain_p, plain_t);
+        }
+        Vec2 sum = Vec2::Zero();
+        double moment = 0, size = 0, whole = 0;
+        for (const auto& [body, plain] : {std::pair(&p, &plain_p), std::pair(&t, &plain_t)})
+          for (int i = 0; i < body->lattice->nodes(); ++i) {
+            const Vec2 f = body->force.at(i, 0) - plain->force.at(i, 0);
+            sum += f, moment += cross(body->position.at(i, 0), f), size += f.norm();
+            whole += body->force.at(i, 0).norm();
+          }
+        CHECK(size > 1e-3);
+        CHECK(sum.norm() < 1e-14 * whole);  // the rounding of a difference
+        CHECK(std::abs(moment) < 1e-13 * whole);
+      }
+    }
+  });
+}
+
+TEST_CASE("friction holds up to mu times the load, then slides, and loses the work of sliding") {
+  const Friction friction{0.5, 100};
+  const auto held = friction.slide(0, 0.01, 4);  // limit 0.02
+  CHECK(held.stretch == 0.01);
+  CHECK(held.lost == 0);
+  const auto slid = friction.slide(0.02, 0.03, 4);
+  CHECK(slid.stretch == Catch::Detail::Approx(0.02));
+  CHECK(slid.lost == Catch::Detail::Approx(0.5 * 4 * 0.03));  // mu N times the way
+  CHECK(friction.slide(-0.02, -0.03, 4).lost == Catch::Detail::Approx(0.5 * 4 * 0.03));
+  CHECK(friction.slide(0.02, 0.0, 1).stretch == Catch::Detail::Approx(0.005));  // a falling load lets go
+}
+
+TEST_CASE("friction stays within its cone and leaves two bodies that turn together as one alone") {
+  const auto a = build_lattice(*disk(60, 1e3, 0.02, 1)), b = build_lattice(*disk(90, 1e3, 0.02, 2));
+  const Friction friction{0.4, 50};
+  Contact<1> contact(*a, *b, nullptr, &friction), bare(*a, *b);
+  const ExponentialRepulsion law{150, 60, 0.5, "one"};
+  contact.set(0, &law), bare.set(0, &law);
+  Moving<1> p = shaken(*a, 1e3, 5), t = shaken(*b, 1e3, 6);
+  for (int i = 0; i < a->nodes(); ++i) p.position.add(i, 0, Vec2(0.1, 2.02));
+  const auto forces = [&](auto&& moved) {
+    for (Moving<1>* body : {&p, &t})
+      for (int i = 0; i < body->lattice->nodes(); ++i) body->position.set(i, 0, moved(body, i)), body->force.set(i, 0, Vec2::Zero());
+    Moving<1> plain_p = p, plain_t = t;
+    contact.add_forces(p, t), bare.add_forces(plain_p, plain_t);
+    double most = 0;
+    for (int i = 0; i < a->nodes(); ++i) most = std::max(most, (p.force.at(i, 0) - plain_p.force.at(i, 0)).norm() - 0.4 * plain_p.force.at(i, 0).norm());
+    double size = 0;
+    for (int i = 0; i < a->nodes(); ++i) size += (p.force.at(i, 0) - plain_p.force.at(i, 0)).norm();
+    return std::pair(most, size);
+  };
+  forces([](Moving<1>* body, int i) { return body->position.at(i, 0); });
+  const double turn = 1e-4;
+  const auto together = forces([&](Moving<1>* body, int i) { return Vec2(body->position.at(i, 0) + turn * perpendicular(body->position.at(i, 0)) + Vec2(0.3, -0.2)); });
+  CHECK(together.second < 1e-5);  // second order in the turn
+  const auto apart = forces([&](Moving<1>* body, int i) { return Vec2(body->position.at(i, 0) + (body == &p ? Vec2(0.3, 0) : Vec2(0, 0))); });
+  CHECK(apart.second > 0.1);
+  CHECK(apart.first < 1e-12);
+}
+
+TEST_CASE("a warm lattice has the energy of its modes, no rigid motion, and stays warm") {
+  for (const auto& body : {disk(60, 30, 0.02, 1), wall(80, 30, 0.02, 1)}) {
+    const auto lattice = build_lattice(*body);
+    const Vibrations vibrations(*lattice);
+    const double temperature = 1e-7;
+    const int coordinates = 2 * lattice->free - (lattice->anchored() ? 0 : 3);
+    double potential = 0, motion = 0, later = 0;
+    const int samples = 400;
+    for (int seed = 1; seed <= samples; ++seed) {
+      Moving<1> moving = shaken(*lattice, 30, 1);
+      const auto sample = vibrations.draw(temperature, 30, seed, 0);
+      for (int i = 0; i < lattice->nodes(); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        moving.position.set(i, 0, lattice->points[k] + (i < lattice->free ? sample.displacement[k] : Vec2(Vec2::Zero())));
+        moving.velocity.set(i, 0, i < lattice->free ? sample.velocity[k] : Vec2(Vec2::Zero()));
+      }
+      potential += spring_energy(moving)[0] / samples, motion += kinetic(moving) / samples;
+      if (!lattice->anchored()) {
+        CHECK(momentum(moving).norm() < 1e-15);
+        CHECK(std::abs(angular_momentum(moving)) < 1e-15);
+      }
+      if (seed > 40) continue;
+      const double h = 0.3 * std::sqrt(lattice->mass / 30);
+      for (int k = 0; k < 40; ++k) {
+        kick_and_drift(moving, one(h / lattice->mass), one(h));
+        if (k >= 20) later += kinetic(moving) / 40 / 20;
+      }
+    }
+    // Half of the temperature a coordinate, with a standard error of sqrt(2 / coordinates / samples).
+    const double expected = coordinates * temperature / 2, error = std::sqrt(2.0 / coordinates / samples);
+    CHECK(potential / expected == Catch::Detail::Approx(1).margin(4 * error));
+    CHECK(motion / expected == Catch::Detail::Approx(1).margin(4 * error));
+    CHECK(later / expected == Catch::Detail::Approx(1).margin(12 * error));
+  }
+}
+
+TEST_CASE("prestress scatters the springs' lengths, leaves every node balanced, and adds no energy at rest") {
+  auto stressed = *disk(120, 30, 0.02, 1);
+  stressed.numbers.prestress = 0.05;
+  const auto lattice = build_lattice(stressed), plain = build_lattice(*disk(120, 30, 0.02, 1));
+  CHECK(spring_forces(*lattice).lpNorm<Eigen::Infinity>() < 1e-13);
+  CHECK(lattice->rest_energy > 1e-4);
+  CHECK(std::abs(spring_energy(at_rest(*lattice, 30))[0]) < 1e-14);
+  double square = 0;
+  for (std::size_t s = 0; s < plain->spring.size(); ++s) square += std::pow(lattice->spring[s].length / plain->spring[s].length - 1, 2) / static_cast<double>(plain->spring.size());
+  CHECK(std::sqrt(square) == Catch::Detail::Approx(0.05).epsilon(0.15));
+  // The matrix of small motions is the slope of the forces, prestress included.
+  Lattice moved = *lattice;
+  const double h = 1e-6;
+  moved.points[7].x() += h;
+  const Eigen::VectorXd up = spring_forces(moved);
+  moved.points[7].x() -= 2 * h;
+  const Eigen::VectorXd slope = (spring_forces(moved) - up) / (2 * h), column = tangent_stiffness(*lattice).col(14);
+  CHECK((slope - column).lpNorm<Eigen::Infinity>() < 1e-8);
+}
+
+TEST_CASE("anchors that move slowly do the work that lifts what they hold") {
+  Scene scene = scene_with({MovingAnchor{0.02, 0.3, 40, "normal"}}, 0);
+  scene.launch.speed = 0.01;  // the disk is far enough away to leave the wall alone for a while
+  scene.contact.reach = 0.3;
+  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  const Snapshot start = run_until(*p, *t, scene, 0), later = run_until(*p, *t, scene, 3);
+  CHECK(std::abs(later.energy.effects) > 1e-3);
+  CHECK(later.energy.total() == Catch::Detail::Approx(start.energy.total()).epsilon(1e-4));
+  const MovingAnchor& shaken = std::get<MovingAnchor>(scene.effects[0]);
+  CHECK((later.target[static_cast<std::size_t>(t->nodes() - 1)] - t->points.back() - shaken.displacement(later.time)).norm() < 1e-12);
+}
+
+TEST_CASE("the ledger closes with every effect and with all that stand together, ever better with a shorter step, and each takes its part") {
+  const std::vector<Effect> all{Gravity{0.004, "both"}, Drag{0.006, "both"}, Absorbing{0.8, 0.5}, MovingAnchor{0.02, 0.4, 30, "tangential"}, Damping{4e-3, "both"}, Plastic{2e-4, 0.2, "projectile"},
+                                Breaking{0.01, "target"}, Adhesion{0.5, 200}, Friction{0.3, 1e4}, Thermal{1e-6, 1, "both"}};
   REQUIRE(all.size() == effect_kinds);
   std::vector<std::vector<Effect>> sets{all};
   for (const Effect& effect : all) sets.push_back({effect});
   for (const auto& effects : sets) {
     Scene scene = scene_with(effects);
+    scene.contact.reach = 0.2;  // what adhesion is cut at is then exp(-40)
+    if (effects.size() == 1 && std::holds_alternative<Thermal>(effects[0])) scene.integration.method = "verlet";
     INFO(text_of(effects));
     const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
     const Outcome usual = run_scene(*p, *t, scene, go_on);
+    INFO(usual.reason);
     REQUIRE(usual.status == Status::finished);
-    CHECK(usual.energy_closure < 1e-4);
+    CHECK(usual.energy_closure < 3e-4);
     scene.integration.step = usual.step / 8;
     const Outcome fine = run_scene(*p, *t, scene, go_on);
-    CHECK(fine.energy_drift < std::max(usual.energy_drift / 20, 1e-8));
+    INFO(usual.energy_drift << " " << fine.energy_drift);
+    CHECK(fine.energy_drift < std::max(usual.energy_drift / 10, 1e-8));
+    // Out of each other's reach no attraction is left.
     for (std::size_t kind = 0; kind < effect_kinds; ++kind) {
       const bool named = std::any_of(effects.begin(), effects.end(), [&](const Effect& e) { return e.index() == kind; });
       CHECK(std::isfinite(usual.effect_energy[kind]) == named);
-      if (named) CHECK(std::abs(usual.effect_energy[kind]) > 1e-6);
+      if (named) CHECK((std::abs(usual.effect_energy[kind]) > 1e-6) == (kind != Effect(Thermal{}).index() && kind != Effect(Adhesion{}).index()));
     }
   }
 }
 
 TEST_CASE("a real impact with effects that depend on velocities converges at order 2") {
   const Effect gravity = Gravity{0.01, "projectile"};
-  for (const Effect& effect : {Effect(Drag{0.05, "both"}), Effect(Damping{2e-3, "both"}), Effect(Absorbing{0.7, 2.0})}) {
+  for (const Effect& effect : {Effect(Drag{0.05, "both"}), Effect(Damping{2e-3, "both"}), Effect(Absorbing{0.7, 2.0}), Effect(MovingAnchor{0.03, 0.4, 30, "normal"}), Effect(Plastic{5e-3, 0.3, "both"}),
+                               Effect(Friction{0.3, 1e3})}) {
     Scene scene = scene_with({effect, gravity});
     INFO(text_of(scene.effects));
     scene.projectile = disk(60, 1e4, 0, 3), scene.target = wall(200, 400, 0, 3, 5, 1.5), scene.launch.psi1 = 0;
@@ -289,7 +527,7 @@ TEST_CASE("the absorbing layer lets waves of a bar come back with the share of a
     }
     ActingEffects<1> acting(effects, *lattice, *lattice);
     const double h = 0.3 * std::sqrt(lattice->mass / stiffness);
-    acting.begin(0, h);
+    acting.begin(0, h, {}, bodies, 0);
     const int steps = static_cast<int>(2 * (length - middle) / speed / h);  // until it is back where it began
     for (int k = 0; k < steps; ++k) {
       acting.dissipate(bodies, one(h / 2), true);

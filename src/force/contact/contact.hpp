@@ -5,11 +5,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
+#include "force/contact/adhesion.hpp"
 #include "force/contact/candidates.hpp"
 #include "force/contact/exponential_repulsion.hpp"
 #include "force/contact/gaps.hpp"
+#include "force/contact/grip.hpp"
 #include "force/lane.hpp"
 #include "lattice/lattice.hpp"
 
@@ -18,8 +21,13 @@ namespace ricochet {
 /// Nodes of one body against segments of the other, in every lane.
 template <int W>
 class Contact {
+  template <int V>
+  friend class Contact;
+
  public:
-  Contact(const Lattice& projectile, const Lattice& target) : rims_{&projectile.rim, &target.rim} {
+  /// `adhesion` and `friction` act beside every lane's repulsion; nullptr: they do not.
+  Contact(const Lattice& projectile, const Lattice& target, const Adhesion* adhesion = nullptr, const Friction* friction = nullptr) : rims_{&projectile.rim, &target.rim}, adhesion_(adhesion) {
+    if (friction) grip_.emplace(*friction, projectile, target);
     for (int body : {0, 1}) reference_[body].resize(static_cast<int>(rims_[body]->size()));
     allowance_.setConstant(std::numeric_limits<double>::infinity());
   }
@@ -30,35 +38,48 @@ class Contact {
     stiffest_[lane] = 0;
     allowance_[lane] = law ? -1.0 : std::numeric_limits<double>::infinity();
     for (auto& pairs : pairs_[lane]) pairs.clear();
+    if (grip_) grip_->clear(lane);
   }
 
-  /// Adds the contact forces at the bodies' positions to their `force`; returns the contact energy of each lane. [m0 c^2]
+  /// Takes over what is remembered of an impact in a lane of another width, after set().
+  template <int V>
+  void take(int lane, const Contact<V>& from, int from_lane) {
+    if (grip_) grip_->take(lane, *from.grip_, from_lane);
+  }
+
+  /// Adds the contact forces at the bodies' positions to their `force`; returns the energy of the repulsion in each lane. [m0 c^2]
   Lane<W> add_forces(Moving<W>& projectile, Moving<W>& target) {
     update(projectile.position, target.position);
     Lane<W> energy = Lane<W>::Zero();
     for (int lane = 0; lane < W; ++lane) {
-      if (pairs_[lane][0].empty() && pairs_[lane][1].empty()) continue;
-      const double xi = law_[lane]->xi;
+      if (grip_) grip_->begin();
+      if (pairs_[lane][0].empty() && pairs_[lane][1].empty()) {
+        if (grip_ && law_[lane]) grip_->end(lane, projectile, target);
+        continue;
+      }
+      const double xi = law_[lane]->xi, held = grip_ ? grip_->law().stiffness : 0.0;
       int node = -1;
       double on_node = 0;
       energy[lane] = each(lane, projectile.position, target.position, [&](const Push& push) {
-        const double force = std::sqrt(push.force.x() * push.force.x() + push.force.y() * push.force.y());
-        on_node = push.node == node ? on_node + force : force, node = push.node;  // pairs of a node stand together
-        stiffest_[lane] = std::max(stiffest_[lane], xi * on_node);
+        const double repulsion = xi * push.energy;
+        on_node = push.node == node ? on_node + repulsion : repulsion, node = push.node;  // pairs of a node stand together
+        stiffest_[lane] = std::max(stiffest_[lane], xi * on_node + held);
+        if (grip_) grip_->add(touch_of(push, xi));
         Moving<W>& a = push.direction == 0 ? projectile : target;
         Moving<W>& b = push.direction == 0 ? target : projectile;
         a.force.add(push.node, lane, push.force);
         b.force.add(push.from, lane, -(1 - push.along) * push.force);
         b.force.add(push.to, lane, -push.along * push.force);
       });
+      if (grip_) grip_->end(lane, projectile, target);
     }
     return energy;
   }
 
-  /// The greatest stiffness xi F that contact put on one node in any evaluation since this was last asked. [m0 c^2/R^2]
+  /// The greatest stiffness, xi F and that of friction, that contact put on one node in any evaluation since this was last asked. [m0 c^2/R^2]
   double take_stiffest(int lane) { return std::exchange(stiffest_[lane], 0.0); }
 
-  /// Contact energy of each lane at given positions. [m0 c^2]
+  /// Energy of the repulsion in each lane at given positions. [m0 c^2]
   Lane<W> energy(const NodeVectors<W>& projectile, const NodeVectors<W>& target) {
     update(projectile, target);
     Lane<W> sum = Lane<W>::Zero();
@@ -66,11 +87,36 @@ class Contact {
     return sum;
   }
 
+  /// Energy of adhesion, after energy() at the same positions. [m0 c^2]
+  Lane<W> adhesion_energy(const NodeVectors<W>& projectile, const NodeVectors<W>& target) const {
+    Lane<W> sum = Lane<W>::Zero();
+    if (adhesion_)
+      for (int lane = 0; lane < W; ++lane) each(lane, projectile, target, [&](const Push& push) { sum[lane] += push.attraction; });
+    return sum;
+  }
+
+  struct FrictionEnergies {
+    Lane<W> lost = Lane<W>::Zero(), held = Lane<W>::Zero();
+  };
+  /// What friction would have taken if it were evaluated in these places. The bodies are copies: they collect forces that nobody reads.
+  FrictionEnergies friction_energies(Moving<W> projectile, Moving<W> target) const {
+    if (!grip_) return {};
+    Grip<W> grip = *grip_;
+    for (int lane = 0; lane < W; ++lane) {
+      if (!law_[lane]) continue;
+      grip.begin();
+      each(lane, projectile.position, target.position, [&](const Push& push) { grip.add(touch_of(push, law_[lane]->xi)); });
+      grip.end(lane, projectile, target);
+    }
+    return {grip.lost(), grip.held()};
+  }
+
   /// One push of a segment on a node: direction 0 is a projectile node off a target segment, 1 the reverse.
   struct Push {
     int direction, node, from, to;  ///< node numbers in their lattices
     double along;                   ///< 0: the segment's end `from` takes the reaction, 1: `to`
-    Vec2 force;                     ///< on the node
+    Vec2 force;                     ///< on the node, adhesion included
+    double energy, attraction;      ///< of the repulsion and of the adhesion
   };
 
   /// Calls `use(push)` for every pair of a lane within reach, in a fixed order; returns their energy.
@@ -90,12 +136,12 @@ class Contact {
         gaps_.ax[i] = chain.x(ends.from)[lane], gaps_.ay[i] = chain.y(ends.from)[lane];
         gaps_.bx[i] = chain.x(ends.to)[lane], gaps_.by[i] = chain.y(ends.to)[lane];
       }
-      measure(gaps_, *law_[lane]);
+      measure(gaps_, *law_[lane], adhesion_);
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (gaps_.energy[i] == 0) continue;
         sum += gaps_.energy[i];
         const Ends ends = ends_of(pairs[i], direction);
-        use(Push{direction, ends.node, ends.from, ends.to, gaps_.along[i], Vec2(gaps_.fx[i], gaps_.fy[i])});
+        use(Push{direction, ends.node, ends.from, ends.to, gaps_.along[i], Vec2(gaps_.fx[i], gaps_.fy[i]), gaps_.energy[i], adhesion_ ? gaps_.attraction[i] : 0.0});
       }
     }
     return sum;
@@ -146,6 +192,8 @@ class Contact {
     if (law_[lane]->two_sided()) pairs_[lane][1] = pairs_within(rim[1], rim[0], reach + skin);
   }
 
+  static Touch touch_of(const Push& push, double xi) { return {push.direction, push.node, push.from, push.to, push.along, xi * push.energy}; }
+
   struct Ends {
     int node, from, to;
   };
@@ -161,6 +209,8 @@ class Contact {
   std::array<const ExponentialRepulsion*, W> law_{};
   std::array<std::array<std::vector<Pair>, 2>, W> pairs_;  // [lane][direction]
   Lane<W> stiffest_ = Lane<W>::Zero();
+  const Adhesion* adhesion_;
+  std::optional<Grip<W>> grip_;
   mutable Gaps gaps_;                                    // of the lane at hand; kept for its memory
 };
 
