@@ -172,7 +172,7 @@ function ricochet.breaking(t) end
 
 ---@class ricochet.adhesion_fields
 ---@field strength number of the attraction at distance 0 [m0 c^2]
----@field xi? number inverse range, below that of the contact; xi reach >= 20 [1/R] (default 150)
+---@field xi? number inverse range, below that of the contact; xi reach >= 20 [1/R] (default 200)
 --- An effect, for the `effects` of a scene. Rims attract each other: -strength exp(-xi d) beside the contact's repulsion. With xi half of the contact's, each pair has Morse's potential, of depth strength^2 / (4 V0). A projectile that sticks ends out_of_time.
 ---@param t ricochet.adhesion_fields
 ---@return ricochet.effect

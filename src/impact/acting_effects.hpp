@@ -22,6 +22,7 @@ class ActingEffects {
   friend class ActingEffects;
 
  public:
+  static constexpr bool catalogue = true;
   using Bodies = std::array<Moving<W>, 2>;
   /// Of each kind of effect, in the order of the catalogue. [m0 c^2]
   using Energies = std::array<Lane<W>, effect_kinds>;

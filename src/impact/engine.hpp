@@ -59,9 +59,10 @@ struct Run {
   double time() const { return static_cast<double>(steps) * start.step; }
 };
 
-template <int W>
+/// `Effects` is ActingEffects but in the benchmark that shows what it costs a scene without effects.
+template <int W, class Effects = ActingEffects<W>>
 class Engine {
-  template <int V>
+  template <int V, class OtherEffects>
   friend class Engine;
 
  public:
@@ -132,7 +133,7 @@ class Engine {
 
   void clear(int lane) { runs_[lane] = Run{}, h_[lane] = 0, contact_.set(lane, nullptr); }
 
-  void advance_one_step() {
+  [[gnu::noinline]] void advance_one_step() {
     const Mover mover{*this, body_};
     if (effects_.split()) {
       // What depends on velocities is split off the step, half before and half after it; both find the ends of steps.
@@ -275,7 +276,7 @@ class Engine {
   struct Motions {
     RigidMotion<W> projectile, target;
     Lane<W> contact;  // energy
-    typename ActingEffects<W>::Energies effects;
+    typename Effects::Energies effects;
   };
 
   void place(int lane, const Start& start, const Scene& scene) {
@@ -417,7 +418,7 @@ class Engine {
       double force;
     };
     std::vector<Point> points;
-    contact_.each(lane, end_[0].position, end_[1].position, [&](const typename Contact<W>::Push& push) {
+    contact_.each(lane, end_[0].position, end_[1].position, [&](const auto& push) {
       const int node = push.direction == 0 ? push.node : push.along < 0.5 ? push.from : push.to;
       points.push_back({end_[0].position.at(node, lane), push.force.norm()});
     });
@@ -479,8 +480,8 @@ class Engine {
   Bodies remembered_;                           // of a Runge-Kutta step: its beginning
   std::vector<std::array<Rates, 2>> rates_;     // [stage]
   const Method& method_;
-  Contact<W> contact_;
-  ActingEffects<W> effects_;
+  Contact<W, Effects::catalogue> contact_;
+  Effects effects_;
   double rim_gap_ = 0;  // the longest distance of neighbours in the projectile's rim [R]
   std::array<Run, W> runs_{};
   Lane<W> h_ = Lane<W>::Zero(), contact_energy_ = Lane<W>::Zero(), threshold_ = Lane<W>::Zero();

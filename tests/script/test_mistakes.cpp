@@ -126,7 +126,7 @@ const std::vector<Mistake> mistakes{
     {"a number among effects", "ricochet.scene { projectile = d, target = w,\n  effects = { gravity = 1 } }",
      "error: s.lua:4: scene: 'effects' must be a list of effects, e.g. { ricochet.gravity { g = 1e-4 } }, holds gravity = 1"},
     {"a high order beside damping", "ricochet.scene { projectile = d, target = w,\n  method = 'pefrl', effects = { ricochet.damping { time = 1e-3 } } }",
-     "error: s.lua:4: scene: 'method': pefrl of order 4 would fall to order 2 beside damping, which is split off its steps; give verlet or leave method out"},
+     "error: s.lua:4: scene: 'method': pefrl of order 4 would fall to order 2 beside damping; give verlet or leave method out"},
     {"another language's comparison", "if 1 != 2 then end", "error: s.lua:2: 'then' expected near '!' (Lua writes ~= for 'differs from', and not for the negation)"},
     {"another language's sum", "local x = 1\nx += 1", "error: s.lua:3: syntax error near '+' (Lua has no +=; write x = x + ...)"},
     {"misspelt local name", "local wall = 3\nprint(wal)", "error: s.lua:3: unknown name 'wal' (did you mean 'wall'?)"},
@@ -182,7 +182,7 @@ TEST_CASE("all mistakes of a table are reported together, each at its line, with
   CHECK(ended.err ==
         "error: s.lua:3: disk: unknown field 'radus' (did you mean 'radius'?)\n    3 |   radus = 0.05,\n      |   ^^^^^\n"
         "error: s.lua:4: disk: 'seed' must be between 0 and 9.0072e+15, is -1\n    4 |   seed = -1,\n      |   ^^^^\n"
-        "  valid fields: anchored, mass, nodes, placement, quartic, radius, roughness, seed, stiffness\n");
+        "  valid fields: anchored, mass, nodes, placement, prestress, quartic, radius, roughness, seed, stiffness\n");
 }
 
 TEST_CASE("a mistake in a sweep's scene names the values it was made with, caught errors do not") {

@@ -18,10 +18,11 @@
 
 namespace ricochet {
 
-/// Nodes of one body against segments of the other, in every lane.
-template <int W>
+/// Nodes of one body against segments of the other, in every lane. `effects` false leaves out what adhesion and friction need, for the
+/// benchmark that shows what that costs a scene without them.
+template <int W, bool effects = true>
 class Contact {
-  template <int V>
+  template <int V, bool e>
   friend class Contact;
 
  public:
@@ -38,13 +39,13 @@ class Contact {
     stiffest_[lane] = 0;
     allowance_[lane] = law ? -1.0 : std::numeric_limits<double>::infinity();
     for (auto& pairs : pairs_[lane]) pairs.clear();
-    if (grip_) grip_->clear(lane);
+    if (grip()) grip()->clear(lane);
   }
 
   /// Takes over what is remembered of an impact in a lane of another width, after set().
   template <int V>
-  void take(int lane, const Contact<V>& from, int from_lane) {
-    if (grip_) grip_->take(lane, *from.grip_, from_lane);
+  void take(int lane, const Contact<V, effects>& from, int from_lane) {
+    if (grip()) grip()->take(lane, *from.grip(), from_lane);
   }
 
   /// Adds the contact forces at the bodies' positions to their `force`; returns the energy of the repulsion in each lane. [m0 c^2]
@@ -52,32 +53,30 @@ class Contact {
     update(projectile.position, target.position);
     Lane<W> energy = Lane<W>::Zero();
     for (int lane = 0; lane < W; ++lane) {
-      if (grip_) grip_->begin();
-      if (pairs_[lane][0].empty() && pairs_[lane][1].empty()) {
-        if (grip_ && law_[lane]) grip_->end(lane, projectile, target);
-        continue;
-      }
-      const double xi = law_[lane]->xi, held = grip_ ? grip_->law().stiffness : 0.0;
+      if (pairs_[lane][0].empty() && pairs_[lane][1].empty()) continue;
+      const double xi = law_[lane]->xi;
       int node = -1;
       double on_node = 0;
       energy[lane] = each(lane, projectile.position, target.position, [&](const Push& push) {
         const double repulsion = xi * push.energy;
         on_node = push.node == node ? on_node + repulsion : repulsion, node = push.node;  // pairs of a node stand together
-        stiffest_[lane] = std::max(stiffest_[lane], xi * on_node + held);
-        if (grip_) grip_->add(touch_of(push, xi));
+        stiffest_[lane] = std::max(stiffest_[lane], xi * on_node);
         Moving<W>& a = push.direction == 0 ? projectile : target;
         Moving<W>& b = push.direction == 0 ? target : projectile;
         a.force.add(push.node, lane, push.force);
         b.force.add(push.from, lane, -(1 - push.along) * push.force);
         b.force.add(push.to, lane, -push.along * push.force);
       });
-      if (grip_) grip_->end(lane, projectile, target);
     }
+    if (grip()) hold(*grip(), projectile, target);
     return energy;
   }
 
   /// The greatest stiffness, xi F and that of friction, that contact put on one node in any evaluation since this was last asked. [m0 c^2/R^2]
-  double take_stiffest(int lane) { return std::exchange(stiffest_[lane], 0.0); }
+  double take_stiffest(int lane) {
+    const double stiffest = std::exchange(stiffest_[lane], 0.0);
+    return stiffest > 0 && grip() ? stiffest + grip()->law().stiffness : stiffest;
+  }
 
   /// Energy of the repulsion in each lane at given positions. [m0 c^2]
   Lane<W> energy(const NodeVectors<W>& projectile, const NodeVectors<W>& target) {
@@ -90,8 +89,12 @@ class Contact {
   /// Energy of adhesion, after energy() at the same positions. [m0 c^2]
   Lane<W> adhesion_energy(const NodeVectors<W>& projectile, const NodeVectors<W>& target) const {
     Lane<W> sum = Lane<W>::Zero();
-    if (adhesion_)
-      for (int lane = 0; lane < W; ++lane) each(lane, projectile, target, [&](const Push& push) { sum[lane] += push.attraction; });
+    if (adhesion())
+      for (int lane = 0; lane < W; ++lane)
+        each(lane, projectile, target, [&](const Push& push) {
+          const NodeVectors<W>&nodes = push.direction == 0 ? projectile : target, &chain = push.direction == 0 ? target : projectile;
+          sum[lane] += adhesion()->energy(closest(nodes.at(push.node, lane), chain.at(push.from, lane), chain.at(push.to, lane)).distance);
+        });
     return sum;
   }
 
@@ -100,15 +103,10 @@ class Contact {
   };
   /// What friction would have taken if it were evaluated in these places. The bodies are copies: they collect forces that nobody reads.
   FrictionEnergies friction_energies(Moving<W> projectile, Moving<W> target) const {
-    if (!grip_) return {};
-    Grip<W> grip = *grip_;
-    for (int lane = 0; lane < W; ++lane) {
-      if (!law_[lane]) continue;
-      grip.begin();
-      each(lane, projectile.position, target.position, [&](const Push& push) { grip.add(touch_of(push, law_[lane]->xi)); });
-      grip.end(lane, projectile, target);
-    }
-    return {grip.lost(), grip.held()};
+    if (!grip()) return {};
+    Grip<W> copy = *grip();
+    hold(copy, projectile, target);
+    return {copy.lost(), copy.held()};
   }
 
   /// One push of a segment on a node: direction 0 is a projectile node off a target segment, 1 the reverse.
@@ -116,7 +114,7 @@ class Contact {
     int direction, node, from, to;  ///< node numbers in their lattices
     double along;                   ///< 0: the segment's end `from` takes the reaction, 1: `to`
     Vec2 force;                     ///< on the node, adhesion included
-    double energy, attraction;      ///< of the repulsion and of the adhesion
+    double energy;                  ///< of the repulsion
   };
 
   /// Calls `use(push)` for every pair of a lane within reach, in a fixed order; returns their energy.
@@ -136,12 +134,12 @@ class Contact {
         gaps_.ax[i] = chain.x(ends.from)[lane], gaps_.ay[i] = chain.y(ends.from)[lane];
         gaps_.bx[i] = chain.x(ends.to)[lane], gaps_.by[i] = chain.y(ends.to)[lane];
       }
-      measure(gaps_, *law_[lane], adhesion_);
+      measure(gaps_, *law_[lane], adhesion());
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (gaps_.energy[i] == 0) continue;
         sum += gaps_.energy[i];
         const Ends ends = ends_of(pairs[i], direction);
-        use(Push{direction, ends.node, ends.from, ends.to, gaps_.along[i], Vec2(gaps_.fx[i], gaps_.fy[i]), gaps_.energy[i], adhesion_ ? gaps_.attraction[i] : 0.0});
+        use(Push{direction, ends.node, ends.from, ends.to, gaps_.along[i], Vec2(gaps_.fx[i], gaps_.fy[i]), gaps_.energy[i]});
       }
     }
     return sum;
@@ -155,6 +153,10 @@ class Contact {
   }
 
  private:
+  const Adhesion* adhesion() const { return effects ? adhesion_ : nullptr; }
+  const Grip<W>* grip() const { return effects && grip_ ? &*grip_ : nullptr; }
+  Grip<W>* grip() { return effects && grip_ ? &*grip_ : nullptr; }
+
   // A list found at the reference positions holds every pair within reach until both rims together have moved `allowance`.
   void update(const NodeVectors<W>& projectile, const NodeVectors<W>& target) {
     const Lane<W> moved = moved_furthest(0, projectile) + moved_furthest(1, target);
@@ -192,7 +194,15 @@ class Contact {
     if (law_[lane]->two_sided()) pairs_[lane][1] = pairs_within(rim[1], rim[0], reach + skin);
   }
 
-  static Touch touch_of(const Push& push, double xi) { return {push.direction, push.node, push.from, push.to, push.along, xi * push.energy}; }
+  // Friction at the bodies' positions, whose pairs are known.
+  void hold(Grip<W>& grip, Moving<W>& projectile, Moving<W>& target) const {
+    for (int lane = 0; lane < W; ++lane) {
+      if (!law_[lane]) continue;
+      grip.begin();
+      each(lane, projectile.position, target.position, [&](const Push& p) { grip.add({p.direction, p.node, p.from, p.to, p.along, law_[lane]->xi * p.energy}); });
+      grip.end(lane, projectile, target);
+    }
+  }
 
   struct Ends {
     int node, from, to;

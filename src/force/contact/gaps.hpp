@@ -13,7 +13,7 @@ struct Gaps {
   std::vector<double> along;                   ///< out: where on the segment the closest point lies, 0 at a, 1 at b
   std::vector<double> energy;                  ///< out: of the pair [m0 c^2]; 0 beyond the law's reach
   std::vector<double> fx, fy;                  ///< out: force on the node [m0 c^2/R]; its reverse acts on the segment
-  std::vector<double> distance, attraction;    ///< with adhesion only; out: of the pair [R], its energy [m0 c^2]
+  std::vector<double> distance;                ///< out, with adhesion only: of the pair [R]
 
   void resize(std::size_t count) {
     for (auto* values : {&px, &py, &ax, &ay, &bx, &by, &along, &energy, &fx, &fy}) values->resize(count);
@@ -38,10 +38,9 @@ inline void repel(std::size_t count, double V0, double xi, double reach, double*
 inline void attract(Gaps& g, const Adhesion& law, double reach) {
   for (std::size_t i = 0; i < g.px.size(); ++i) {
     const double distance = g.distance[i];
-    g.attraction[i] = distance < reach ? law.energy(distance) : 0.0;
-    if (!(distance > 0) || g.attraction[i] == 0) continue;
+    if (!(distance > 0 && distance < reach)) continue;
     const double closest_x = g.ax[i] + g.along[i] * (g.bx[i] - g.ax[i]), closest_y = g.ay[i] + g.along[i] * (g.by[i] - g.ay[i]);
-    const double scale = law.xi * g.attraction[i] / distance;
+    const double scale = law.force(distance) / distance;
     g.fx[i] += scale * (g.px[i] - closest_x), g.fy[i] += scale * (g.py[i] - closest_y);
   }
 }
@@ -49,7 +48,7 @@ inline void attract(Gaps& g, const Adhesion& law, double reach) {
 /// Fills in what follows from the places. `adhesion` may be nullptr.
 inline void measure(Gaps& g, const ExponentialRepulsion& law, const Adhesion* adhesion = nullptr) {
   closest_points(g.px.size(), g.px.data(), g.py.data(), g.ax.data(), g.ay.data(), g.bx.data(), g.by.data(), g.along.data(), g.fx.data(), g.fy.data(), g.energy.data());
-  if (adhesion) g.distance = g.energy, g.attraction.resize(g.px.size());
+  if (adhesion) g.distance = g.energy;
   repel(g.px.size(), law.V0, law.xi, law.reach, g.energy.data(), g.fx.data(), g.fy.data());
   if (adhesion) attract(g, *adhesion, law.reach);
 }
