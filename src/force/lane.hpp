@@ -33,6 +33,7 @@ class NodeVectors {
 
   /// [2 node + (0: x, 1: y)], for a hot loop: a pointer in a local variable is not reloaded after every store.
   Lane<W>* data() { return values_.data(); }
+  const Lane<W>* data() const { return values_.data(); }
 
  private:
   std::vector<Lane<W>> values_;

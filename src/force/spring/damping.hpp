@@ -35,33 +35,40 @@ struct Damping {
   template <int W, class Whole>
   Lane<W> damp(int body, Moving<W>& moving, const Lane<W>& h, bool forward, Whole&& whole) const {
     Lane<W> lost = Lane<W>::Zero();
-    if (!acts_on(on, body)) return lost;
+    if (!acts_on(on, body) || time == 0) return lost;
     const Lattice& lattice = *moving.lattice;
-    const auto pair = [&](int i, int s) {
-      const Spring& spring = lattice.spring[s];
-      const int j = spring.other;
-      const bool both = j < lattice.free;  // an anchor is infinitely heavy
-      const Lane<W> dx = moving.position.x(j) - moving.position.x(i), dy = moving.position.y(j) - moving.position.y(i);
-      const Lane<W> per_square = 1.0 / (dx * dx + dy * dy);
-      const double lightness = (both ? 2.0 : 1.0) / lattice.mass;
-      const Lane<W> z = (0.5 * time * spring.stiffness * lightness) * (moving.stiffness * h) * whole(s);
-      // u n, with the unit vector n = d/|d|, is (w . d) d / d^2; what is taken off it is 2 z / (1 + z) of it.
-      const Lane<W> wx = moving.velocity.x(j) - moving.velocity.x(i), wy = moving.velocity.y(j) - moving.velocity.y(i);
-      const Lane<W> along = (wx * dx + wy * dy) * per_square, taken = 2.0 * z / (1.0 + z);
-      const Lane<W> ux = taken * along * dx, uy = taken * along * dy;
-      const double share = both ? 0.5 : 1.0;
-      moving.velocity.x(i) += share * ux, moving.velocity.y(i) += share * uy;
-      if (both) moving.velocity.x(j) -= share * ux, moving.velocity.y(j) -= share * uy;
-      else moving.force.x(j) -= lattice.mass * ux, moving.force.y(j) -= lattice.mass * uy;  // the impulse, for whoever books the work on moving anchors
-      // mu/2 (u^2 - u'^2) with the reduced mass mu and u' = (1 - taken) u.
-      lost += (0.5 / lightness) * (along * along / per_square) * taken * (2.0 - taken);
-    };
-    if (forward) {
-      for (int i = 0; i < lattice.free; ++i)
-        for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) pair(i, s);
-    } else {
-      for (int i = lattice.free - 1; i >= 0; --i)
-        for (int s = lattice.first[i + 1] - 1; s >= lattice.first[i]; --s) pair(i, s);
+    const Lane<W>* position = moving.position.data();
+    Lane<W>*velocity = moving.velocity.data(), *impulse = moving.force.data();
+    const double mass = lattice.mass;
+    const Lane<W> strength = (0.5 * time / mass) * (moving.stiffness * h);  // z of a spring of unit stiffness to an anchor, which is infinitely heavy
+    double known = -1;
+    Lane<W> to_free = strength, to_anchor = strength;  // 2 z / (1 + z): the share of the relative velocity that is taken, for `known`
+    for (int row = 0; row < lattice.free; ++row) {
+      const int i = forward ? row : lattice.free - 1 - row, first = lattice.first[i], count = lattice.first[i + 1] - first;
+      Lane<W> xi, yi, vx, vy;
+      xi = position[2 * i], yi = position[2 * i + 1], vx = velocity[2 * i], vy = velocity[2 * i + 1];
+      for (int k = 0; k < count; ++k) {
+        const int s = forward ? first + k : first + count - 1 - k;
+        const Spring& spring = lattice.spring[s];
+        if (spring.stiffness != known) {
+          known = spring.stiffness;
+          const Lane<W> z = known * strength;
+          to_free = 4.0 * z / (1.0 + 2.0 * z), to_anchor = 2.0 * z / (1.0 + z);
+        }
+        const int j = 2 * spring.other;
+        const Lane<W> dx = position[j] - xi, dy = position[j + 1] - yi;
+        const bool both = spring.other < lattice.free;
+        // u n = (w . d) d / d^2. What does not depend on v_i stands apart: the next spring of the row waits for that alone.
+        const double share = both ? 0.5 : 1.0;
+        const Lane<W> taken = (both ? to_free : to_anchor) * whole(s), per_square = taken / (dx * dx + dy * dy), sx = share * dx, sy = share * dy;
+        const Lane<W> along = (velocity[j] - vx) * dx + (velocity[j + 1] - vy) * dy, part = along * per_square;  // taken u / d
+        vx += part * sx, vy += part * sy;
+        if (both) velocity[j] -= part * sx, velocity[j + 1] -= part * sy;
+        else impulse[j] -= mass * part * dx, impulse[j + 1] -= mass * part * dy;  // for whoever books the work on moving anchors
+        // mu/2 (u^2 - u'^2) with the reduced mass mu and u' = (1 - taken) u
+        lost += (0.5 * mass * share) * (part * along) * (2.0 - taken);
+      }
+      velocity[2 * i] = vx, velocity[2 * i + 1] = vy;
     }
     return lost;
   }
