@@ -21,6 +21,8 @@
 
 ---@class ricochet.rows
 ---@field summary fun(self: ricochet.rows, t: ricochet.rows_summary_fields): ricochet.summary
+---@field power_law fun(self: ricochet.rows, t: ricochet.rows_power_law_fields): table
+---@field where fun(self: ricochet.rows, columns: table): ricochet.rows
 
 local ricochet = { file = {} }
 
@@ -208,10 +210,19 @@ function ricochet.sweep(t) end
 ---@field by string column to group by
 ---@field of string[] columns to average; undefined values are left out
 
+---@class ricochet.rows_power_law_fields
+---@field x string column of numbers above 0
+---@field y string column of numbers above 0
+
+
 ---@class ricochet.plot_fields
 ---@field rows ricochet.rows rows of a sweep
 ---@field x string column along x; rows are grouped by it
 ---@field y string[] columns along y, one panel each
+---@field by? string column whose values are drawn as a line each
+---@field log? "none"|"x"|"y"|"xy" axes with a logarithmic scale (default none)
+---@field theory? table column = function (x): drawn dashed beside that column (default {})
+---@field theory_name? string of the dashed lines, in the key (default theory)
 ---@field name string file name without extension
 ---@field title? string above the plot
 ---@field xlabel? string instead of the column's name and unit

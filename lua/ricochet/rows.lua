@@ -16,7 +16,7 @@ Rows.__index = function(rows, name)
   end
   if rawget(Rows, name) then return rawget(Rows, name) end
   if #rows > 0 and rawget(rows[1], name) ~= nil then core.fail_here(("'%s' is a column of each row: rows[i].%s"):format(name, name)) end
-  core.unknown("the table of rows", name, { "summary" })
+  core.unknown("the table of rows", name, { "summary", "where", "power_law" })
 end
 Rows.__call = function() core.fail_here "rows are a list; write: for _, row in ipairs(rows) do" end
 
@@ -84,6 +84,47 @@ Rows.summary = core.wrap(function(self, given)
   return summarise(self, t.by, t.of, { by = "by", of = "of" })
 end)
 
+--- y = factor x^exponent by least squares of the logarithms, over finished rows: { exponent =, se =, factor =, count = }.
+Rows.power_law = core.wrap(function(self, given)
+  if type(self) ~= "table" or getmetatable(self) ~= Rows then core.fail "is a method of rows: write rows:power_law { ... }, with a colon" end
+  local t = core.check("rows:power_law", given)
+  known_column(self, t.x, "x")
+  known_column(self, t.y, "y")
+  local n, x, y, xx, xy, yy = 0, 0, 0, 0, 0, 0
+  for _, row in ipairs(self) do
+    if row.status == "finished" and row[t.y] == row[t.y] then
+      for _, column in ipairs { t.x, t.y } do
+        if type(row[column]) ~= "number" or row[column] <= 0 then core.fail(("a power law needs values above 0, '%s' is %s in a row"):format(column, tostring(row[column]))) end
+      end
+      local dx, dy = math.log(row[t.x]) - x, math.log(row[t.y]) - y
+      n = n + 1
+      x, y = x + dx / n, y + dy / n
+      xx, xy, yy = xx + dx * (math.log(row[t.x]) - x), xy + dx * (math.log(row[t.y]) - y), yy + dy * (math.log(row[t.y]) - y)
+    end
+  end
+  if core.is_check() then return core.strict({ exponent = 1, se = 0, factor = 1, count = 0 }, "the table of a power law") end
+  if n < 3 or xx == 0 then core.fail(("a power law needs three rows or more of different '%s', there are %d"):format(t.x, n)) end
+  local exponent = xy / xx
+  local se = math.sqrt(math.max(0, yy - exponent * xy) / (n - 2) / xx)
+  return core.strict({ exponent = exponent, se = se, factor = math.exp(y - exponent * x), count = n }, "the table of a power law")
+end)
+
+local rows_of
+
+--- Those rows whose columns have the given values.
+Rows.where = core.wrap(function(self, wanted)
+  if type(self) ~= "table" or getmetatable(self) ~= Rows then core.fail "is a method of rows: write rows:where { ... }, with a colon" end
+  if type(wanted) ~= "table" then core.fail "takes a table of column = value" end
+  for column in pairs(wanted) do known_column(self, tostring(column)) end
+  local list = {}
+  for _, row in ipairs(self) do
+    local alike = true
+    for column, value in pairs(wanted) do alike = alike and row[column] == value end
+    if alike then list[#list + 1] = row end
+  end
+  return rows_of(list)
+end)
+
 local function shown(value)
   if type(value) == "number" then return value == value and ("%.4g"):format(value) or "-" end
   return tostring(value)
@@ -99,7 +140,8 @@ function Summary:print()
     local cells = { shown(line[self.by]) }
     for _, column in ipairs(self.of) do
       local s = line[column]
-      cells[#cells + 1] = s.count == 0 and "-" or ("%.4f +- %s (%s)"):format(s.mean, shown(s.se), shown(s.sd))
+      local small = s.mean ~= 0 and math.abs(s.mean) < 0.01  -- four places would show next to nothing
+      cells[#cells + 1] = s.count == 0 and "-" or (small and "%.4g +- %s (%s)" or "%.4f +- %s (%s)"):format(s.mean, shown(s.se), shown(s.sd))
     end
     cells[#cells + 1], cells[#cells + 2] = tostring(line.count), tostring(line.failed)
     lines[#lines + 1] = cells
@@ -115,7 +157,7 @@ function Summary:print()
   end
 end
 
-local function rows_of(list)
+function rows_of(list)
   return setmetatable(list, Rows)
 end
 

@@ -48,11 +48,10 @@ concept SpringDamping = requires(const E& effect, Moving<1>& moving, const Lane<
   { effect.damp(0, moving, h, true, [](int) { return 1.0; }) } -> std::convertible_to<Lane<1>>;
 };
 
-/// Springs that remember: tension and energy depend on two numbers of each, which change as it is stretched. One to a body.
+/// Springs that remember: what is left of each depends on two numbers, which change as it is stretched. One to a body.
 template <class E>
 concept SpringChange = requires(const E& effect, const Spring& spring, const Lane<1>& stretch, SpringMemory<1>& memory) {
-  { effect.tension(Linear{}, stretch, memory) } -> std::convertible_to<Lane<1>>;
-  { effect.energy(Linear{}, stretch, memory) } -> std::convertible_to<Lane<1>>;
+  { effect.rest(stretch, memory) } -> std::same_as<SpringRest<Lane<1>>>;
   { effect.change(Linear{}, spring, stretch, memory) } -> std::convertible_to<Lane<1>>;
 };
 

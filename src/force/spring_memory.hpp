@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "force/spring/rest.hpp"
 #include "force/springs.hpp"
 
 namespace ricochet {
@@ -12,6 +13,18 @@ namespace ricochet {
 /// What a spring remembers; its effect says what the two numbers are.
 template <int W>
 using SpringMemory = std::array<Lane<W>, 2>;
+
+/// Tension and energy of a spring that remembers, per unit of k.
+template <class E, class Law, class Number>
+Number tension_of(const E& effect, const Law& law, const Number& stretch, const std::array<Number, 2>& memory) {
+  const SpringRest<Number> rest = effect.rest(stretch, memory);
+  return rest.share * law.tension(rest.elastic);
+}
+template <class E, class Law, class Number>
+Number energy_of(const E& effect, const Law& law, const Number& stretch, const std::array<Number, 2>& memory) {
+  const SpringRest<Number> rest = effect.rest(stretch, memory);
+  return rest.share * law.energy(rest.elastic);
+}
 
 /// Calls `use(law, i, s, spring, d, r)` for every spring, by rising s: d the vector from node i to the other end, r its length.
 template <int W, class Use>
@@ -35,7 +48,7 @@ Lane<W> add_changed_forces(const E& effect, Moving<W>& body, std::vector<SpringM
   each_spring(body, [&](const auto& law, int i, int s, const Spring& spring, const Lane<W>& dx, const Lane<W>& dy, const Lane<W>& r) {
     const Lane<W> stretch = r - spring.length;
     if constexpr (!E::changes_at_step_ends) lost += spring.stiffness * effect.change(law, spring, stretch, memory[s]);
-    const Lane<W> more = (body.stiffness * spring.stiffness) * (effect.tension(law, stretch, memory[s]) - law.tension(stretch)) / r;
+    const Lane<W> more = (body.stiffness * spring.stiffness) * (tension_of(effect, law, stretch, memory[s]) - law.tension(stretch)) / r;
     body.force.x(i) += more * dx, body.force.y(i) += more * dy;
     body.force.x(spring.other) -= more * dx, body.force.y(spring.other) -= more * dy;
   });
@@ -58,7 +71,7 @@ Lane<W> spring_energy_change(const E& effect, const Moving<W>& body, const std::
   Lane<W> sum = Lane<W>::Zero();
   each_spring(body, [&](const auto& law, int, int s, const Spring& spring, const Lane<W>&, const Lane<W>&, const Lane<W>& r) {
     const Lane<W> stretch = r - spring.length;
-    sum += spring.stiffness * (effect.energy(law, stretch, memory[s]) - law.energy(stretch));
+    sum += spring.stiffness * (energy_of(effect, law, stretch, memory[s]) - law.energy(stretch));
   });
   return body.stiffness * sum;
 }

@@ -153,6 +153,19 @@ class ActingEffects {
           effects_[k]);
   }
 
+  /// What is left of spring s of a body at a stretch.
+  SpringRest<Lane<W>> rest(int body, int s, const Lane<W>& stretch) const {
+    for (std::size_t k = 0; k < effects_.size(); ++k)
+      if (!memory_[k][body].empty())
+        return std::visit(
+            [&]<class E>(const E& e) -> SpringRest<Lane<W>> {
+              if constexpr (SpringChange<E>) return e.rest(stretch, memory_[k][body][static_cast<std::size_t>(s)]);
+              else return {stretch, Lane<W>::Ones()};
+            },
+            effects_[k]);
+    return {stretch, Lane<W>::Ones()};
+  }
+
   /// By how much the energy of a body's springs differs from spring_energy. [m0 c^2]
   Lane<W> spring_change(int body, const Moving<W>& moving) const {
     Lane<W> sum = Lane<W>::Zero();

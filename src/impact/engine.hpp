@@ -339,7 +339,11 @@ class Engine {
     const auto due = [](const Run& run) { return run.scene && run.looks % looks_between_bounds == 0; };
     if (std::any_of(runs_.begin(), runs_.end(), due)) {
       const double slower = slower_by(method_);
-      const Lane<W> bound = squared_frequency_bound(end_[0]).max(Lane<W>(slower * slower * squared_frequency_bound(end_[1])));
+      const auto bound_of = [&](int b) {
+        if (effects_.empty()) return squared_frequency_bound(end_[b]);
+        return squared_frequency_bound(end_[b], [&](int s, const Lane<W>& x) { return effects_.rest(b, s, x); });
+      };
+      const Lane<W> bound = bound_of(0).max(Lane<W>(slower * slower * bound_of(1)));
       for (int lane = 0; lane < W; ++lane)
         if (due(runs_[lane])) runs_[lane].spring_bound = bound[lane];
     }

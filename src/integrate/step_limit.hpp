@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "force/spring/rest.hpp"
 #include "force/springs.hpp"
 #include "lattice/lattice.hpp"
 
@@ -16,9 +17,9 @@ struct FrequencyBound {
 FrequencyBound frequency_bound(const Lattice& lattice, double stiffness);
 
 /// The largest 2 lambda_max(K_ii) / m over the free nodes as the springs are stretched now, in W lanes [c^2/R^2]: K_ii is the sum of
-/// T'(x) n n^T + (|T|/r) (1 - n n^T). The half list gives a spring's block to both its ends.
-template <int W>
-Lane<W> squared_frequency_bound(const Moving<W>& body) {
+/// T'(x) n n^T + (|T|/r) (1 - n n^T). The half list gives a spring's block to both its ends. rest(s, x): what is left of spring s at a stretch x.
+template <int W, class Rest>
+Lane<W> squared_frequency_bound(const Moving<W>& body, Rest&& rest) {
   const Lattice& lattice = *body.lattice;
   struct Block {
     Lane<W> xx = Lane<W>::Zero(), xy = Lane<W>::Zero(), yy = Lane<W>::Zero();
@@ -29,9 +30,11 @@ Lane<W> squared_frequency_bound(const Moving<W>& body) {
     for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
       const Spring& spring = lattice.spring[s];
       const Lane<W> dx = body.position.x(spring.other) - body.position.x(i), dy = body.position.y(spring.other) - body.position.y(i);
-      const Lane<W> r = (dx * dx + dy * dy).sqrt(), x = r - spring.length;
-      const Lane<W> along = spring.stiffness * (1.0 + 3 * lattice.quartic * (x * x));
-      const Lane<W> across = spring.stiffness * (x * (1.0 + lattice.quartic * (x * x))).abs() / r;
+      const Lane<W> r = (dx * dx + dy * dy).sqrt();
+      const SpringRest<Lane<W>> left = rest(s, Lane<W>(r - spring.length));
+      const Lane<W>& x = left.elastic;
+      const Lane<W> along = left.share * spring.stiffness * (1.0 + 3 * lattice.quartic * (x * x));
+      const Lane<W> across = left.share * spring.stiffness * (x * (1.0 + lattice.quartic * (x * x))).abs() / r;
       const Lane<W> nx = dx / r, ny = dy / r, more = along - across;
       for (const int node : {i, spring.other}) {
         Block& b = blocks[node];
@@ -45,6 +48,12 @@ Lane<W> squared_frequency_bound(const Moving<W>& body) {
     largest = largest.max((b.xx + b.yy) / 2 + (half * half + b.xy * b.xy).sqrt());
   }
   return 2 / lattice.mass * body.stiffness * largest;
+}
+
+/// The same for springs without a past.
+template <int W>
+Lane<W> squared_frequency_bound(const Moving<W>& body) {
+  return squared_frequency_bound(body, [](int, const Lane<W>& x) { return SpringRest<Lane<W>>{x, Lane<W>::Ones()}; });
 }
 
 }  // namespace ricochet

@@ -89,11 +89,18 @@ std::vector<Function> make() {
   list.push_back({"rows:summary", "Mean, standard deviation, standard error and count of columns of finished rows, grouped. `:print()` prints it as a table.",
                   {{"by", "string", "", "column to group by"}, {"of", "strings", "", "columns to average; undefined values are left out"}}, "summary",
                   "rows:summary { by = \"psi1\", of = { \"e\", \"mu\" } }:print()"});
+  list.push_back({"rows:power_law", "The exponent of a power law y = factor x^exponent by least squares of the logarithms of finished rows: a table of exponent, its standard error se, factor and count.",
+                  {{"x", "string", "", "column of numbers above 0"}, {"y", "string", "", "column of numbers above 0"}}, "table", "local law = rows:power_law { x = \"speed\", y = \"e\" }"});
+  list.push_back({"rows:where", "The rows whose columns have the given values.", {}, "rows", "rows:where { psi1 = 1 }:summary { by = \"sample\", of = { \"e\" } }:print()"});
   list.push_back({"plot",
                   "Draws the mean and standard error of columns against a column, as NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.",
                   {{"rows", "rows", "", "rows of a sweep"},
                    {"x", "string", "", "column along x; rows are grouped by it"},
                    {"y", "strings", "", "columns along y, one panel each"},
+                   {"by", "string", "", "column whose values are drawn as a line each", any_number, "", true},
+                   {"log", "string", "", "axes with a logarithmic scale", any_number, "none", false, {"none", "x", "y", "xy"}},
+                   {"theory", "table", "", "column = function (x): drawn dashed beside that column", any_number, "{}"},
+                   {"theory_name", "string", "", "of the dashed lines, in the key", any_number, "theory"},
                    {"name", "string", "", "file name without extension"},
                    {"title", "string", "", "above the plot", any_number, "", true},
                    {"xlabel", "string", "", "instead of the column's name and unit", any_number, "", true}},
@@ -206,7 +213,7 @@ std::string editor_stubs() {
       "---@field hash fun(self: ricochet.scene): string\n\n---@class ricochet.sweep\n---@field run fun(self: ricochet.sweep): ricochet.rows\n\n"
       "---@class ricochet.plan\n---@field run fun(self: ricochet.plan): ricochet.rows\n\n"
       "---@class ricochet.summary\n---@field print fun(self: ricochet.summary)\n\n---@class ricochet.rows\n"
-      "---@field summary fun(self: ricochet.rows, t: ricochet.rows_summary_fields): ricochet.summary\n\n"
+      "---@field summary fun(self: ricochet.rows, t: ricochet.rows_summary_fields): ricochet.summary\n---@field power_law fun(self: ricochet.rows, t: ricochet.rows_power_law_fields): table\n---@field where fun(self: ricochet.rows, columns: table): ricochet.rows\n\n"
       "local ricochet = { file = {} }\n\n";
   for (const Function& f : functions()) {
     if (!f.fields.empty()) {

@@ -219,15 +219,15 @@ TEST_CASE("springs that remember pull by the slope of their energy, lose energy 
         constexpr int steps = 20000;
         for (int i = 1; i <= steps; ++i) {
           const double x = before + (stretches[k] - before) * i / steps, width = (stretches[k] - before) / steps;
-          const double pulled = effect.tension(law, one(x - width), memory)[0];
+          const double pulled = tension_of(effect, law, one(x - width), memory)[0];
           const double step_lost = effect.change(law, spring, one(x), memory)[0];
           CHECK_FALSE(step_lost < 0);
           lost += step_lost;
-          work += (pulled + effect.tension(law, one(x), memory)[0]) / 2 * width;
+          work += (pulled + tension_of(effect, law, one(x), memory)[0]) / 2 * width;
         }
         before = stretches[k];
-        const double held = effect.energy(law, one(before), memory)[0], h = 1e-5;
-        CHECK(effect.tension(law, one(before), memory)[0] == Catch::Detail::Approx((effect.energy(law, one(before + h), memory)[0] - effect.energy(law, one(before - h), memory)[0]) / (2 * h)).epsilon(1e-7).margin(1e-9));
+        const double held = energy_of(effect, law, one(before), memory)[0], h = 1e-5;
+        CHECK(tension_of(effect, law, one(before), memory)[0] == Catch::Detail::Approx((energy_of(effect, law, one(before + h), memory)[0] - energy_of(effect, law, one(before - h), memory)[0]) / (2 * h)).epsilon(1e-7).margin(1e-9));
         CHECK(work == Catch::Detail::Approx(held + lost).epsilon(1e-3));
       }
       CHECK(lost > 0);
@@ -240,7 +240,7 @@ TEST_CASE("a plastic spring yields at its limit, hardens, and yields the other w
   const Plastic plastic{0.1, 0.5, "both"};
   const Spring spring{1, false, 2.0, 1.0};
   SpringMemory<1> memory{one(0), one(0)};
-  const auto tension_at = [&](double x) { return plastic.change(Linear{}, spring, one(x), memory), plastic.tension(Linear{}, one(x), memory)[0]; };
+  const auto tension_at = [&](double x) { return plastic.change(Linear{}, spring, one(x), memory), tension_of(plastic, Linear{}, one(x), memory)[0]; };
   CHECK(tension_at(0.19) == Catch::Detail::Approx(0.19));
   // Past 0.2 the tension grows with slope H / (1 + H) = 1/3.
   CHECK(tension_at(0.5) == Catch::Detail::Approx(0.2 + 0.3 / 3));
@@ -255,12 +255,12 @@ TEST_CASE("a spring breaks beyond its strain, for good, unless it is of the rim"
   SpringMemory<1> memory{one(0), one(0)}, rim = memory;
   const Spring inner{1, false, 2.0, 1.0}, outer{1, true, 2.0, 1.0};
   breaking.change(Linear{}, inner, one(0.199), memory);
-  CHECK(breaking.tension(Linear{}, one(0.199), memory)[0] == 0.199);
+  CHECK(tension_of(breaking, Linear{}, one(0.199), memory)[0] == 0.199);
   CHECK(breaking.change(Linear{}, inner, one(0.21), memory)[0] == Catch::Detail::Approx(0.21 * 0.21 / 2));
   CHECK(breaking.change(Linear{}, inner, one(0.3), memory)[0] == 0);
-  CHECK(breaking.tension(Linear{}, one(0.01), memory)[0] == 0);
+  CHECK(tension_of(breaking, Linear{}, one(0.01), memory)[0] == 0);
   breaking.change(Linear{}, outer, one(0.3), rim);
-  CHECK(breaking.tension(Linear{}, one(0.3), rim)[0] == 0.3);
+  CHECK(tension_of(breaking, Linear{}, one(0.3), rim)[0] == 0.3);
 }
 
 TEST_CASE("forces between rims of a pair are minus the slope of its energy") {

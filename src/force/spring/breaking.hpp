@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "force/spring/rest.hpp"
 #include "lattice/lattice.hpp"
 
 namespace ricochet {
@@ -32,17 +33,15 @@ struct Breaking {
     return list;
   }
 
-  /// Tension and energy per unit of k. memory: { 1 if broken, unused }
-  template <class Law, class Number>
-  Number tension(const Law& law, const Number& stretch, const std::array<Number, 2>& memory) const { return (1.0 - memory[0]) * law.tension(stretch); }
-  template <class Law, class Number>
-  Number energy(const Law& law, const Number& stretch, const std::array<Number, 2>& memory) const { return (1.0 - memory[0]) * law.energy(stretch); }
+  /// memory: { 1 if broken, unused }
+  template <class Number>
+  static SpringRest<Number> rest(const Number& stretch, const std::array<Number, 2>& memory) { return {stretch, 1.0 - memory[0]}; }
 
   /// Breaks a spring that is too long; gives the energy lost, per unit of k.
   template <class Law, class Number>
   Number change(const Law& law, const Spring& spring, const Number& stretch, std::array<Number, 2>& memory) const {
     if (spring.on_rim) return Number::Zero();
-    const Number lost = (stretch > strain * spring.length).select(energy(law, stretch, memory), Number::Zero());
+    const Number lost = (stretch > strain * spring.length).select((1.0 - memory[0]) * law.energy(stretch), Number::Zero());
     memory[0] = (stretch > strain * spring.length).select(Number::Ones(), memory[0]);
     return lost;
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "force/spring/rest.hpp"
 #include "lattice/lattice.hpp"
 
 namespace ricochet {
@@ -33,11 +34,9 @@ struct Plastic {
     return list;
   }
 
-  /// Tension and energy per unit of k. memory: { p, a } [R]
-  template <class Law, class Number>
-  Number tension(const Law& law, const Number& stretch, const std::array<Number, 2>& memory) const { return law.tension(Number(stretch - memory[0])); }
-  template <class Law, class Number>
-  Number energy(const Law& law, const Number& stretch, const std::array<Number, 2>& memory) const { return law.energy(Number(stretch - memory[0])); }
+  /// memory: { p, a } [R]
+  template <class Number>
+  static SpringRest<Number> rest(const Number& stretch, const std::array<Number, 2>& memory) { return {stretch - memory[0], Number::Ones()}; }
 
   /// The return map; gives the energy lost, per unit of k.
   template <class Law, class Number>
