@@ -1,6 +1,7 @@
 #include "render/picture.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/colour_map.hpp"
 
@@ -51,8 +52,9 @@ Image draw(Context& context, int width, int height, const Mesh& mesh, const Fram
   const double unit = std::max(1.0, height / 720.0);
   for (const auto& t : mesh.triangles) canvas.triangle(frame.points[t[0]], frame.points[t[1]], frame.points[t[2]], body);
   // Bright springs last, so that the stressed ones lie on top.
-  std::vector<std::size_t> order(mesh.edges.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < mesh.edges.size(); ++i)
+    if (!std::isnan(frame.edge_values[i])) order.push_back(i);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return frame.edge_values[a] < frame.edge_values[b]; });
   for (const std::size_t i : order) {
     const double value = frame.edge_values[i];

@@ -10,7 +10,7 @@ namespace ricochet::render {
 
 struct Frame {
   Points points;
-  std::vector<double> edge_values;  ///< [edge] 0 ... 1, coloured from dark to bright
+  std::vector<double> edge_values;  ///< [edge] 0 ... 1, coloured from dark to bright; NaN: not drawn
 };
 
 /// What stays the same over a sequence.

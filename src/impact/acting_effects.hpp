@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -151,6 +152,11 @@ class ActingEffects {
                   if (!memory_[k][body].empty()) lost_[effects_[k].index()] += change_springs(e, bodies[body], memory_[k][body]);
           },
           effects_[k]);
+  }
+
+  /// True if springs of a body remember.
+  bool changes_springs(int body) const {
+    return std::any_of(memory_.begin(), memory_.end(), [&](const auto& of_bodies) { return !of_bodies[body].empty(); });
   }
 
   /// What is left of spring s of a body at a stretch.

@@ -13,6 +13,8 @@ struct Snapshot {
   double time;  ///< since the rims came within reach of each other [R/c]
   Points projectile, target, projectile_velocity, target_velocity;
   Ledger energy;
+  /// [projectile, target][spring] what effects have left of each; empty without effects that change springs.
+  std::array<std::vector<SpringRest<double>>, 2> springs{};
 };
 
 /// Looks at a single impact without changing a bit of it. `due(time)` is asked at the end of every step whether to look there.

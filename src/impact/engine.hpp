@@ -177,6 +177,12 @@ class Engine {
       shot.projectile.push_back(end_[0].position.at(i, lane)), shot.projectile_velocity.push_back(end_[0].velocity.at(i, lane));
     for (int i = 0; i < body_[1].lattice->nodes(); ++i)
       shot.target.push_back(end_[1].position.at(i, lane)), shot.target_velocity.push_back(end_[1].velocity.at(i, lane));
+    for (int b : {0, 1})
+      if (effects_.changes_springs(b))
+        each_spring(end_[b], [&](const auto&, int, int s, const Spring& spring, const Lane<W>&, const Lane<W>&, const Lane<W>& r) {
+          const SpringRest<Lane<W>> rest = effects_.rest(b, s, Lane<W>(r - spring.length));
+          shot.springs[static_cast<std::size_t>(b)].push_back({rest.elastic[lane], rest.share[lane]});
+        });
     return shot;
   }
 

@@ -60,14 +60,16 @@ Points all_points(const Points& projectile, const Points& target) {
   return points;
 }
 
-// Energy of each spring; the quartic part follows the law of its body.
-std::vector<double> spring_energies(const Joined& joined, const Points& points) {
+// Energy of each spring, by the law of its body and what effects have left of it; NaN if it is broken. `shot`: nullptr before the impact.
+std::vector<double> spring_energies(const Joined& joined, const Points& points, const Snapshot* shot) {
   std::vector<double> energies;
   const std::size_t of_projectile = joined.projectile->spring.size();
   for (std::size_t e = 0; e < joined.mesh.edges.size(); ++e) {
-    const double stretch = (points[joined.mesh.edges[e][1]] - points[joined.mesh.edges[e][0]]).norm() - joined.length[e];
-    const Lattice& lattice = e < of_projectile ? *joined.projectile : *joined.target;
-    energies.push_back(joined.stiffness[e] * with_spring_law(lattice, [&](const auto& law) { return law.energy(stretch); }));
+    SpringRest<double> rest{(points[joined.mesh.edges[e][1]] - points[joined.mesh.edges[e][0]]).norm() - joined.length[e], 1};
+    const bool first = e < of_projectile;
+    if (shot && !shot->springs[first ? 0 : 1].empty()) rest = shot->springs[first ? 0 : 1][first ? e : e - of_projectile];
+    const double energy = joined.stiffness[e] * with_spring_law(first ? *joined.projectile : *joined.target, [&](const auto& law) { return law.energy(rest.elastic); });
+    energies.push_back(rest.share > 0 ? energy : not_given);
   }
   return energies;
 }
@@ -98,7 +100,9 @@ Sequence survey(const Scene& scene, const Joined& joined, double from, double du
   };
   include(joined.target->points), include(before_touch(joined, start, from));
   const auto look = [&](const Snapshot& shot) {
-    std::vector<double> energies = spring_energies(joined, all_points(shot.projectile, shot.target));
+    std::vector<double> energies = spring_energies(joined, all_points(shot.projectile, shot.target), &shot);
+    for (double& energy : energies)
+      if (std::isnan(energy)) energy = 0;
     // The one spring in a thousand that is strongest does not darken all others.
     const auto high = energies.begin() + static_cast<std::ptrdiff_t>(energies.size() * 999 / 1000);
     std::nth_element(energies.begin(), high, energies.end());
@@ -199,9 +203,9 @@ int animate(lua_State* L) {
     const Start start = launch(scene, *joined.projectile, *joined.target);
     const double spacing = frame_spacing(sequence.until - sequence.from, frames, start.step);
     int drawn = 0;
-    const auto draw = [&](double time, const Points& projectile, const Points& target) {
+    const auto draw = [&](double time, const Points& projectile, const Points& target, const Snapshot* shot = nullptr) {
       render::Frame frame{all_points(projectile, target), {}};
-      frame.edge_values = spring_energies(joined, frame.points);
+      frame.edge_values = spring_energies(joined, frame.points, shot);
       for (double& value : frame.edge_values) value = std::sqrt(value / std::max(sequence.brightest, 1e-300));
       const std::map<std::string, std::string> texts{{"Software", "ricochet " + provenance.at("version")},
                                                      {"ricochet.script", provenance.at("script_hash")},
@@ -213,7 +217,7 @@ int animate(lua_State* L) {
     while (drawn < frames && sequence.from + drawn * spacing < 0) draw(sequence.from + drawn * spacing, before_touch(joined, start, sequence.from + drawn * spacing), joined.target->points);
     const double first = sequence.from + drawn * spacing;
     const Observer observer{sequence.until, equally_spaced(first, spacing, frames - drawn, start.step),
-                            [&](const Snapshot& shot) { draw(shot.time, shot.projectile, shot.target); }};
+                            [&](const Snapshot& shot) { draw(shot.time, shot.projectile, shot.target, &shot); }};
     run_scene(*joined.projectile, *joined.target, scene, stop_requested, &observer);
     if (stop_requested) throw Error(fmt::format("interrupted: {} of {} frames are in {}", drawn, frames, folder.string()), Exit::interrupted);
     // Frames of an earlier, longer sequence would pass for the end of this one.

@@ -20,6 +20,7 @@ struct NoEffects {
   void drift_anchors(Moving<W>&, const Lane<W>&) {}
   void dissipate(Bodies&, const Lane<W>&, bool) {}
   Lane<W> spring_change(int, const Moving<W>&) const { return Lane<W>::Zero(); }
+  static constexpr bool changes_springs(int) { return false; }
   SpringRest<Lane<W>> rest(int, int, const Lane<W>& stretch) const { return {stretch, Lane<W>::Ones()}; }
   std::array<double, effect_kinds> counts(int) const { return Outcome::no_effects(); }
   Energies energies(const Bodies&) const {

@@ -1,7 +1,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fmt/format.h>
 #include <set>
 
+#include "force/catalogue.hpp"
 #include "script/program.hpp"
 #include "script/specification.hpp"
 #include "store/table.hpp"
@@ -156,11 +158,53 @@ TEST_CASE("a plot leaves its gnuplot script, an SVG and a PNG") {
 TEST_CASE("scripts and examples of the project run short") {
   const Workplace here;
   const std::string root = RICOCHET_SOURCE;
-  for (const std::string command : {"examples/01_drop.lua nodes=60 frames=3", "scripts/elasticity.lua samples=1 height=3", "scripts/soft_wall.lua --check samples=1"}) {
+  for (const std::string command : {"examples/01_drop.lua nodes=60 frames=3", "scripts/elasticity.lua samples=1 height=3", "scripts/soft_wall.lua --check samples=1",
+                                    "scripts/which_effects_matter.lua nodes=60 samples=2 speed=0.1,0.2", "examples/effects/gravity.lua nodes=60 samples=2 speed=0.05,0.1,0.2",
+                                    "examples/effects/drag.lua samples=1 speed=0.1,0.2", "examples/effects/absorbing.lua samples=2 density=20 depth=1.5,2",
+                                    "examples/effects/moving_anchor.lua samples=1 phase=0,90", "examples/effects/damping.lua nodes=100 samples=1 speed=0.04,0.08,0.16",
+                                    "examples/effects/plastic.lua nodes=100 samples=1 speed=0.05,0.1,0.2", "examples/effects/breaking.lua nodes=60 samples=1 speed=0.1,0.3 frames=2",
+                                    "examples/effects/adhesion.lua samples=1 speed=0.05,0.1", "examples/effects/friction.lua nodes=60 samples=1 psi1=1,2",
+                                    "examples/effects/thermal.lua samples=4 ratio=2,4"}) {
     const Ended ended = here.run("--quiet " + root + "/" + command);
     INFO(command << "\n" << ended.err);
     CHECK(ended.status == 0);
   }
+}
+
+TEST_CASE("every effect has an example of its name") {
+  each_effect_kind([]<class E>(const E&) { CHECK(fs::exists(fmt::format("{}/examples/effects/{}.lua", RICOCHET_SOURCE, E::name))); });
+}
+
+TEST_CASE("rows can be picked by a column, and a power law is found in them") {
+  const Workplace here;
+  here.write("s.lua", "local ricochet = require 'ricochet'\n"
+                      "local rows = ricochet.sweep { name = 's', over = { psi1 = { 0, 1 }, speed = { 0.1, 0.2, 0.3 } }, scene = function(at) return ricochet.scene {\n"
+                      "  projectile = ricochet.disk { nodes = 40 }, target = ricochet.wall { width = 4, depth = 1, nodes = 80, stiffness = 400 }, launch = { speed = at.speed, psi1 = at.psi1 } } end }:run()\n"
+                      "local some = rows:where { psi1 = 1 }\n"
+                      "for _, row in ipairs(some) do assert(row.psi1 == 1); row.cube = 7 * row.speed ^ 3 end\n"
+                      "local law = some:power_law { x = 'speed', y = 'cube' }\n"
+                      "print(#some, ('%.6f %.6f %.1g %d'):format(law.exponent, law.factor, law.se, law.count))\n"
+                      "ricochet.plot { rows = rows, x = 'speed', y = { 'e', 'mu' }, by = 'psi1', log = 'x', name = 'p', theory = { e = function(v) return 1 end } }\n");
+  const Ended ended = here.run("--quiet s.lua");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("3\t3.000000 7.000000"));
+  CHECK(fs::file_size(here.path / "out/s/p.png") > 500);
+  const auto mistake = [&](const std::string& line) {
+    here.write("s.lua", "local ricochet = require 'ricochet'\n"
+                        "local rows = ricochet.sweep { name = 's', over = { psi1 = { 0, 1 } }, scene = function(at) return ricochet.scene {\n"
+                        "  projectile = ricochet.disk { nodes = 40 }, target = ricochet.wall { width = 4, depth = 1, nodes = 80, stiffness = 400 }, launch = { psi1 = at.psi1 } } end }:run()\n" + line);
+    const Ended failed = here.run("--quiet --force s.lua");
+    CHECK(failed.status == 1);
+    return failed.err;
+  };
+  using Catch::Matchers::Contains;
+  CHECK_THAT(mistake("rows:where { psi = 1 }"), Contains("error: s.lua:4: where: the rows have no column 'psi' (did you mean 'psi1' or 'psi2'?)"));
+  CHECK_THAT(mistake("rows:power_law { x = 'speed', y = 'e' }"), Contains("error: s.lua:4: power_law: the rows have no column 'speed'"));
+  CHECK_THAT(mistake("rows:power_law { x = 'psi1', y = 'e' }"), Contains("error: s.lua:4: power_law: a power law needs values above 0, 'psi1' is 0"));
+  CHECK_THAT(mistake("rows:where { psi1 = 1 }:power_law { x = 'psi1', y = 'e' }"), Contains("error: s.lua:4: power_law: a power law needs three rows or more of different 'psi1', there are 1"));
+  CHECK_THAT(mistake("ricochet.plot { rows = rows, x = 'psi1', y = { 'e' }, name = 'p', log = 'x' }"), Contains("error: s.lua:4: plot: 'log' along x needs values above 0, psi1 goes down to 0"));
+  CHECK_THAT(mistake("ricochet.plot { rows = rows, x = 'psi1', y = { 'e' }, name = 'p', theory = { mu = 1 } }"), Contains("error: s.lua:4: plot: 'theory' takes column = function (x), 'mu' is a number"));
 }
 
 TEST_CASE("the reference page and the editor stubs in the tree are current") {
