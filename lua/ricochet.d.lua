@@ -89,7 +89,7 @@ function ricochet.wall(t) end
 ---@field step? number time step; chosen from the stiffest node and the contact's onset unless given [R/c]
 ---@field theta? number time step times the bound of the highest frequency of this scene's lattices, instead of a step: equal for lattices of one kind
 ---@field accuracy? number wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs
----@field accuracy_of? "e"|"beta"|"mu"|"psi2"|"vn"|"vt"|"omega"|"indentation"|"contact_time" the outcome that accuracy is about (default e)
+---@field accuracy_of? "e"|"beta"|"mu"|"psi2"|"vn"|"vt"|"omega" the outcome that accuracy is about (default e)
 ---@field time_limit? number an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given [R/c]
 ---@field energy_tolerance? number an impact whose total energy strays further, relative to its start, ends energy_drift (default 0.01)
 --- One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream so that its smooth outline would touch the target's at x = launch.at. `scene:run()` runs it and returns a row; `scene:text()` is its canonical text, `scene:hash()` that text's hash.

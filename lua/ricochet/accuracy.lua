@@ -1,4 +1,4 @@
--- ricochet.accuracy: what accuracy costs. One scene by many methods and steps against a far finer run; a table, a CSV file and
+-- ricochet.accuracy: what accuracy costs. One scene by many methods and steps against two runs of order 6; a table, a CSV file and
 -- work-precision plots.
 local core = require "ricochet.core"
 local refine = require "ricochet.refine"
@@ -25,6 +25,9 @@ local function reference(scene, columns)
     if row.status ~= "finished" then core.fail(("the reference run ended %s: %s"):format(row.status, row.reason), "scene") end
   end
   local value, floor = {}, {}
+  for _, column in ipairs(columns) do
+    if pair[1][column] ~= pair[1][column] then core.fail(("%s is not defined in this impact; name another outcome"):format(column), "of") end
+  end
   for _, column in ipairs(columns) do value[column], floor[column] = pair[1][column], math.abs(pair[1][column] - pair[2][column]) end
   return value, floor
 end
@@ -53,7 +56,7 @@ local function csv(rows, columns)
   local lines = { table.concat(header, ",") }
   for _, row in ipairs(rows) do
     local cells = { row.method, ("%.17g"):format(row.step), ("%.6g"):format(row.theta), row.status, ("%.0f"):format(row.evaluations), ("%.6g"):format(row.wall_seconds),
-      ("%.6g"):format(row.energy_drift), ("%.6g"):format(row.momentum_residual) }
+      ("%.6g"):format(row.energy_drift), row.momentum_residual == row.momentum_residual and ("%.6g"):format(row.momentum_residual) or "" }
     for _, column in ipairs(columns) do cells[#cells + 1] = ("%.6g"):format(row.error[column] or 0 / 0) end
     lines[#lines + 1] = table.concat(cells, ",")
   end
@@ -231,6 +234,11 @@ local function accuracy(given)
       for _, share in ipairs(shares) do specs[#specs + 1] = { method = method.name, theta = share * method.stability_limit } end
     end
   end
+  for _, step in ipairs(t.steps or {}) do
+    if not (step > 0 and step < math.huge) then core.fail(("'steps' must be greater than 0, has %g"):format(step), "steps") end
+  end
+  if #specs == 0 then core.fail(("'%s' is empty"):format(t.methods and #t.methods == 0 and "methods" or "steps"), t.methods and #t.methods == 0 and "methods" or "steps") end
+  if #t.of == 0 then core.fail("'of' is empty; name an outcome", "of") end
   local known = core.columns()
   for _, column in ipairs(t.of) do
     if not known[column] then
@@ -241,6 +249,11 @@ local function accuracy(given)
   end
   for _, factor in ipairs(t.lattices or { 1, 2 }) do
     if not (factor > 0 and factor <= 64) then core.fail(("'lattices' holds factors of the nodes, above 0 and at most 64, not %g"):format(factor), "lattices") end
+  end
+  local seen = {}
+  for _, factor in ipairs(t.lattices or {}) do
+    if seen[factor] then core.fail(("'lattices' names %g twice"):format(factor), "lattices") end
+    seen[factor] = true
   end
   if t.lattices and #t.lattices < 2 then core.fail("'lattices' needs two sizes or more to compare", "lattices") end
   if core.is_check() then return nil end
@@ -261,10 +274,22 @@ local function accuracy(given)
   print_table(study)
   core.file_write(t.name .. ".csv", csv(rows, t.of))
   local drawable = false
-  for _, name in ipairs(study.methods) do drawable = drawable or #study.by_method[name] > 1 end
+  for _, name in ipairs(study.methods) do
+    local count = 0
+    for _, row in ipairs(study.by_method[name]) do count = count + (row.status == "finished" and 1 or 0) end
+    drawable = drawable or count > 1
+  end
   if drawable then plot(study, t.name) end
   --- study.cheapest(wanted [, column [, method]]): the row with the fewest force evaluations whose error is at most `wanted`, or nil.
-  study.cheapest = function(wanted, column, method) return cheapest(method and study.by_method[method] or rows, column or t.of[1], wanted) end
+  study.cheapest = core.wrap(function(wanted, column, method)
+    if type(wanted) ~= "number" then core.fail(("cheapest takes the wanted error, a number; has %s"):format(type(wanted))) end
+    column = column or t.of[1]
+    local studied = false
+    for _, name in ipairs(t.of) do studied = studied or name == column end
+    if not studied then core.fail(("the study has no errors of '%s'; name it in 'of'"):format(tostring(column))) end
+    if method and not study.by_method[method] then core.fail(("the study has no method '%s'%s"):format(tostring(method), core.did_you_mean(tostring(method), study.methods))) end
+    return cheapest(method and study.by_method[method] or rows, column, wanted)
+  end)
   return core.strict(study, "the study")
 end
 

@@ -4,6 +4,7 @@ local make_sweep = require("ricochet.sweep").sweep
 local refine = require "ricochet.refine"
 
 local most_points = 12        -- of the sweep's points that the pilot visits
+local most_samples = 1e6     -- of a point that a plan may have
 local step_share = 0.2        -- of the wanted standard error that the time step may take: 2 % of its square
 local factors = {}            -- of the number of nodes, that a plan chooses from
 for i = -4, 8 do factors[#factors + 1] = 2 ^ (i / 2) end
@@ -140,7 +141,7 @@ local function name_of(point, names, sample)
 end
 
 local Plan = { __name = "a plan" }
-Plan.__index = function(_, name) return rawget(Plan, name) or core.unknown("a plan", name, { "run", "points", "samples", "nodes", "method", "theta", "predicted_seconds" }) end
+Plan.__index = function(_, name) return rawget(Plan, name) or core.unknown("a plan", name, { "run", "points", "samples", "nodes", "method", "theta", "choices", "predicted_seconds" }) end
 
 local function print_plan(plan)
   local function line(...) print((...):format(select(2, ...))) end
@@ -151,30 +152,45 @@ local function print_plan(plan)
   for _, p in ipairs(plan.points) do line("%-20s %9.4f %9.2g %18s %10.2g  %s", p.name, p.mean, p.sampling, ("%+.2g +- %.2g"):format(-p.slope, p.slope_se), p.step, p.dominates) end
   line("  lattice size: what an infinitely fine lattice would change, extrapolated in the spacing, and what the pilot leaves unknown of it")
   if plan.samples then
-    line("cheapest: %s with theta %.3g, %.3g times the nodes, %d samples a point; predicted %.1f s on %s", plan.method, plan.theta, plan.nodes, plan.samples, plan.predicted_seconds,
-      plan.machine)
+    local alike = true
+    for _, choice in ipairs(plan.choices) do alike = alike and choice.method == plan.method and choice.theta == plan.theta end
+    line("cheapest: %s with theta %.3g%s, %.3g times the nodes, %d samples a point; predicted %.1f s on %s", plan.method, plan.theta, alike and "" or " at the hardest point", plan.nodes, plan.samples,
+      plan.predicted_seconds, plan.machine)
+    if not alike then
+      for _, choice in ipairs(plan.choices) do line("  %s: %s with theta %.3g", choice.name, choice.method, choice.theta) end
+    end
+    if #plan.sizes == 1 then line "  of the lattice's own error one size tells nothing: the nodes stay as they are" end
     line("  leaves %.2g from samples (less nine times of ten), %.2g from the lattice's size, %.2g from the time step", plan.budget.sampling, plan.budget.lattice, plan.budget.step)
   else
-    line("no plan: with %.2g from the lattice's size alone, %g is out of reach of %.3g times the nodes; raise 'pilot' or 'sizes', or leave 'continuum' out", plan.budget.lattice,
-      plan.standard_error, factors[#factors])
+    line("no plan: with %.2g from the lattice's size alone, %g is out of reach of %.3g times the nodes and %.0g samples; raise 'pilot' or 'sizes', ask for less, or leave 'continuum' out", plan.budget.lattice,
+      plan.standard_error, #plan.sizes > 1 and factors[#factors] or plan.sizes[1].factor, most_samples)
   end
 end
 
 -- Measured times differ between runs, and with them the cheapest plan: what a run decided is kept, so that --resume goes on with it.
 local function plan_file(sweep) return sweep.name .. "_plan.txt" end
+local function request(plan) return ("standard_error %.15g of %s"):format(plan.standard_error, plan.of) end
 
 local function keep(plan)
-  core.file_write(plan_file(plan.sweep), ("standard_error %.17g of %s\nsamples %d\nnodes %.17g\nmethod %s\ntheta %.17g\npredicted_seconds %.3g\n"):format(plan.standard_error, plan.of,
-    plan.samples, plan.nodes, plan.method, plan.theta, plan.predicted_seconds))
+  local lines = { request(plan), ("samples %d\nnodes %.17g\npredicted_seconds %.3g"):format(plan.samples, plan.nodes, plan.predicted_seconds) }
+  for _, choice in ipairs(plan.choices) do lines[#lines + 1] = ("point %s: %s theta %.17g"):format(choice.name, choice.method, choice.theta) end
+  lines[#lines + 1] = ("others: %s theta %.17g\n"):format(plan.method, plan.theta)
+  core.file_write(plan_file(plan.sweep), table.concat(lines, "\n"))
 end
 
 local function go_on_with_kept(plan)
   local known, text = pcall(core.file_read, plan_file(plan.sweep))
-  local wanted = ("standard_error %.17g of %s\n"):format(plan.standard_error, plan.of)
-  if not known or text:sub(1, #wanted) ~= wanted then return end
-  local samples, nodes, method, theta = text:match "samples (%S+)\nnodes (%S+)\nmethod (%S+)\ntheta (%S+)\n"
-  plan.samples, plan.nodes, plan.method, plan.theta = math.tointeger(samples), tonumber(nodes), method, tonumber(theta)
-  print(("goes on with the plan of the earlier run: %s with theta %.3g, %.3g times the nodes, %d samples a point"):format(plan.method, plan.theta, plan.nodes, plan.samples))
+  if not known then return end
+  local kept = text:match "^[^\n]*"
+  if kept ~= request(plan) then
+    core.fail(("%s keeps the plan of the earlier run, for a %s; give --resume the same, or run anew with --force"):format(plan_file(plan.sweep), kept), "standard_error")
+  end
+  local samples, nodes, seconds = text:match "samples (%S+)\nnodes (%S+)\npredicted_seconds (%S+)\n"
+  plan.samples, plan.nodes, plan.predicted_seconds, plan.choices = math.tointeger(samples), tonumber(nodes), tonumber(seconds), {}
+  for name, method, theta in text:gmatch "\npoint ([^\n]-): (%S+) theta ([^\n]+)" do plan.choices[#plan.choices + 1] = { name = name, method = method, theta = tonumber(theta) } end
+  local method, theta = text:match "\nothers: (%S+) theta (%S+)"
+  plan.method, plan.theta = method, tonumber(theta)
+  print(("goes on with the plan of the earlier run: %.3g times the nodes, %d samples a point"):format(plan.nodes, plan.samples))
 end
 
 local function plan(given)
@@ -191,8 +207,18 @@ local function plan(given)
   for _, factor in ipairs(t.sizes) do
     if not (factor > 0 and factor <= 16) then core.fail(("a size is a factor of the nodes, above 0 and at most 16, not %g"):format(factor), "sizes") end
   end
+  if #t.sizes == 0 then core.fail("'sizes' is empty; give factors of the nodes", "sizes") end
   t.sizes = copy(t.sizes)
   table.sort(t.sizes)
+  for i = 2, #t.sizes do
+    if t.sizes[i] == t.sizes[i - 1] then core.fail(("'sizes' names %g twice"):format(t.sizes[i]), "sizes") end
+  end
+  if not core.accuracy_outcomes[column] then
+    local names = {}
+    for name in pairs(core.accuracy_outcomes) do names[#names + 1] = name end
+    table.sort(names)
+    core.fail(("the time step's error of '%s' cannot be estimated; plans are for one of %s"):format(column, table.concat(names, ", ")), "of")
+  end
   local all, samples_now = points_of(sweep, sample)
   local points = spread_out(all, most_points)
   if core.is_check() then
@@ -208,7 +234,7 @@ local function plan(given)
   local making = making_seconds(sweep, sample, points, t.pilot)
   local sizes = {}
   for i, factor in ipairs(t.sizes) do
-    local rows, seconds = pilot(sweep, sample, points, t.pilot, factor, { accuracy = step_share * t.standard_error, accuracy_of = column })
+    local rows, seconds = pilot(sweep, sample, points, t.pilot, factor, { accuracy = math.min(0.1, step_share * t.standard_error), accuracy_of = column })
     sizes[i] = { factor = factor, rows = rows, seconds = (making + seconds) * #all / #points }
     for k in ipairs(points) do
       local values = finished(rows[k], column)
@@ -219,7 +245,7 @@ local function plan(given)
   end
   -- The sweep's own time step: the same samples by it and by the pilot's fine one.
   local own = pilot(sweep, sample, points, math.min(t.pilot, 2), 1, {})
-  local fine = pilot(sweep, sample, points, math.min(t.pilot, 2), 1, { accuracy = 0.01 * t.standard_error, accuracy_of = column })
+  local fine = pilot(sweep, sample, points, math.min(t.pilot, 2), 1, { accuracy = math.min(0.1, 0.01 * t.standard_error), accuracy_of = column })
 
   local nearest = nearest_size(sizes, 1)
 
@@ -236,7 +262,7 @@ local function plan(given)
     local by_spacing = {}
     for i, size in ipairs(sizes) do by_spacing[i] = { x = size.factor ^ -0.5, value = size[k].mean, se = math.max(size[k].se, 1e-12) } end
     local slope, slope_se = 0, 0
-    if #sizes > 1 then slope, slope_se = refine.fitted_line(by_spacing) end
+    if #sizes > 1 then slope, slope_se = refine.fitted_line(by_spacing) end  -- of one size nothing is known
     local p = { name = name_of(point, sweep.names, sample), mean = nearest[k].mean, sd = sd, sd_cautious = sd_cautious, sampling = sd / math.sqrt(samples_now), slope = slope, slope_se = slope_se,
       lattice = math.sqrt(slope ^ 2 + slope_se ^ 2),
       step = count > 0 and math.sqrt(square / count) or 0 / 0 }
@@ -246,7 +272,7 @@ local function plan(given)
 
   -- Every factor of the nodes with the samples that its worst point needs; the cheapest counts.
   local step_error = step_share * t.standard_error
-  for _, factor in ipairs(factors) do
+  for _, factor in ipairs(#sizes > 1 and factors or t.sizes) do
     local strayed = math.abs(factor ^ -0.5 - (t.continuum and 0 or 1))
     local samples, budget = 2, { sampling = 0, lattice = 0, step = step_error }
     for _, p in ipairs(result.points) do
@@ -257,17 +283,21 @@ local function plan(given)
     budget.sampling = budget.sampling / math.sqrt(samples)
     local size = nearest_size(sizes, factor)
     local seconds = samples * seconds_at(sizes, factor)
-    if samples < math.huge and (not result.samples or seconds < result.predicted_seconds) then
-      local row = size.rows[1][1]
-      result.samples, result.nodes, result.predicted_seconds, result.method, result.theta, result.budget = samples, factor, seconds, row.method, row.theta, budget
+    if samples <= most_samples and (not result.samples or seconds < result.predicted_seconds) then
+      result.samples, result.nodes, result.predicted_seconds, result.budget, result.choices = samples, factor, seconds, budget, {}
+      for k, point in ipairs(points) do
+        local row = size.rows[k][1]
+        result.choices[k] = { name = name_of(point, sweep.names, sample), method = row.method, theta = row.theta }
+        -- Shown, and taken by points that the pilot left out: the choice with the shortest step.
+        if k == 1 or row.step < result.shortest then result.shortest, result.method, result.theta = row.step, row.method, row.theta end
+      end
     elseif not result.samples then
       result.budget = budget
     end
   end
   result.pilot_seconds = core.clock() - began
   print_plan(result)
-  if result.samples and core.is_resume() then go_on_with_kept(result) end
-  if result.samples then keep(result) end
+  if core.is_resume() then go_on_with_kept(result) end
   return result
 end
 
@@ -279,9 +309,13 @@ Plan.run = core.wrap(function(self)
   for i = 1, self.samples do values[i] = i end
   for _, name in ipairs(sweep.names) do over[name] = sweep.over[name] end
   over[self.sample] = values
+  local choices = {}
+  for _, choice in ipairs(self.choices) do choices[choice.name] = choice end
+  keep(self)
   local planned = make_sweep { name = sweep.name, over = over, scene = function(at)
     local scene = core.given(refine.refined(sweep.scene(at), self.nodes, 0))
-    scene.method, scene.theta, scene.step, scene.accuracy = self.method, self.theta, nil, nil
+    local chosen = choices[name_of(at, sweep.names, self.sample)] or self
+    scene.method, scene.theta, scene.step, scene.accuracy = chosen.method, chosen.theta, nil, nil
     return core.scene(scene)
   end }
   local began = core.clock()

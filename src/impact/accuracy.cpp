@@ -12,6 +12,7 @@
 #include "impact/batch.hpp"
 #include "impact/launch.hpp"
 #include "impact/parallel.hpp"
+#include "lattice/outline.hpp"
 
 namespace ricochet {
 
@@ -43,108 +44,158 @@ constexpr int most_attempts = 12;
 constexpr double most_shortened = 20;
 // The estimate is aimed at this share of what was asked for: the true error may be twice the estimate.
 constexpr double aim = 0.5;
+// Scenes of a kind that are tried: nine of ten others have no greater error than the greatest of nine.
+constexpr std::size_t most_tried = 9;
 
+/// One scene, run by a method and theta; what its outcome says.
+struct Trial {
+  const TrialScene* of;
+  double theta;
+  double value = not_given;
+  bool counts = true;  ///< false if the bodies pass by each other, or the outcome is not defined there
+  std::string reason{};
+};
+
+/// Runs scenes by one method.
 class Trials {
  public:
-  Trials(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::string& method, const std::atomic<bool>& stop)
-      : projectile_(projectile), target_(target), scene_(scene), stop_(stop) {
-    scene_.integration.method = method, scene_.integration.accuracy = not_given;
-  }
+  Trials(const std::vector<TrialScene>& scenes, const std::string& method, int threads, const std::atomic<bool>& stop) : scenes_(scenes), method_(method), threads_(threads), stop_(stop) {}
 
-  // NaN if the impact does not finish.
-  double at(double step) {
-    scene_.integration.step = step;
-    ++count;
-    const Outcome outcome = run_scene(projectile_, target_, scene_, stop_);
+  // The greatest estimated error of all scenes; NaN if one of them does not finish.
+  double error_at(double theta, int order) {
+    std::vector<Trial> trials;
+    for (const TrialScene& scene : scenes_) trials.push_back({&scene, theta}), trials.push_back({&scene, theta / 2});
+    in_parallel(trials, threads_, [&](Trial& trial) {
+      Scene scene = trial.of->scene;
+      scene.integration.method = method_, scene.integration.accuracy = not_given, scene.integration.theta = trial.theta;
+      const Outcome outcome = run_scene(*trial.of->projectile, *trial.of->target, scene, stop_);
+      if (outcome.status == Status::finished) trial.value = value_of(outcome, scene.integration.accuracy_of), trial.counts = !std::isnan(trial.value);
+      else trial.counts = outcome.status != Status::no_contact, trial.reason = outcome.reason;
+    });
     if (stop_) throw Error("interrupted", Exit::interrupted);
-    reason = outcome.reason;
-    return outcome.status == Status::finished ? value_of(outcome, scene_.integration.accuracy_of) : not_given;
+    count += static_cast<int>(trials.size());
+    double worst = 0;
+    some_count = false;
+    for (std::size_t i = 0; i < trials.size(); i += 2) {
+      if (!trials[i].counts || !trials[i + 1].counts) continue;
+      some_count = true;
+      const double error = richardson(trials[i].value, trials[i + 1].value, order);
+      if (std::isnan(error)) reason = trials[i].reason.empty() ? trials[i + 1].reason : trials[i].reason;
+      if (std::isnan(error) || std::isnan(worst)) worst = not_given;
+      else worst = std::max(worst, error);
+    }
+    return worst;
   }
 
   int count = 0;
+  bool some_count = true;  ///< an outcome was defined in some scene of the last trials
   std::string reason;
 
  private:
-  const Lattice &projectile_, &target_;
-  Scene scene_;
+  const std::vector<TrialScene>& scenes_;
+  std::string method_;
+  int threads_;
   const std::atomic<bool>& stop_;
 };
 
-}  // namespace
-
-namespace {
-
 struct Candidate {
   const Method* method;
-  Start start;
-  double longest;  ///< step [R/c]
-  double work;     ///< of a step
+  double usual;          ///< theta of the default step
+  double longest;        ///< theta
+  double step_of_theta;  ///< [R/c], in the first scene
+  double work;           ///< of a step
+
+  double cost() const { return work / (longest * step_of_theta); }  ///< of a unit of time, at best
 };
 
-Candidate candidate(const Lattice& projectile, const Lattice& target, Scene scene, const std::string& name) {
+Candidate candidate(const std::vector<TrialScene>& scenes, const std::string& name) {
   const Method& method = method_named(name);
-  scene.integration.method = name, scene.integration.accuracy = not_given, scene.integration.step = not_given;
-  const Start start = launch(scene, projectile, target);
-  // The default step resolves the contact's onset; the stability limit has room for springs that stiffen.
-  return {&method, start, start.step * std::min(2.0, 0.8 * method.stability_limit / start.theta), work_of_step(method, projectile, target)};
+  Candidate c{&method, std::numeric_limits<double>::infinity(), 0, 0, 0};
+  for (const TrialScene& trial : scenes) {
+    Scene scene = trial.scene;
+    scene.integration.method = name, scene.integration.accuracy = not_given;
+    const Start start = launch(scene, *trial.projectile, *trial.target);
+    if (&trial == &scenes.front()) c.step_of_theta = start.step / start.theta, c.work = work_of_step(method, *trial.projectile, *trial.target);
+    c.usual = std::min(c.usual, start.theta);  // the default step resolves the contact's onset
+  }
+  c.longest = c.usual * std::min(2.0, 0.8 * method.stability_limit / c.usual);  // room for springs that stiffen
+  return c;
 }
 
 struct Reached {
-  double step = 0, error = std::numeric_limits<double>::infinity();  ///< step 0: the accuracy was not reached; the least error was this
+  double theta = 0, error = std::numeric_limits<double>::infinity();  ///< theta 0: the accuracy was not reached; the least error was this
   std::string reason;
 };
 
 // Shortens the step of a method until the estimated error is small enough, but not below `shortest`.
-Reached shorten_step(Trials& trials, const Candidate& c, const Integration& asked, double shortest) {
+Reached shorten_step(Trials& trials, const Candidate& c, const Integration& asked, double shortest, bool from_longest) {
   const double wanted = asked.accuracy;
   const int order = c.method->outcome_order;
-  double step = std::clamp(c.start.step * std::pow(wanted / c.method->usual_accuracy, 1.0 / order), c.start.step / 4, c.longest);
-  double best = std::numeric_limits<double>::infinity(), previous = not_given;
-  for (int attempt = 0; attempt < most_attempts && step >= shortest; ++attempt) {
-    const double error = richardson(trials.at(step), trials.at(step / 2), order);
-    if (error <= aim * wanted) return {step, error, ""};
+  const double guess = std::clamp(c.usual * std::pow(wanted / c.method->usual_accuracy, 1.0 / order), c.usual / 4, c.longest);
+  double theta = from_longest ? c.longest : std::max(guess, shortest), best = std::numeric_limits<double>::infinity(), previous = not_given;
+  for (int attempt = 0; attempt < most_attempts && theta >= shortest; ++attempt) {
+    const double error = trials.error_at(theta, order);
+    if (!trials.some_count) throw FieldError("accuracy_of", fmt::format("{} is not defined in this impact; name another outcome", asked.accuracy_of));
+    if (error <= aim * wanted) return {theta, error, ""};
     // Two attempts in a row that gain less than a step of half as long should by far: rounding, or paths that part at a near tie.
     if (!(error < best / 2) && !(previous < 2 * best) && attempt > 3) break;
     previous = best, best = std::min(best, std::isnan(error) ? best : error);
     const double ratio = std::isnan(error) ? 0.5 : std::pow(0.7 * aim * wanted / error, 1.0 / order);
-    step *= std::clamp(ratio, 0.2, 0.8);
+    theta *= std::clamp(ratio, 0.2, 0.8);
   }
   return {0, best, trials.reason};
 }
 
 }  // namespace
 
-Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop) {
+Choice choose_for_accuracy(std::vector<TrialScene> scenes, int threads, const std::atomic<bool>& stop) {
   const auto began = std::chrono::steady_clock::now();
-  const Integration& asked = scene.integration;
+  const Scene& scene = scenes.front().scene;
+  const Integration asked = scene.integration;
   std::vector<std::string> names = asked.method == "auto" ? methods_for(asked.accuracy) : std::vector<std::string>{asked.method};
   if (asked.method == "auto") {
     std::erase_if(names, [&](const std::string& name) { return !scene.conflict_with(method_named(name)).empty(); });
     if (names.empty()) names = {"verlet"};  // beside any effect
   }
-  const Candidate last = candidate(projectile, target, scene, names.back());
-  if (!last.start.touches) return {last.method->name, last.start.step, last.start.theta, 0, 0, 0};
+  const auto passes_by = [&](const TrialScene& trial) {
+    Scene plain = trial.scene;
+    plain.integration.method = names.back(), plain.integration.accuracy = not_given;
+    return !launch(plain, *trial.projectile, *trial.target).touches;
+  };
+  const std::vector<TrialScene> all = scenes;
+  std::erase_if(scenes, passes_by);
+  if (scenes.empty()) {
+    const Candidate any = candidate(all, names.back());
+    return {any.method->name, any.usual * any.step_of_theta, any.usual, 0, 0, 0};
+  }
+  const Candidate last = candidate(scenes, names.back());
   // From the cheapest at its longest step on, each as long as it stays cheaper than the next.
   std::vector<Candidate> candidates;
   for (const std::string& name : names)
-    if (const Candidate c = candidate(projectile, target, scene, name); c.work / c.longest < last.work / last.longest) candidates.push_back(c);
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.work / a.longest < b.work / b.longest; });
+    if (const Candidate c = candidate(scenes, name); c.cost() < last.cost()) candidates.push_back(c);
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.cost() < b.cost(); });
   candidates.push_back(last);
   int trial_count = 0;
   Reached reached;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& c = candidates[i];
-    const double shortest = i + 1 < candidates.size() ? c.work * candidates[i + 1].longest / candidates[i + 1].work : c.start.step / most_shortened;
-    Trials trials(projectile, target, scene, c.method->name, stop);
-    reached = shorten_step(trials, c, asked, shortest);
+    const double shortest = i + 1 < candidates.size() ? c.work / (candidates[i + 1].cost() * c.step_of_theta) : c.usual / most_shortened;
+    Trials trials(scenes, c.method->name, threads, stop);
+    // A single scene's estimate may be small by chance, the more steps are tried; that of several hardly.
+    reached = shorten_step(trials, c, asked, shortest, scenes.size() > 2);
     trial_count += trials.count;
-    if (reached.step == 0) continue;
+    if (reached.theta == 0) continue;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    return {c.method->name, reached.step, reached.step * c.start.theta / c.start.step, reached.error, trial_count, seconds};
+    return {c.method->name, reached.theta * c.step_of_theta, reached.theta, reached.error, trial_count, seconds};
   }
   throw FieldError("accuracy", std::isinf(reached.error) ? fmt::format("no trial run finished ({})", reached.reason)
-                                                         : fmt::format("{:g} is below what {} can reach for {} here: the estimated error stays at {:.2g}; ask for that, or another method",
-                                                                       asked.accuracy, names.back(), asked.accuracy_of, reached.error));
+                                                         : fmt::format("{:g} is below what {} can reach for {} here: the estimated error stays at {:.2g}; ask for {:.2g}, or for another method",
+                                                                       asked.accuracy, names.back(), asked.accuracy_of, reached.error, 2.1 * reached.error));
+}
+
+Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop) {
+  const auto borrowed = [](const Lattice& lattice) { return std::shared_ptr<const Lattice>(std::shared_ptr<const Lattice>(), &lattice); };
+  return choose_for_accuracy({{borrowed(projectile), borrowed(target), scene}}, 1, stop);
 }
 
 namespace {
@@ -156,10 +207,16 @@ std::string kind_of(const Scene& scene) {
   std::string kind = fmt::format("{:.9g}", scene.launch.velocity().norm());
   for (const auto* body : {&scene.projectile, &scene.target}) {
     const BodyNumbers& n = (*body)->numbers;
-    kind += fmt::format(" {} {} {} {} {} {};", n.nodes, n.placement, n.stiffness, n.quartic, n.mass, n.roughness);
+    kind += fmt::format(" {} {} {} {} {} {} {} {}", n.nodes, n.placement, n.stiffness, n.quartic, n.mass, n.roughness, n.prestress, (*body)->anchored.empty());
+    // Of an outline and of a stiffness that depends on the place: their extremes tell kinds apart.
+    Vec2 low = Vec2::Zero(), high = low;
+    for (const Vec2& p : (*body)->outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    kind += fmt::format(" {:.9g} {:.9g} {:.9g};", signed_area((*body)->outline), (high - low).x(), (high - low).y());
+    if (const auto& k = (*body)->node_stiffness; !k.empty()) kind += fmt::format("{:.2g} {:.2g};", *std::min_element(k.begin(), k.end()), *std::max_element(k.begin(), k.end()));
   }
   const Integration& i = scene.integration;
-  return kind + fmt::format("{} {} {} {} {} {} {}", i.method, i.accuracy, i.accuracy_of, scene.contact.V0, scene.contact.xi, scene.contact.reach, scene.contact.sides) + text_of(scene.effects);
+  return kind + fmt::format("{} {} {} {} {} {} {} {} {}", i.method, i.accuracy, i.accuracy_of, i.energy_tolerance, i.time_limit, scene.contact.V0, scene.contact.xi, scene.contact.reach, scene.contact.sides) +
+         batch_text_of(scene.effects);
 }
 
 }  // namespace
@@ -170,36 +227,24 @@ std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, con
     if (!std::isnan(scenes[i].integration.accuracy)) {
       kinds[kind_of(scenes[i])].push_back(i);
     }
-  struct Trial {
-    std::size_t scene;
-    Choice choice;
-  };
-  std::vector<Trial> trials;
-  for (const auto& [kind, members] : kinds)
-    for (const std::size_t i : std::set<std::size_t>{members.front(), members[members.size() / 2], members.back()}) trials.push_back({i, {}});
-  in_parallel(trials, threads, [&](Trial& trial) {
-    const Scene& scene = scenes[trial.scene];
-    try {
-      trial.choice = choose_step_for_accuracy(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, stop);
-    } catch (const FieldError& error) {
-      throw SceneError(error, trial.scene);
-    }
-  });
-  auto trial = trials.begin();
   for (const auto& [kind, members] : kinds) {
-    const auto first = trial;
-    while (trial != trials.end() && std::find(members.begin(), members.end(), trial->scene) != members.end()) ++trial;
-    const Choice least = std::min_element(first, trial, [](const Trial& a, const Trial& b) { return a.choice.theta < b.choice.theta; })->choice;
-    const Method& method = method_named(first->choice.method);
-    double error = 0, seconds = 0;
-    for (auto t = first; t != trial; ++t)
-      error = std::max(error, t->choice.error * std::pow(least.theta / t->choice.theta, method.outcome_order)), seconds += t->choice.seconds;
-    const Integration& wanted = scenes[first->scene].integration;
-    told(fmt::format("accuracy {:g} of {}: {} with theta {:.3g} (a step of {:.3g} R/c), estimated error {:.2g} ({} trials, {:.1f} s)", wanted.accuracy, wanted.accuracy_of, method.name,
-                     least.theta, least.step, error, trial - first, seconds));
+    std::vector<TrialScene> tried;
+    std::set<std::size_t> places;
+    const std::size_t count = std::min(members.size(), most_tried);
+    for (std::size_t k = 0; k < count; ++k) places.insert(members[count > 1 ? k * (members.size() - 1) / (count - 1) : 0]);
+    for (const std::size_t i : places) tried.push_back({build_lattice(*scenes[i].projectile), build_lattice(*scenes[i].target), scenes[i]});
+    Choice choice;
+    try {
+      choice = choose_for_accuracy(tried, threads, stop);
+    } catch (const FieldError& error) {
+      throw SceneError(error, members.front());
+    }
+    const Integration& wanted = scenes[members.front()].integration;
+    told(fmt::format("accuracy {:g} of {}: {} with theta {:.3g} (a step of {:.3g} R/c), estimated error {:.2g} ({} trial runs of {} scene{}, {:.1f} s)", wanted.accuracy, wanted.accuracy_of, choice.method,
+                     choice.theta, choice.step, choice.error, choice.trials, tried.size(), tried.size() == 1 ? "" : "s", choice.seconds));
     for (const std::size_t i : members) {
-      scenes[i].integration.method = method.name, scenes[i].integration.theta = least.theta, scenes[i].integration.accuracy = not_given;
-      scenes[i].error_estimate = error;
+      scenes[i].integration.method = choice.method, scenes[i].integration.theta = choice.theta, scenes[i].integration.accuracy = not_given;
+      scenes[i].error_estimate = choice.error;
     }
   }
   return scenes;

@@ -34,13 +34,23 @@ std::vector<std::string> methods_for(double accuracy);
 /// Force evaluations a step, in units of one of both bodies: a multirate method evaluates the target's springs once.
 double work_of_step(const Method& method, const Lattice& projectile, const Lattice& target);
 
-/// Chooses method (unless the scene names one with its accuracy) and step so that the estimated error of integration.accuracy_of is at
-/// most half of integration.accuracy. Throws FieldError("accuracy") if no step reaches it, with the error that was reached.
+/// A scene to try steps on, with its lattices.
+struct TrialScene {
+  std::shared_ptr<const Lattice> projectile, target;
+  Scene scene;
+};
+
+/// Chooses method (unless the scenes name one with their accuracy) and theta so that the estimated error of integration.accuracy_of is at
+/// most half of integration.accuracy in every scene given; the first says what is asked. Scenes that pass by, or in which the outcome is not defined, do not count.
+/// Throws FieldError("accuracy") if no step reaches it, with the error that was reached.
+Choice choose_for_accuracy(std::vector<TrialScene> scenes, int threads, const std::atomic<bool>& stop);
+
+/// The same for one scene.
 Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop);
 
-/// Scenes with integration.accuracy get the method, step and error estimate that trials chose; the others stay as they are. Scenes
-/// that differ only in seed, angle, spin and place of landing share three trials (their first, middle and last): the least theta of the
-/// three, and the largest of their estimates at it. `told(line)` is called for each such kind of scenes.
+/// Scenes with integration.accuracy get the method, theta and error estimate that trials chose; the others stay as they are. Scenes that
+/// differ only in seeds, angle, spin, place of landing and the shape of an outline of equal extent and area share the trials of nine of them, spread evenly: the error estimate is
+/// the greatest of these nine, so that about one row of ten may exceed it. `told(line)` is called for each such kind of scenes.
 /// Throws SceneError for a trial that cannot reach its accuracy.
 std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, const std::atomic<bool>& stop, const std::function<void(const std::string&)>& told);
 

@@ -71,7 +71,7 @@ const std::vector<Member<Integration>>& Integration::fields() {
        &Integration::theta},
       {{"accuracy", "number", "", "wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs", {1e-12, 0.1}, "", true},
        &Integration::accuracy},
-      {{"accuracy_of", "string", "", "the outcome that accuracy is about", any_number, "e", false, {"e", "beta", "mu", "psi2", "vn", "vt", "omega", "indentation", "contact_time"}},
+      {{"accuracy_of", "string", "", "the outcome that accuracy is about", any_number, "e", false, {"e", "beta", "mu", "psi2", "vn", "vt", "omega"}},
        &Integration::accuracy_of},
       {{"time_limit", "number", "R/c", "an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given", positive, "", true},
        &Integration::time_limit},

@@ -86,8 +86,8 @@ bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, 
   return !stop;
 }
 
-void check_scenes(const std::vector<Scene>& scenes, const SweepOptions& options, const std::atomic<bool>& stop) {
-  auto groups = groups_of(scenes, std::vector<bool>(scenes.size(), true));
+void check_scenes(const std::vector<Scene>& scenes, const std::vector<bool>& which, const SweepOptions& options, const std::atomic<bool>& stop) {
+  auto groups = groups_of(scenes, which);
   in_parallel(groups, options.threads, [&](std::unique_ptr<Group>& group) {
     if (stop) return;
     build(*group, scenes);

@@ -27,7 +27,7 @@ struct SweepOptions {
 bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, const SweepOptions& options, const std::atomic<bool>& stop,
                const std::function<void(const std::vector<Result>&)>& batch_done);
 
-/// Builds every scene's lattices and places its launch, and runs nothing. Throws Error for the first scene that cannot start.
-void check_scenes(const std::vector<Scene>& scenes, const SweepOptions& options, const std::atomic<bool>& stop);
+/// Builds the lattices and places the launch of `which` scenes, and runs nothing. Throws SceneError for the first scene that cannot start.
+void check_scenes(const std::vector<Scene>& scenes, const std::vector<bool>& which, const SweepOptions& options, const std::atomic<bool>& stop);
 
 }  // namespace ricochet

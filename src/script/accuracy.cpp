@@ -132,11 +132,20 @@ int machine(lua_State* L) {
   return 2;
 }
 
+// accuracy_outcomes: name -> true for every outcome whose error from the time step can be estimated.
+void push_accuracy_outcomes(lua_State* L) {
+  lua_newtable(L);
+  for (const auto& member : Integration::fields())
+    if (member.field.name == "accuracy_of")
+      for (const std::string& name : member.field.choices) lua_pushboolean(L, true), lua_setfield(L, -2, name.c_str());
+}
+
 }  // namespace
 
 void add_accuracy(lua_State* L) {
   const luaL_Reg list[] = {{"accuracy_runs", guarded<accuracy_runs>}, {"methods", method_list}, {"machine", machine}};
   for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
+  push_accuracy_outcomes(L), lua_setfield(L, -2, "accuracy_outcomes");
 }
 
 }  // namespace ricochet

@@ -85,7 +85,7 @@ void Session::refuse_earlier_results(const fs::path& place) const {
   if (options.resume || options.force || options.check) return;
   if (fs::exists(place, error) && !fs::is_directory(place, error)) throw FileError(fmt::format("{} is a file; give another folder with --out", place.string()));
   if (fs::exists(place, error) && !fs::is_empty(place, error))
-    throw FileError(fmt::format("{} already holds results; --resume continues them, --force replaces them, --out DIR goes elsewhere", place.string()));
+    throw FileError(fmt::format("{} already holds results; {}--force replaces them, --out DIR goes elsewhere", place.string(), options.study.empty() ? "--resume continues them, " : ""));
 }
 
 void Session::claim(const fs::path& place) {

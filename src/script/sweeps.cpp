@@ -67,6 +67,14 @@ struct Parameters {
   std::vector<std::string> names;
   std::vector<std::vector<double>> numbers;     // [parameter][scene]
   std::vector<std::vector<std::string>> texts;  // [parameter][scene]; empty if the parameter is numeric
+
+  // "psi1 = 2, sample = 7" for messages.
+  std::string place(std::size_t scene) const {
+    std::string text;
+    for (std::size_t p = 0; p < names.size(); ++p)
+      text += fmt::format("{}{} = {}", p ? ", " : "", names[p], texts[p].empty() ? fmt::format("{:g}", numbers[p][scene]) : "'" + texts[p][scene] + "'");
+    return text;
+  }
 };
 
 const Field status_field{"status", "string", "", "how it ended: finished, energy_drift, not_finite, unstable, tunnelled, no_contact, out_of_time"};
@@ -356,13 +364,17 @@ int run_sweep_from_lua(lua_State* L) {
   try {
     if (!session.options.check) scenes = with_chosen_steps(session, scenes);
     for (const Scene& scene : scenes) hashes.push_back(scene.hash());
+    SweepOptions options;
+    options.threads = session.options.threads;
     if (session.options.check) {
-      SweepOptions options;
-      options.threads = session.options.threads;
-      check_scenes(scenes, options, stop_requested);
+      check_scenes(scenes, std::vector<bool>(scenes.size(), true), options, stop_requested);
       for (const Scene& scene : scenes) rows.push_back(row_of(scene, Outcome{}, 0));
       session.print(fmt::format("{}: {} scenes are sound\n", name, scenes.size()));
     } else {
+      // A step that some lattice refuses is refused before anything is written.
+      std::vector<bool> by_step(scenes.size());
+      for (std::size_t i = 0; i < scenes.size(); ++i) by_step[i] = i == 0 || !std::isnan(scenes[i].integration.step);
+      check_scenes(scenes, by_step, options, stop_requested);
       Store store(session, name, hashes, parameters);
       try {
         run_and_store(session, store, name, scenes, hashes);
@@ -379,7 +391,7 @@ int run_sweep_from_lua(lua_State* L) {
     }
   } catch (const SceneError& error) {
     lua_geti(L, 4, static_cast<lua_Integer>(error.scene) + 1);
-    throw_at(session, scene_at(L, -1).site, error);
+    throw_at(session, scene_at(L, -1).site, FieldError(error.field, fmt::format("{} (at {})", error.what(), parameters.place(error.scene))));
   }
   lua_createtable(L, static_cast<int>(rows.size()), 0);
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -148,6 +148,36 @@ TEST_CASE("scenes of one kind share their trials, and keep the estimate") {
   CHECK(run_scene(*build_lattice(*chosen[0].projectile), *build_lattice(*chosen[0].target), chosen[0], go_on).error_estimate == chosen[0].error_estimate);
 }
 
+TEST_CASE("accuracy is honoured in a sweep of rough lattices: nine rows of ten are within what was asked, and near their estimate") {
+  std::vector<Scene> scenes;
+  for (int seed = 1; seed <= 15; ++seed)
+    for (double psi1 : {0.0, 1.0, 2.0, 4.0}) {
+      Scene scene = small_scene(seed, psi1, 0.05);
+      scene.launch.speed = 0.4, scene.integration.accuracy = 1e-4;
+      scenes.push_back(scene);
+    }
+  Scene miss = scenes[0];  // passes by: no trial
+  miss.launch = Launch{}, miss.launch.speed = 0.4, miss.launch.angle = 90;
+  scenes.insert(scenes.begin() + 30, miss);
+  const auto chosen = with_chosen_steps(scenes, 0, go_on, [](const std::string& line) { fmt::print("{}\n", line); });
+  int missed = 0, underestimated = 0, count = 0;
+  double worst = 0;
+  for (const Scene& scene : chosen) {
+    const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+    const Outcome o = run_scene(*p, *t, scene, go_on);
+    if (o.status == Status::no_contact) continue;
+    REQUIRE(o.status == Status::finished);
+    Scene fine = scene;
+    fine.integration.theta = not_given;
+    const double error = std::abs(o.e - e_of(*p, *t, fine, "blanes_moan_srkn6b", 0.4 * o.step));
+    missed += error > 1e-4, underestimated += error > 2 * o.error_estimate, ++count, worst = std::max(worst, error);
+  }
+  fmt::print("{} of {} rows missed 1e-4 (worst {:.2g}), {} exceed twice their estimate\n", missed, count, worst, underestimated);
+  CHECK(count == 60);
+  CHECK(missed <= 6);
+  CHECK(underestimated <= 9);
+}
+
 TEST_CASE("only one of step, theta and accuracy is given, and theta follows each scene's lattices") {
   Scene scene = small_scene(1, 1), other = small_scene(2, 1);
   scene.integration.theta = other.integration.theta = 1;
