@@ -132,7 +132,7 @@ local function plot(study, name)
     for _, size in ipairs(lattice.sizes) do add("%.9g %.9g %.9g %g", size.factor ^ -0.5, size.mean, size.se, size.factor) end
     add "END"
   end
-  add "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb '#cccccc'\nset tics nomirror\nset border 3\nset key outside right top Left reverse samplen 1 maxcols 1 font ',9'\nset rmargin 35"
+  add "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb '#cccccc'\nset tics nomirror\nset border 3\nset key outside right top Left reverse samplen 1 maxcols 1 spacing 1.3 font ',9'\nset rmargin 31"
   local function panel(x, y, xlabel, ylabel, title, guides)
     local parts = {}
     for i, method in ipairs(study.methods) do
@@ -182,7 +182,7 @@ local function plot(study, name)
     if lattice then
       add "unset logscale\nset format '%g'\nset xtics auto\nset yrange [*:*]\nset offsets graph 0, 0, 0.1, 0.1"
       add("set xrange [0:%.9g]", 1.15 * lattice.sizes[1].factor ^ -0.5)
-      add("set xlabel 'spacing of the lattice, in that of the scene (marks labelled with the factor of the nodes)'\nset ylabel '%s, mean of %d lattices'", column, study.lattice_samples)
+      add("set xlabel 'spacing over that of the scene; marks labelled with the factor of the nodes'\nset ylabel '%s, mean of %d lattices'", column, study.lattice_samples)
       add("plot $lattice using 1:2:3 with yerrorbars pt 7 lw 1.5 lc rgb '%s' title 'mean ± standard error', $lattice using 1:2:4 with labels font ',8' left offset 0.8,0.5 notitle, \\\n"
         .. "     %.9g + %.9g*x with lines dt 2 lc rgb '#888888' title 'fit, to an infinitely fine lattice'", colours[1], lattice.limit, lattice.slope)
     end
@@ -261,7 +261,7 @@ local function accuracy(given)
   local rows = core.accuracy_runs(t.scene, specs, t.repeats)
   local processor, cores = core.machine()
   local study = { rows = rows, columns = t.of, methods = {}, by_method = {}, reference = exact, floor = floor,
-    caption = ("what accuracy costs on %s (%d cores), %s, one core"):format(processor, cores, t.repeats > 1 and ("least of %d runs"):format(t.repeats) or "one run each") }
+    caption = ("what accuracy costs: %d nodes on %s (%d cores), %s, one core"):format(core.nodes(t.scene), processor, cores, t.repeats > 1 and ("least of %d runs"):format(t.repeats) or "one run each") }
   study.lattice = t.lattices and lattice_study(t.scene, t.lattices, t.lattice_samples, t.of[1]) or false
   study.lattice_samples = t.lattice_samples
   for _, method in ipairs(methods) do study.methods[#study.methods + 1], study.by_method[method.name] = method.name, {} end

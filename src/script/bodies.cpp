@@ -147,6 +147,9 @@ int scene_run(lua_State* L) {
     throw_at(session_of(L), object.site, error);
   }
   if (stop_requested) throw Error("interrupted", Exit::interrupted);
+  if (!session_of(L).options.check && outcome.status != Status::no_contact)
+    session_of(L).print_first(fmt::format("{}:{}", object.site.file, object.site.line), fmt::format("scene: {}, time step {:.4g} R/c, theta {:.4g} and at most {:.3g} (stable below {:.4g}); frequency bound {:.4g} c/R\n", scene.method().name, outcome.step,
+                                                        outcome.theta, outcome.theta_most, scene.method().stability_limit, outcome.theta / outcome.step));
   if (!session_of(L).options.check) session_of(L).count(outcome.status == Status::finished, name_of(outcome.status) + ": " + outcome.reason);
   push_row(L, row_of(scene, outcome, 0));
   return 1;

@@ -68,6 +68,8 @@ class Session {
 
   /// Prints to the terminal and into run.log.
   void print(const std::string& text);
+  /// The first time for this `key` as print(), else as log().
+  void print_first(const std::string& key, const std::string& text) { told_.insert(key).second ? print(text) : log(text); }
   /// To the terminal's error stream, and into run.log; the same text once.
   void warn(const std::string& text);
   /// Only into run.log.
@@ -80,7 +82,7 @@ class Session {
  private:
   std::set<std::filesystem::path> claimed_;
   std::vector<FolderLock> locks_;
-  std::set<std::string> sweeps_, warned_;
+  std::set<std::string> sweeps_, warned_, told_;
   int failed_ = 0, finished_ = 0;
   std::string log_, start_;
 };

@@ -289,7 +289,7 @@ std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>&
     std::string text() const { return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high); }
   };
   struct Steps {
-    Extent step, theta, most;
+    Extent step, theta, most, bound;
   };
   const auto column = [](const std::string& name) {
     std::size_t i = 0;
@@ -301,11 +301,12 @@ std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>&
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (std::isnan(rows[i].values[step])) continue;  // passed by
     Steps& of = methods[scenes[i].method().name];
-    of.step.take(rows[i].values[step]), of.theta.take(rows[i].values[theta]), of.most.take(rows[i].values[most]);
+    of.step.take(rows[i].values[step]), of.theta.take(rows[i].values[theta]), of.most.take(rows[i].values[most]), of.bound.take(rows[i].values[theta] / rows[i].values[step]);
   }
   std::string text;
   for (const auto& [name, s] : methods)
-    text += fmt::format("  {}, time step {} R/c, theta {} and at most {:.3g} (stable below {:.4g})\n", name, s.step.text(), s.theta.text(), s.most.high, method_named(name).stability_limit);
+    text += fmt::format("  {}, time step {} R/c, theta {} and at most {:.3g} (stable below {:.4g}); frequency bound {} c/R\n", name, s.step.text(), s.theta.text(), s.most.high,
+                        method_named(name).stability_limit, s.bound.text());
   return text;
 }
 
