@@ -184,7 +184,7 @@ local function plot(study, name)
       add("set xrange [0:%.9g]", 1.15 * lattice.sizes[1].factor ^ -0.5)
       add("set xlabel 'spacing over that of the scene; marks labelled with the factor of the nodes'\nset ylabel '%s, mean of %d lattices'", column, study.lattice_samples)
       add("plot $lattice using 1:2:3 with yerrorbars pt 7 lw 1.5 lc rgb '%s' title 'mean ± standard error', $lattice using 1:2:4 with labels font ',8' left offset 0.8,0.5 notitle, \\\n"
-        .. "     %.9g + %.9g*x with lines dt 2 lc rgb '#888888' title 'fit, to an infinitely fine lattice'", colours[1], lattice.limit, lattice.slope)
+        .. "     %.9g + %.9g*x with lines dt 2 lc rgb '#888888' title 'fit to infinitely fine'", colours[1], lattice.limit, lattice.slope)
     end
     add "unset multiplot\nunset offsets"
   end
