@@ -124,7 +124,7 @@ function ricochet.gravity(t) end
 ---@class ricochet.drag_fields
 ---@field rate number share of the velocity lost in a unit of time [c/R]
 ---@field on? "projectile"|"target"|"both" the bodies it acts on (default projectile)
---- An effect, for the `effects` of a scene. Friction of every node against a medium at rest, in proportion to its velocity, from the first approach of the rims on. Goes with verlet only: order 2.
+--- An effect, for the `effects` of a scene. Friction of every node against a medium at rest, in proportion to its velocity, from the first approach of the rims on. Goes with verlet only: outcomes converge at order 2.
 ---@param t ricochet.drag_fields
 ---@return ricochet.effect
 function ricochet.drag(t) end
@@ -132,7 +132,7 @@ function ricochet.drag(t) end
 ---@class ricochet.absorbing_fields
 ---@field width number of the layer, from the anchors inwards [R]
 ---@field rate number share of the velocity lost in a unit of time at the anchors [c/R]
---- An effect, for the `effects` of a scene. A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. A wave much shorter than the width, of speed c_w, comes back with exp(-rate width / 3 c_w) of its amplitude. Goes with verlet only: order 2.
+--- An effect, for the `effects` of a scene. A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. A wave much shorter than the width, of speed c_w, comes back with exp(-rate width / 3 c_w) of its amplitude. Goes with verlet only: outcomes converge at order 2.
 ---@param t ricochet.absorbing_fields
 ---@return ricochet.effect
 function ricochet.absorbing(t) end
@@ -142,7 +142,7 @@ function ricochet.absorbing(t) end
 ---@field omega number angular frequency [c/R]
 ---@field phase? number at the rims' coming within reach; at 0 the wall passes its middle, upwards or forwards [degrees] (default 0)
 ---@field along? "normal"|"tangential" normal: up and down; tangential: to and fro (default normal)
---- An effect, for the `effects` of a scene. A shaken wall: the target's anchors move by amplitude sin(omega t + phase), t from the rims' coming within reach on; the target starts displaced and moving as a whole. e and all velocities are those in the frame at rest. An impact ends when the bodies first part. Goes with verlet only: order 2.
+--- An effect, for the `effects` of a scene. A shaken wall: the target's anchors move by amplitude sin(omega t + phase), t from the rims' coming within reach on; the target starts displaced and moving as a whole. e and all velocities are those in the frame at rest. An impact ends when the bodies first part. Goes with verlet only: outcomes converge at order 2.
 ---@param t ricochet.moving_anchor_fields
 ---@return ricochet.effect
 function ricochet.moving_anchor(t) end
@@ -150,7 +150,7 @@ function ricochet.moving_anchor(t) end
 ---@class ricochet.damping_fields
 ---@field time number viscosity over stiffness of a spring: the retardation time of the material [R/c]
 ---@field on? "projectile"|"target"|"both" the bodies it acts in (default both)
---- An effect, for the `effects` of a scene. A dashpot beside every spring (Kelvin-Voigt): the material's viscosity. Goes with verlet only: order 2.
+--- An effect, for the `effects` of a scene. A dashpot beside every spring (Kelvin-Voigt): the material's viscosity. Goes with verlet only: outcomes converge at order 2.
 ---@param t ricochet.damping_fields
 ---@return ricochet.effect
 function ricochet.damping(t) end
@@ -159,7 +159,7 @@ function ricochet.damping(t) end
 ---@field yield number stretch over rest length at which a spring yields, drawn out or pressed
 ---@field hardening? number by how much the yield stretch grows with the plastic stretch (default 0)
 ---@field on? "projectile"|"target"|"both" the bodies whose springs yield (default projectile)
---- An effect, for the `effects` of a scene. Springs that yield: past a share of its rest length a spring's rest length moves along, and the work of that is lost. Goes with verlet only: order 2.
+--- An effect, for the `effects` of a scene. Springs that yield: past a share of its rest length a spring's rest length moves along, and the work of that is lost. Goes with verlet only: outcomes converge at order 2.
 ---@param t ricochet.plastic_fields
 ---@return ricochet.effect
 function ricochet.plastic(t) end
@@ -167,7 +167,7 @@ function ricochet.plastic(t) end
 ---@class ricochet.breaking_fields
 ---@field strain number stretch over rest length beyond which a spring breaks
 ---@field on? "projectile"|"target"|"both" the bodies whose springs break (default projectile)
---- An effect, for the `effects` of a scene. Springs that break when drawn out too far. Springs of the rim hold, so cracks stay inside a body, and crack faces do not touch. A break falls on the end of a step: outcomes converge at order 1 at best. Goes with verlet only: order 2.
+--- An effect, for the `effects` of a scene. Springs that break when drawn out too far. Springs of the rim hold, and only rims touch: what breaks off inside may leave through the rim. A break falls on the end of a step. Goes with verlet only: outcomes converge at order 1.
 ---@param t ricochet.breaking_fields
 ---@return ricochet.effect
 function ricochet.breaking(t) end
@@ -182,8 +182,8 @@ function ricochet.adhesion(t) end
 
 ---@class ricochet.friction_fields
 ---@field mu number coefficient of friction
----@field stiffness? number of a touching node's tangential spring [m0 c^2/R^2] (default 10000)
---- An effect, for the `effects` of a scene. Coulomb friction of the rims: every touching node holds on by a tangential spring, and slides where that would pull more than mu times the load. Goes with verlet only: order 2.
+---@field stiffness? number of a touching node's tangential spring, over the mean of the softer body's springs (default 1)
+--- An effect, for the `effects` of a scene. Coulomb friction of the rims: every touching node holds on by a tangential spring, and slides where that would pull more than mu times the load. Goes with verlet only: outcomes converge at order 1.
 ---@param t ricochet.friction_fields
 ---@return ricochet.effect
 function ricochet.friction(t) end

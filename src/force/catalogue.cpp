@@ -40,6 +40,7 @@ std::string batch_text_of(std::span<const Effect> effects) {
 std::string conflict_of(std::span<const Effect> effects) {
   const auto name = [](const Effect& effect) { return std::string(std::visit([]<class E>(const E&) { return E::name; }, effect)); };
   const auto remembers = [](const Effect& effect) { return std::visit([]<class E>(const E&) { return SpringChange<E>; }, effect); };
+  if (find_effect<Absorbing>(effects) && find_effect<MovingAnchor>(effects)) return "absorbing damps against a wall at rest, and moving_anchor moves it; name one of them";
   for (std::size_t i = 0; i < effects.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const std::string a = bodies_of(effects[i]), b = bodies_of(effects[j]);

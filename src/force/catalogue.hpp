@@ -53,6 +53,7 @@ template <class E>
 concept SpringChange = requires(const E& effect, const Spring& spring, const Lane<1>& stretch, SpringMemory<1>& memory) {
   { effect.rest(stretch, memory) } -> std::same_as<SpringRest<Lane<1>>>;
   { effect.change(Linear{}, spring, stretch, memory) } -> std::convertible_to<Lane<1>>;
+  { effect.exceeded(0.0) } -> std::same_as<bool>;
 };
 
 /// Moves the target's anchors.
@@ -71,7 +72,7 @@ concept PairForce = requires(const E& effect) {
 
 /// Acts between rims by what they remember of each other.
 template <class E>
-concept PairMemory = requires(const E& effect) { effect.slide(0.0, 0.0, 0.0); };
+concept PairMemory = requires(const E& effect) { effect.slide(0.0, 0.0, 0.0, 1.0); };
 
 /// Only sets how an impact starts.
 template <class E>
@@ -85,6 +86,16 @@ concept OwnNumbers = AtStart<E> || AnchorMotion<E>;
 /// place once, which is of order 2.
 inline bool is_split(const Effect& effect) {
   return std::visit([]<class E>(const E&) { return !(NodeForce<E> || PairForce<E> || AtStart<E>); }, effect);
+}
+
+/// The order to which outcomes converge beside an effect, whatever the method; 0: that of the method.
+inline int order_beside(const Effect& effect) {
+  return std::visit(
+      []<class E>(const E& e) {
+        if constexpr (requires { E::order; }) return E::order;
+        else return is_split(Effect(e)) ? 2 : 0;
+      },
+      effect);
 }
 
 /// The first effect of a kind, or nullptr.

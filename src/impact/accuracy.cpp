@@ -128,9 +128,11 @@ struct Reached {
 };
 
 // Shortens the step of a method until the estimated error is small enough, but not below `shortest`.
-Reached shorten_step(Trials& trials, const Candidate& c, const Integration& asked, double shortest, bool from_longest) {
+Reached shorten_step(Trials& trials, const Candidate& c, const Integration& asked, double shortest, bool from_longest, const std::vector<Effect>& effects) {
   const double wanted = asked.accuracy;
-  const int order = c.method->outcome_order;
+  int order = c.method->outcome_order;
+  for (const Effect& effect : effects)
+    if (order_beside(effect) > 0) order = std::min(order, order_beside(effect));
   const double guess = std::clamp(c.usual * std::pow(wanted / c.method->usual_accuracy, 1.0 / order), c.usual / 4, c.longest);
   double theta = from_longest ? c.longest : std::max(guess, shortest), best = std::numeric_limits<double>::infinity(), previous = not_given;
   for (int attempt = 0; attempt < most_attempts && theta >= shortest; ++attempt) {
@@ -182,7 +184,7 @@ Choice choose_for_accuracy(std::vector<TrialScene> scenes, int threads, const st
     const double shortest = i + 1 < candidates.size() ? c.work / (candidates[i + 1].cost() * c.step_of_theta) : c.usual / most_shortened;
     Trials trials(scenes, c.method->name, threads, stop);
     // A single scene's estimate may be small by chance, the more steps are tried; that of several hardly.
-    reached = shorten_step(trials, c, asked, shortest, scenes.size() > 2);
+    reached = shorten_step(trials, c, asked, shortest, scenes.size() > 2, scene.effects);
     trial_count += trials.count;
     if (reached.theta == 0) continue;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

@@ -55,6 +55,25 @@ class ActingEffects {
 
   bool empty() const { return effects_.empty(); }
 
+  /// A velocity and spin that a body has a time after it parted from the other, taken back to that moment: dv/dt = fall - decay v, domega/dt = -decay omega.
+  struct Flying {
+    Vec2 velocity;
+    double spin;
+  };
+  Flying at_parting(int body, const Flying& later, double time) const {
+    Vec2 fall = Vec2::Zero();
+    double decay = 0;
+    for (const Effect& effect : effects_)
+      std::visit(
+          [&]<class E>(const E& e) {
+            if constexpr (requires { e.fall(body); }) fall += e.fall(body);
+            if constexpr (requires { e.decay(body); }) decay += e.decay(body);
+          },
+          effect);
+    const double growth = std::exp(decay * time), way = decay > 0 ? std::expm1(decay * time) / decay : time;
+    return {growth * later.velocity - way * fall, growth * later.spin};
+  }
+
   /// True if something depends on velocities: `dissipate` is then called before and after every step.
   bool split() const { return split_; }
 

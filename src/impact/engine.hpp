@@ -135,6 +135,7 @@ class Engine {
 
   [[gnu::noinline]] void advance_one_step() {
     const Mover mover{*this, body_};
+    const Lane<W> contact_before = contact_energy_;
     if (effects_.split()) {
       // What depends on velocities is split off the step, half before and half after it; both find the ends of steps.
       effects_.dissipate(body_, h_ / 2, true);
@@ -150,6 +151,10 @@ class Engine {
       const bool touching = contact_energy_[lane] > threshold_[lane];
       if (touching && !run.touching && run.touches++ == 0) run.first_touch = run.time();
       if (touching) run.last_touch = run.time();
+      // The energy of a contact that ends falls as an exponential: where within the step it passed the threshold, so that effects that act on
+      // do not shift what is read by a step. (Verlet, which they go with, evaluates in the middle of its steps.)
+      else if (run.touching && effects_.split())
+        run.last_touch = run.time() - run.start.step * (0.5 + std::log(threshold_[lane] / contact_energy_[lane]) / std::log(contact_before[lane] / contact_energy_[lane]));
       run.touching = touching;
     }
   }
@@ -462,22 +467,26 @@ class Engine {
     o.indentation = run.indented ? run.indentation : Outcome::undefined;
     o.contact_length = run.contact_length, o.centre_offset = run.centre_offset, o.tan_alpha = run.tan_alpha;
 
-    const Vec2 v = run.start.velocity, w(p.vx[lane] - t.vx[lane], p.vy[lane] - t.vy[lane]);
-    const double R = run.projectile_radius, omega = p.spin[lane];
+    // Velocities after the impact are those at parting: what acts on meanwhile would make them those of some later moment.
+    typename Effects::Flying after{Vec2(p.vx[lane], p.vy[lane]), p.spin[lane]}, target_after{Vec2(t.vx[lane], t.vy[lane]), t.spin[lane]};
+    if (!effects_.empty() && run.touches > 0) after = effects_.at_parting(0, after, run.time() - run.last_touch);
+    if (!effects_.empty() && run.touches > 0 && !body_[1].lattice->anchored()) target_after = effects_.at_parting(1, target_after, run.time() - run.last_touch);
+    const Vec2 v = run.start.velocity, w = after.velocity - target_after.velocity;
+    const double R = run.projectile_radius, omega = after.spin;
     // v_c = v - R omega x n with omega x n = (-omega, 0); the target's own surface moves too if it is free and spins.
     const Vec2 vc(v.x() + R * run.start.spin, v.y());
-    const Vec2 wc(w.x() + R * omega + run.target_radius * t.spin[lane], w.y());
+    const Vec2 wc(w.x() + R * omega + run.target_radius * target_after.spin, w.y());
     o.vn = w.y(), o.vt = w.x(), o.omega = omega;
     o.e = -w.y() / v.y();
     o.psi1 = vc.x() / -vc.y(), o.psi2 = wc.x() / -vc.y();
     o.beta = vc.x() != 0 ? -wc.x() / vc.x() : Outcome::undefined;
     // J acts on the projectile: its own change of momentum.
     const double mass = body_[0].lattice->total_mass();
-    const Vec2 impulse = mass * (Vec2(p.vx[lane], p.vy[lane]) - v);
+    const Vec2 impulse = mass * (after.velocity - v);
     o.impulse_n = impulse.y(), o.impulse_t = impulse.x();
     o.mu = std::abs(impulse.x()) / impulse.y();
     if (!body_[1].lattice->anchored())
-      o.momentum_residual = (mass * (Vec2(p.vx[lane], p.vy[lane]) - v) + body_[1].lattice->total_mass() * Vec2(t.vx[lane], t.vy[lane])).norm() / (mass * v.norm());
+      o.momentum_residual = (mass * (after.velocity - v) + body_[1].lattice->total_mass() * target_after.velocity).norm() / (mass * v.norm());
     o.error_estimate = run.scene->error_estimate;
     if (std::isfinite(o.tan_alpha)) {
       const Vec2 n_alpha(-o.tan_alpha, 1);  // its length cancels

@@ -109,6 +109,23 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
             if constexpr (AnchorMotion<E> || std::same_as<E, Absorbing>) throw FieldError("effects", fmt::format("{} needs a target with anchored nodes, and this one is free", E::name));
           },
           effect);
+  for (const Effect& effect : scene.effects)
+    std::visit(
+        [&]<class E>(const E& e) {
+          if constexpr (SpringChange<E>)
+            for (int body : {0, 1}) {
+              const Lattice& lattice = body == 0 ? projectile : target;
+              if (!acts_on(e.on, body) || lattice.rest_energy == 0) continue;
+              for (int i = 0; i < lattice.free; ++i)
+                for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
+                  const Spring& spring = lattice.spring[s];
+                  const double strain = (lattice.points[spring.other] - lattice.points[i]).norm() / spring.length - 1;
+                  if (e.exceeded(strain))
+                    throw FieldError("effects", fmt::format("{}: prestress strains a spring of the {} by {:.3g} at rest, beyond its limit; lower prestress or raise the limit", E::name, body == 0 ? "projectile" : "target", strain));
+                }
+            }
+        },
+        effect);
   const Adhesion* adhesion = find_effect<Adhesion>(scene.effects);
   if (adhesion && adhesion->xi * scene.contact.reach < 20)
     throw FieldError("effects", fmt::format("adhesion: xi reach = {:g} cuts the attraction at more than exp(-20); raise contact.reach to {:g} or more", adhesion->xi * scene.contact.reach, 20 / adhesion->xi));
@@ -135,8 +152,11 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
   const double reduced = target.anchored() ? mass : mass * target.total_mass() / (mass + target.total_mass());
   const double rotation = projectile.inertia() * start.spin * start.spin / 2;
   start.energy = mass * start.velocity.squaredNorm() / 2 + rotation;
-  // Attraction lowers the wall that V0 is, and moving anchors bring energy: no claim then.
-  start.certified = reduced * start.velocity.squaredNorm() / 2 + rotation < scene.contact.V0 && !adhesion && !shaken;
+  // Attraction lowers the wall that V0 is, and other effects bring energy beside that of the launch: no claim then.
+  const bool more_energy = std::any_of(scene.effects.begin(), scene.effects.end(), [](const Effect& effect) {
+    return std::visit([]<class E>(const E&) { return NodeForce<E> || PairForce<E> || AnchorMotion<E> || AtStart<E>; }, effect);
+  }) || projectile.rest_energy > 0 || target.rest_energy > 0;
+  start.certified = reduced * start.velocity.squaredNorm() / 2 + rotation < scene.contact.V0 && !more_energy;
 
   // The smooth outlines, projectile moved so that its centre lies above `at`, resting on the target.
   Points smooth = projectile.smooth_rim;

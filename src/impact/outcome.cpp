@@ -8,13 +8,13 @@ const std::vector<std::pair<Field, std::function<double(const Outcome&)>>>& Outc
   std::vector<std::pair<Field, std::function<double(O)>>> columns{
       {{"e", "number", "", "normal restitution of the centre of mass, -v_n' / v_n"}, [](O o) { return o.e; }},
       {{"beta", "number", "", "tangential restitution of the contact point, -v_ct' / v_ct; undefined if v_ct = 0"}, [](O o) { return o.beta; }},
-      {{"mu", "number", "", "impulse ratio |n x J| / (n . J)"}, [](O o) { return o.mu; }},
+      {{"mu", "number", "", "impulse ratio |n x J| / (n . J); effects that act on the projectile count in J"}, [](O o) { return o.mu; }},
       {{"psi1", "number", "", "v_ct / v_cn before impact"}, [](O o) { return o.psi1; }},
       {{"psi2", "number", "", "v_ct' / v_cn: tangential velocity after over normal speed before"}, [](O o) { return o.psi2; }},
       {{"vn", "number", "c", "normal velocity after impact"}, [](O o) { return o.vn; }},
       {{"vt", "number", "c", "tangential velocity after impact"}, [](O o) { return o.vt; }},
       {{"omega", "number", "c/R", "spin after impact: angular momentum over the moment of inertia of the undeformed body, which does not change while it vibrates on"}, [](O o) { return o.omega; }},
-      {{"impulse_n", "number", "m0 c", "normal part of J = M (v' - v)"}, [](O o) { return o.impulse_n; }},
+      {{"impulse_n", "number", "m0 c", "normal part of J = M (v' - v), of all that acts on the projectile up to the end of contact"}, [](O o) { return o.impulse_n; }},
       {{"impulse_t", "number", "m0 c", "tangential part of J"}, [](O o) { return o.impulse_t; }},
       {{"contact_time", "number", "R/c", "from the first touch to the end of the last (contact energy above 1e-6 of the kinetic energy)"},
        [](O o) { return o.contact_time; }},
@@ -44,7 +44,7 @@ const std::vector<std::pair<Field, std::function<double(const Outcome&)>>>& Outc
       {{"theta", "number", "", "step times the bound of the highest frequency"}, [](O o) { return o.theta; }},
       {{"theta_most", "number", "", "the greatest it became, springs as stretched and contact included"}, [](O o) { return o.theta_most; }},
       {{"steps", "number", "", "number of steps"}, [](O o) { return o.steps; }},
-      {{"momentum_residual", "number", "", "|total momentum after - before| / before; undefined if the target is anchored"}, [](O o) { return o.momentum_residual; }},
+      {{"momentum_residual", "number", "", "|total momentum after - before| / before; undefined if the target is anchored; drag and gravity bring momentum"}, [](O o) { return o.momentum_residual; }},
       {{"error_estimate", "number", "", "estimated error of the scene's accuracy_of from the time step; undefined unless accuracy was asked for"}, [](O o) { return o.error_estimate; }},
   };
     each_effect_kind([&]<class E>(const E&) {

@@ -96,7 +96,7 @@ const Method& Scene::method() const {
 std::string Scene::conflict_with(const Method& method) const {
   for (const Effect& effect : effects) {
     const char* name = std::visit([]<class E>(const E&) { return E::name; }, effect);
-    if (is_split(effect) && method.outcome_order > 2) return fmt::format("{} of order {} would fall to order 2 beside {}; give verlet or leave method out", method.name, method.outcome_order, name);
+    if (is_split(effect) && method.outcome_order > 2) return fmt::format("{} of order {} would fall to order {} beside {}; give verlet or leave method out", method.name, method.outcome_order, order_beside(effect), name);
     if (method.multirate()) return fmt::format("{} cannot hold {} beside the target's long steps; give verlet or leave method out", method.name, name);
   }
   return "";

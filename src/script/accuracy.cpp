@@ -118,6 +118,12 @@ int method_list(lua_State* L) {
   return 1;
 }
 
+// conflict(scene, method): why the scene's effects do not allow it; "" if they do.
+int conflict(lua_State* L) {
+  lua_pushstring(L, scene_at(L, 1).scene.conflict_with(method_named(luaL_checkstring(L, 2))).c_str());
+  return 1;
+}
+
 // machine(): the processor's name and the number of cores.
 int machine(lua_State* L) {
   std::string name = "unknown processor";
@@ -143,7 +149,7 @@ void push_accuracy_outcomes(lua_State* L) {
 }  // namespace
 
 void add_accuracy(lua_State* L) {
-  const luaL_Reg list[] = {{"accuracy_runs", guarded<accuracy_runs>}, {"methods", method_list}, {"machine", machine}};
+  const luaL_Reg list[] = {{"accuracy_runs", guarded<accuracy_runs>}, {"methods", method_list}, {"conflict", guarded<conflict>}, {"machine", machine}};
   for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
   push_accuracy_outcomes(L), lua_setfield(L, -2, "accuracy_outcomes");
 }

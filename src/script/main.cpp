@@ -175,6 +175,7 @@ int program(int count, char** words) {
   }
   if (*effects_command) {
     if (!price) {
+      if (!script.empty()) throw Error(fmt::format("effects lists them all and takes no '{}'; to price those of a script: ricochet effects --cost SCRIPT", script), Exit::usage);
       print_effects();
       return 0;
     }

@@ -90,6 +90,11 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
       lua_pop(L, 2);
       return fmt::format("'{}' must be a list of effects, e.g. {{ ricochet.gravity {{ g = 1e-4 }} }}, holds {}", field.name, what);
     }
+    for (lua_Integer i = 1; i <= luaL_len(L, index); ++i) {
+      const bool nothing = lua_geti(L, index, i) == LUA_TNIL;
+      lua_pop(L, 1);
+      if (nothing) return fmt::format("'{}' has nothing (nil) at place {}; leave that place out", field.name, i);
+    }
     return "";
   }
   if (type == "numbers" || type == "strings" || type == "points") {

@@ -76,7 +76,7 @@ std::vector<Function> make() {
   list.push_back({"contact", "The `contact` table of a scene: V0 exp(-xi d), summed over the rim segments within reach of each rim node.",
                   fields_of<ExponentialRepulsion>(), "", ""});
   each_effect_kind([&]<class E>(const E&) {
-    list.push_back({E::name, std::string("An effect, for the `effects` of a scene. ") + E::doc + (is_split(E{}) ? " Goes with verlet only: order 2." : ""),
+    list.push_back({E::name, std::string("An effect, for the `effects` of a scene. ") + E::doc + (is_split(E{}) ? fmt::format(" Goes with verlet only: outcomes converge at order {}.", order_beside(E{})) : std::string()),
                     fields_of<E>(), "effect", E::example});
   });
   list.push_back({"sweep",

@@ -179,7 +179,7 @@ TEST_CASE("damping conserves momentum and angular momentum, and leaves a body th
   CHECK(damping.damp(0, moving, one(0.2), true, unbroken)[0] < 1e-25);
 }
 
-TEST_CASE("damping of two nodes follows the exact decay of their speed at order 2") {
+TEST_CASE("damping of two nodes is their exact decay, for steps of any length") {
   Lattice pair;
   pair.points = {Vec2(0, 0), Vec2(1, 0)}, pair.free = 2, pair.first = {0, 1, 1}, pair.spring = {{1, false, 1.0, 1.5}}, pair.mass = 2;
   const Damping damping{0.25, "both"};
@@ -191,7 +191,7 @@ TEST_CASE("damping of two nodes follows the exact decay of their speed at order 
     // du/dt = -(1/m + 1/m) time k u with k = 4 * 1.5, m = 2: u = exp(-1.5).
     return std::abs(moving.velocity.at(1, 0).x() - moving.velocity.at(0, 0).x() - std::exp(-1.5));
   };
-  CHECK(std::log2(error(20) / error(40)) == Catch::Detail::Approx(2).margin(0.02));
+  for (const int steps : {1, 7, 40}) CHECK(error(steps) < 1e-14);
 }
 
 TEST_CASE("drag is exact for any step: velocities fall as exp(-rate t)") {
@@ -314,20 +314,20 @@ TEST_CASE("what acts between rims has a reaction: no momentum or angular momentu
 }
 
 TEST_CASE("friction holds up to mu times the load, then slides, and loses the work of sliding") {
-  const Friction friction{0.5, 100};
-  const auto held = friction.slide(0, 0.01, 4);  // limit 0.02
+  const Friction friction{0.5, 1};
+  const auto held = friction.slide(0, 0.01, 4, 100);  // limit 0.02
   CHECK(held.stretch == 0.01);
   CHECK(held.lost == 0);
-  const auto slid = friction.slide(0.02, 0.03, 4);
+  const auto slid = friction.slide(0.02, 0.03, 4, 100);
   CHECK(slid.stretch == Catch::Detail::Approx(0.02));
   CHECK(slid.lost == Catch::Detail::Approx(0.5 * 4 * 0.03));  // mu N times the way
-  CHECK(friction.slide(-0.02, -0.03, 4).lost == Catch::Detail::Approx(0.5 * 4 * 0.03));
-  CHECK(friction.slide(0.02, 0.0, 1).stretch == Catch::Detail::Approx(0.005));  // a falling load lets go
+  CHECK(friction.slide(-0.02, -0.03, 4, 100).lost == Catch::Detail::Approx(0.5 * 4 * 0.03));
+  CHECK(friction.slide(0.02, 0.0, 1, 100).stretch == Catch::Detail::Approx(0.005));  // a falling load lets go
 }
 
 TEST_CASE("friction stays within its cone and leaves two bodies that turn together as one alone") {
   const auto a = build_lattice(*disk(60, 1e3, 0.02, 1)), b = build_lattice(*disk(90, 1e3, 0.02, 2));
-  const Friction friction{0.4, 50};
+  const Friction friction{0.4, 0.05};
   Contact<1> contact(*a, *b, nullptr, &friction), bare(*a, *b);
   const ExponentialRepulsion law{150, 60, 0.5, "one"};
   contact.set(0, &law), bare.set(0, &law);
@@ -423,9 +423,11 @@ TEST_CASE("anchors that move slowly do the work that lifts what they hold") {
 
 TEST_CASE("the ledger closes with every effect and with all that stand together, ever better with a shorter step, and each takes its part") {
   const std::vector<Effect> all{Gravity{0.004, "both"}, Drag{0.006, "both"}, Absorbing{0.8, 0.5}, MovingAnchor{0.02, 0.4, 30, "tangential"}, Damping{4e-3, "both"}, Plastic{2e-4, 0.2, "projectile"},
-                                Breaking{0.01, "target"}, Adhesion{0.5, 200}, Friction{0.3, 1e4}, Thermal{1e-6, 1, "both"}};
+                                Breaking{0.01, "target"}, Adhesion{0.5, 200}, Friction{0.3, 1}, Thermal{1e-6, 1, "both"}};
   REQUIRE(all.size() == effect_kinds);
-  std::vector<std::vector<Effect>> sets{all};
+  std::vector<std::vector<Effect>> sets{all, all};  // absorbing and moving anchors do not stand together
+  std::erase_if(sets[0], [](const Effect& e) { return std::holds_alternative<Absorbing>(e); });
+  std::erase_if(sets[1], [](const Effect& e) { return std::holds_alternative<MovingAnchor>(e); });
   for (const Effect& effect : all) sets.push_back({effect});
   for (const auto& effects : sets) {
     Scene scene = scene_with(effects);
@@ -450,10 +452,10 @@ TEST_CASE("the ledger closes with every effect and with all that stand together,
   }
 }
 
-TEST_CASE("a real impact with effects that depend on velocities converges at order 2") {
+TEST_CASE("a real impact with effects that depend on velocities converges at order 2, beside friction at order 1") {
   const Effect gravity = Gravity{0.01, "projectile"};
   for (const Effect& effect : {Effect(Drag{0.05, "both"}), Effect(Damping{2e-3, "both"}), Effect(Absorbing{0.7, 2.0}), Effect(MovingAnchor{0.03, 0.4, 30, "normal"}), Effect(Plastic{5e-3, 0.3, "both"}),
-                               Effect(Friction{0.3, 1e3})}) {
+                               Effect(Friction{0.3, 1})}) {
     Scene scene = scene_with({effect, gravity});
     INFO(text_of(scene.effects));
     scene.projectile = disk(60, 1e4, 0, 3), scene.target = wall(200, 400, 0, 3, 5, 1.5), scene.launch.psi1 = 0;
@@ -468,8 +470,12 @@ TEST_CASE("a real impact with effects that depend on velocities converges at ord
       for (std::size_t i = 0; i < a.projectile.size(); ++i) sum += (a.projectile[i] - b.projectile[i]).squaredNorm();
       return std::sqrt(sum);
     };
-    const Snapshot coarse = at(0.004), middle = at(0.002), fine = at(0.001);
-    CHECK(std::log2(distance(coarse, middle) / distance(middle, fine)) == Catch::Detail::Approx(2).margin(0.2));
+    // Springs that yield and contacts that slip do so at moments that fall anywhere within a step: from one step to its half the order
+    // scatters, over three halvings it shows.
+    const Snapshot coarse = at(0.004), middle = at(0.002), finest = at(0.0005), reference = at(0.00025);
+    const double order = std::log2(distance(coarse, middle) / distance(finest, reference)) / 3;
+    if (order_beside(effect) == 2) CHECK(order == Catch::Detail::Approx(2).margin(std::holds_alternative<Plastic>(effect) ? 0.3 : 0.1));
+    else CHECK(order > 0.9);  // friction
   }
 }
 

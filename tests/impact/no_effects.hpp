@@ -11,6 +11,11 @@ struct NoEffects {
   using Energies = std::array<Lane<W>, effect_kinds>;
   NoEffects(const std::vector<Effect>&, const Lattice&, const Lattice&) {}
   static constexpr bool empty() { return true; }
+  struct Flying {
+    Vec2 velocity;
+    double spin;
+  };
+  static Flying at_parting(int, const Flying& later, double) { return later; }
   static constexpr bool split() { return false; }
   static constexpr bool shakes() { return false; }
   void begin(int, double, const std::vector<Effect>&, Bodies&, double) {}

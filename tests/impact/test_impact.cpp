@@ -65,7 +65,7 @@ TEST_CASE("momentum and angular momentum of two free disks are exact to rounding
   };
   for (const char* method : {"pefrl", "chin_4a", "multirate_4", "verlet"}) {
     scene.integration.method = method;
-    if (scene.integration.method == "verlet") scene.effects = {Damping{1e-3, "both"}, Plastic{2e-3, 0.1, "both"}, Adhesion{0.5, 200}, Friction{0.3, 1e4}, Thermal{1e-6, 3, "both"}};
+    if (scene.integration.method == "verlet") scene.effects = {Damping{1e-3, "both"}, Plastic{2e-3, 0.1, "both"}, Adhesion{0.5, 200}, Friction{0.3, 1}, Thermal{1e-6, 3, "both"}};
     const Start start = launch(scene, *a, *b);
     std::pair<Vec2, double> first, last;
     bool begun = false;

@@ -36,9 +36,11 @@ std::vector<Scene> scenes() {
       }
       if (psi1 == 6.0) scene.contact.sides = "two";
       if (psi1 == 1.5 || psi1 == 6.0 || psi1 == 9.0) {
-        scene.effects = {Gravity{0.01, "both"}, Drag{0.1, "projectile"}, Absorbing{0.5, 2}, Damping{1e-3, "both"}, Plastic{1e-3, 0.1, "projectile"}, Breaking{0.01, "target"}, Adhesion{0.5, 200}, Friction{0.3, 1e4},
+        scene.effects = {Gravity{0.01, "both"}, Drag{0.1, "projectile"}, Absorbing{0.5, 2}, Damping{1e-3, "both"}, Plastic{1e-3, 0.1, "projectile"}, Breaking{0.01, "target"}, Adhesion{0.5, 200}, Friction{0.3, 1},
                          MovingAnchor{0.02, 0.5, 40 * psi1, "normal"}, Thermal{1e-6, seed + static_cast<int>(psi1), "both"}};
         REQUIRE(scene.effects.size() == effect_kinds);
+        if (seed == 1) std::erase_if(scene.effects, [](const Effect& e) { return std::holds_alternative<Absorbing>(e); });
+        else std::erase_if(scene.effects, [](const Effect& e) { return std::holds_alternative<MovingAnchor>(e); });
       }
       if (psi1 == 9.0 && seed == 1) scene.launch.psi1 = not_given, scene.launch.angle = 90;
       if (psi1 == 9.0 && seed == 2) scene.integration.time_limit = 3;

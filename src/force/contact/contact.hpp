@@ -75,7 +75,7 @@ class Contact {
   /// The greatest stiffness, xi F and that of friction, that contact put on one node in any evaluation since this was last asked. [m0 c^2/R^2]
   double take_stiffest(int lane) {
     const double stiffest = std::exchange(stiffest_[lane], 0.0);
-    return stiffest > 0 && grip() ? stiffest + grip()->law().stiffness : stiffest;
+    return stiffest > 0 && grip() ? stiffest + grip()->stiffness(lane) : stiffest;
   }
 
   /// Energy of the repulsion in each lane at given positions. [m0 c^2]

@@ -14,25 +14,26 @@ struct Friction {
   static constexpr const char* doc = "Coulomb friction of the rims: every touching node holds on by a tangential spring, and slides where that would pull more than mu times the load.";
   static constexpr const char* example = "ricochet.friction { mu = 0.3 }";
   static constexpr const char* energy_doc = "energy lost to sliding";
+  static constexpr int order = 1;  ///< of outcomes: the motion between two evaluations is taken along the tangents at the second
 
   double mu = 0;
-  double stiffness = 1e4;
+  double stiffness = 1;
 
   static const std::vector<Member<Friction>>& fields() {
     static const std::vector<Member<Friction>> list{
         {{"mu", "number", "", "coefficient of friction", not_negative}, &Friction::mu},
-        {{"stiffness", "number", "m0 c^2/R^2", "of a touching node's tangential spring", positive, "10000"}, &Friction::stiffness},
+        {{"stiffness", "number", "", "of a touching node's tangential spring, over the mean of the softer body's springs", positive, "1"}, &Friction::stiffness},
     };
     return list;
   }
 
-  /// The stretch after a motion `by`, and the energy lost to sliding meanwhile: that of the mean force over what was slid. [here]
+  /// The stretch of a spring k after a motion `by`, and the energy lost to sliding meanwhile: that of the mean force over what was slid. [here]
   struct Slid {
     double stretch, lost;
   };
-  Slid slide(double stretch, double by, double load) const {
-    const double limit = mu * load / stiffness, trial = stretch + by, now = std::clamp(trial, -limit, limit);
-    return {now, 0.5 * stiffness * (stretch + now) * (trial - now)};
+  Slid slide(double stretch, double by, double load, double k) const {
+    const double limit = mu * load / k, trial = stretch + by, now = std::clamp(trial, -limit, limit);
+    return {now, 0.5 * k * (stretch + now) * (trial - now)};
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 // Friction at work in W lanes: the tangential springs of the touching nodes of both rims, and what follows their relative motion.
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -30,11 +31,13 @@ class Grip {
       before_[body].resize(lattice.nodes());
       stretch_[body].assign(static_cast<std::size_t>(lattice.nodes()), Lane<W>::Zero());
       in_touch_[body].assign(static_cast<std::size_t>(lattice.nodes()), false);
+      for (const Spring& spring : lattice.spring) mean_[body] += spring.stiffness / static_cast<double>(lattice.spring.size());
     }
     known_.fill(false);
   }
 
-  const Friction& law() const { return law_; }
+  /// Of a touching node's tangential spring in a lane, since its first evaluation. [m0 c^2/R^2]
+  double stiffness(int lane) const { return stiffness_[lane]; }
 
   void clear(int lane) {
     for (auto& body : stretch_)
@@ -48,7 +51,7 @@ class Grip {
       for (std::size_t i = 0; i < stretch_[body].size(); ++i) stretch_[body][i][lane] = from.stretch_[body][i][from_lane];
       for (const int i : *rims_[body]) before_[body].set(i, lane, from.before_[body].at(i, from_lane));
     }
-    lost_[lane] = from.lost_[from_lane], known_[lane] = from.known_[from_lane];
+    lost_[lane] = from.lost_[from_lane], stiffness_[lane] = from.stiffness_[from_lane], known_[lane] = from.known_[from_lane];
   }
 
   /// An evaluation in a lane: begin, add every touch (those of a node one after another), end.
@@ -56,6 +59,7 @@ class Grip {
   void add(const Touch& touch) { touches_.push_back(touch); }
   void end(int lane, Moving<W>& projectile, Moving<W>& target) {
     const std::array<Moving<W>*, 2> bodies{&projectile, &target};
+    stiffness_[lane] = law_.stiffness * std::min(mean_[0] * projectile.stiffness[lane], mean_[1] * target.stiffness[lane]);
     for (std::size_t first = 0, last; first < touches_.size(); first = last) {
       for (last = first; last < touches_.size() && touches_[last].node == touches_[first].node && touches_[last].direction == touches_[first].direction;) ++last;
       hold(lane, std::span(touches_).subspan(first, last - first), *bodies[touches_[first].direction], *bodies[1 - touches_[first].direction]);
@@ -64,7 +68,7 @@ class Grip {
       for (const int i : *rims_[body]) {
         before_[body].set(i, lane, bodies[body]->position.at(i, lane));
         double& s = stretch_[body][static_cast<std::size_t>(i)][lane];
-        if (s != 0 && !in_touch_[body][static_cast<std::size_t>(i)]) lost_[lane] += law_.stiffness / 2 * s * s, s = 0;  // out of reach: let go
+        if (s != 0 && !in_touch_[body][static_cast<std::size_t>(i)]) lost_[lane] += stiffness_[lane] / 2 * s * s, s = 0;  // out of reach: let go
         in_touch_[body][static_cast<std::size_t>(i)] = false;
       }
     }
@@ -77,7 +81,7 @@ class Grip {
     Lane<W> sum = Lane<W>::Zero();
     for (const auto& body : stretch_)
       for (const Lane<W>& s : body) sum += s * s;
-    return law_.stiffness / 2 * sum;
+    return stiffness_ / 2 * sum;
   }
 
  private:
@@ -118,9 +122,9 @@ class Grip {
       motion -= touch.load / loads * (a.from.dot(chain.position.at(touch.from, lane) - chain_then.at(touch.from, lane)) + a.to.dot(chain.position.at(touch.to, lane) - chain_then.at(touch.to, lane)));
     }
     double& stretch = stretch_[direction][static_cast<std::size_t>(node)][lane];
-    const Friction::Slid slid = law_.slide(stretch, known_[lane] ? motion : 0.0, load);
+    const Friction::Slid slid = law_.slide(stretch, known_[lane] ? motion : 0.0, load, stiffness_[lane]);
     stretch = slid.stretch, lost_[lane] += slid.lost, in_touch_[direction][static_cast<std::size_t>(node)] = true;
-    const double force = -law_.stiffness * stretch;
+    const double force = -stiffness_[lane] * stretch;
     nodes.force.add(node, lane, force * t);
     for (std::size_t k = 0; k < touches.size(); ++k) {
       const Arm a = arm(k);
@@ -135,6 +139,8 @@ class Grip {
   std::array<NodeVectors<W>, 2> before_;               // [body] rim nodes at the last evaluation
   std::array<std::vector<Lane<W>>, 2> stretch_;        // [body][node] of the tangential springs [R]
   std::array<std::vector<bool>, 2> in_touch_;          // [body][node] in the evaluation at hand
+  std::array<double, 2> mean_{};                       // [body] stiffness of its springs, relative to its number
+  Lane<W> stiffness_ = Lane<W>::Zero();
   std::array<bool, W> known_{};                        // before_ holds this impact
   Lane<W> lost_ = Lane<W>::Zero();
   std::vector<Touch> touches_;                         // of the evaluation at hand

@@ -26,6 +26,9 @@ struct Drag {
     return list;
   }
 
+  /// Of the velocity and the spin of a body that touches nothing. [c/R]
+  double decay(int body) const { return acts_on(on, body) ? rate : 0.0; }
+
   /// Of each free node [c/R].
   std::vector<double> rates(int body, const Lattice& lattice) const { return std::vector<double>(static_cast<std::size_t>(lattice.free), acts_on(on, body) ? rate : 0.0); }
 };

@@ -27,6 +27,9 @@ struct Gravity {
     return list;
   }
 
+  /// Acceleration of a body that touches nothing. [c^2/R]
+  Vec2 fall(int body) const { return acts_on(on, body) ? Vec2(0, -g) : Vec2(0, 0); }
+
   template <int W>
   void add_forces(int body, Moving<W>& moving) const {
     if (!acts_on(on, body)) return;

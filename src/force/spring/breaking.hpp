@@ -11,16 +11,18 @@ namespace ricochet {
 
 /// Springs that break: T = 0 for good once the stretch has exceeded `strain` times the rest length at the end of a step; the energy
 /// that a spring held is booked as lost. Cracks stay inside: springs of the rim do not break, because contact is with the closed chain
-/// of rim nodes, and the faces of a crack do not touch each other. The moment of a break is known to a step: outcomes then converge
+/// of rim nodes, and the faces of a crack do not touch each other: what breaks off inside
+/// may leave through the rim. The moment of a break is known to a step: outcomes then converge
 /// at order 1 at best, and not at all where breaking is a matter of chance.
 struct Breaking {
   static constexpr const char* name = "breaking";
-  static constexpr const char* doc = "Springs that break when drawn out too far. Springs of the rim hold, so cracks stay inside a body, and crack faces do not touch. "
-                                     "A break falls on the end of a step: outcomes converge at order 1 at best.";
+  static constexpr const char* doc = "Springs that break when drawn out too far. Springs of the rim hold, and only rims touch: what breaks off inside may leave through the rim. "
+                                     "A break falls on the end of a step.";
   static constexpr const char* example = "ricochet.breaking { strain = 0.05 }";
   static constexpr const char* energy_doc = "energy that springs held when they broke";
   static constexpr const char* count_doc = "broken springs";
   static constexpr bool changes_at_step_ends = true;
+  static constexpr int order = 1;  ///< of outcomes, at best
 
   double strain = 0;
   std::string on = "projectile";
@@ -36,6 +38,8 @@ struct Breaking {
   /// memory: { 1 if broken, unused }
   template <class Number>
   static SpringRest<Number> rest(const Number& stretch, const std::array<Number, 2>& memory) { return {stretch, 1.0 - memory[0]}; }
+
+  bool exceeded(double of_rest_length) const { return of_rest_length > strain; }
 
   /// Breaks a spring that is too long; gives the energy lost, per unit of k.
   template <class Law, class Number>

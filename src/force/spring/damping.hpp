@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,10 @@ namespace ricochet {
 
 /// A dashpot beside every spring of any law (Kelvin-Voigt): the tension gains time * k * dx/dt, k: stiffness of the spring.
 ///
-/// For a pair of nodes and fixed places the speed u along the spring falls as du/dt = -(1/m_i + 1/m_j) time k u. Each spring is solved
-/// by the implicit midpoint rule, u -> u (1 - z)/(1 + z) with z = time k (1/m_i + 1/m_j) h/2: for every h it conserves momentum and
-/// angular momentum and never gains energy. Springs follow one another; half a step forward through their list and half a step
-/// backward make the whole symmetric, so of order 2. [the splitting: Shardlow 2003, SIAM J. Sci. Comput. 24, 1267]
+/// For a pair of nodes and fixed places the speed u along the spring falls as du/dt = -(1/m_i + 1/m_j) time k u, so by exp(-2z) in h with
+/// z = time k (1/m_i + 1/m_j) h/2: for every h that conserves momentum and angular momentum and never gains energy. Springs follow one
+/// another; half a step forward through their list and half a step backward make the whole symmetric, so of order 2. With z far above 1, which
+/// only a step far too long for the material has, springs stick in turn. [the splitting: Shardlow 2003, SIAM J. Sci. Comput. 24, 1267]
 struct Damping {
   static constexpr const char* name = "damping";
   static constexpr const char* doc = "A dashpot beside every spring (Kelvin-Voigt): the material's viscosity.";
@@ -31,6 +32,9 @@ struct Damping {
     return list;
   }
 
+  /// 1 - exp(-2 z)
+  static double taken(double z) { return -std::expm1(-2 * z); }
+
   /// All springs for a time h; returns the energy lost. [m0 c^2] whole(s): what is left of spring s, 1 or 0 once it is broken.
   template <int W, class Whole>
   Lane<W> damp(int body, Moving<W>& moving, const Lane<W>& h, bool forward, Whole&& whole) const {
@@ -42,7 +46,7 @@ struct Damping {
     const double mass = lattice.mass;
     const Lane<W> strength = (0.5 * time / mass) * (moving.stiffness * h);  // z of a spring of unit stiffness to an anchor, which is infinitely heavy
     double known = -1;
-    Lane<W> to_free = strength, to_anchor = strength;  // 2 z / (1 + z): the share of the relative velocity that is taken, for `known`
+    Lane<W> to_free = strength, to_anchor = strength;  // 1 - exp(-2 z): the share of the relative velocity that is taken, for `known`
     for (int row = 0; row < lattice.free; ++row) {
       const int i = forward ? row : lattice.free - 1 - row, first = lattice.first[i], count = lattice.first[i + 1] - first;
       Lane<W> xi, yi, vx, vy;
@@ -52,21 +56,20 @@ struct Damping {
         const Spring& spring = lattice.spring[s];
         if (spring.stiffness != known) {
           known = spring.stiffness;
-          const Lane<W> z = known * strength;
-          to_free = 4.0 * z / (1.0 + 2.0 * z), to_anchor = 2.0 * z / (1.0 + z);
+          for (int lane = 0; lane < W; ++lane) to_free[lane] = taken(2 * known * strength[lane]), to_anchor[lane] = taken(known * strength[lane]);
         }
         const int j = 2 * spring.other;
         const Lane<W> dx = position[j] - xi, dy = position[j + 1] - yi;
         const bool both = spring.other < lattice.free;
         // u n = (w . d) d / d^2. What does not depend on v_i stands apart: the next spring of the row waits for that alone.
         const double share = both ? 0.5 : 1.0;
-        const Lane<W> taken = (both ? to_free : to_anchor) * whole(s), per_square = taken / (dx * dx + dy * dy), sx = share * dx, sy = share * dy;
+        const Lane<W> share_taken = (both ? to_free : to_anchor) * whole(s), per_square = share_taken / (dx * dx + dy * dy), sx = share * dx, sy = share * dy;
         const Lane<W> along = (velocity[j] - vx) * dx + (velocity[j + 1] - vy) * dy, part = along * per_square;  // taken u / d
         vx += part * sx, vy += part * sy;
         if (both) velocity[j] -= part * sx, velocity[j + 1] -= part * sy;
         else impulse[j] -= mass * part * dx, impulse[j + 1] -= mass * part * dy;  // for whoever books the work on moving anchors
         // mu/2 (u^2 - u'^2) with the reduced mass mu and u' = (1 - taken) u
-        lost += (0.5 * mass * share) * (part * along) * (2.0 - taken);
+        lost += (0.5 * mass * share) * (part * along) * (2.0 - share_taken);
       }
       velocity[2 * i] = vx, velocity[2 * i + 1] = vy;
     }

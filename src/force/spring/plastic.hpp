@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct Plastic {
   /// memory: { p, a } [R]
   template <class Number>
   static SpringRest<Number> rest(const Number& stretch, const std::array<Number, 2>& memory) { return {stretch - memory[0], Number::Ones()}; }
+
+  bool exceeded(double strain) const { return std::abs(strain) > yield; }
 
   /// The return map; gives the energy lost, per unit of k.
   template <class Law, class Number>
