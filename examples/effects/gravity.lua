@@ -27,4 +27,6 @@ for _, row in ipairs(rows:where { weight = "without" }) do without[row.sample ..
 local heavy = rows:where { weight = "with" }
 for _, row in ipairs(heavy) do row.change = math.abs(row.e - without[row.sample .. " " .. row.speed]) end
 heavy:summary { by = "speed", of = { "e", "change", "contact_time" } }:print()
+local law = heavy:power_law { x = "speed", y = "change" }
+print(("change of e ~ v^(%.2f +- %.2f)"):format(law.exponent, law.se))
 ricochet.plot { rows = heavy, x = "speed", y = { "change", "contact_time" }, log = "xy", name = "gravity", xlabel = "speed [c]", title = ("What gravity, g = %g c²/R, changes of e"):format(p.g) }

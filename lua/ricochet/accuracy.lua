@@ -232,7 +232,7 @@ local function accuracy(given)
     for _, name in ipairs(t.methods) do
       methods[#methods + 1] = method_named(name)
       local conflict = core.conflict(t.scene, name)
-      if conflict ~= "" then core.fail(conflict, "methods") end
+      if conflict ~= "" then core.fail("'methods': " .. conflict, "methods") end
     end
   else
     -- Those that the scene's effects allow.

@@ -508,6 +508,28 @@ TEST_CASE("a disk that rests on nothing falls as Galilei says") {
   CHECK(later - start == Catch::Detail::Approx(-1e-3 * (time - zero) - 0.005 * (time * time - zero * zero)).epsilon(1e-6));
 }
 
+TEST_CASE("e beside gravity and drag is that of the moment of parting, whenever one looks") {
+  // The engine looks for the end after whole steps, at other times for every step; the outcomes must not follow it.
+  for (const Effect& effect : {Effect(Gravity{0.02, "projectile"}), Effect(Drag{0.2, "projectile"})}) {
+    Scene scene = scene_with({effect});
+    const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+    std::vector<double> e, beta;
+    for (double theta : {0.03, 0.05, 0.08, 0.12}) {
+      scene.integration.method = "verlet";
+      scene.integration.theta = theta;
+      const Outcome outcome = run_scene(*p, *t, scene, go_on);
+      REQUIRE(outcome.status == Status::finished);
+      e.push_back(outcome.e), beta.push_back(outcome.beta);
+    }
+    for (std::size_t i = 1; i < e.size(); ++i) {
+      INFO(text_of(std::vector<Effect>{effect}) << " " << i << " " << e[i] - e[0] << " " << beta[i] - beta[0]);
+      // Verlet's own error is of the order of theta^2 / 24.
+      CHECK(std::abs(e[i] - e[0]) < 1e-4);
+      CHECK(std::abs(beta[i] - beta[0]) < 1e-4);
+    }
+  }
+}
+
 TEST_CASE("the absorbing layer lets waves of a bar come back with the share of amplitude that its doc says") {
   // A thin bar along y, held at its upper end; a pulse much longer than the bar is wide runs up, then back.
   constexpr double length = 24, breadth = 0.3, stiffness = 100, middle = 5, spread = 0.8;
