@@ -33,7 +33,7 @@ void each_spring(const Moving<W>& body, Use&& use) {
   with_spring_law(lattice, [&](const auto& law) {
     for (int i = 0; i < lattice.free; ++i)
       for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
-        const Spring& spring = lattice.spring[s];
+        const Spring spring = lattice.spring[s];
         const Lane<W> dx = body.position.x(spring.other) - body.position.x(i), dy = body.position.y(spring.other) - body.position.y(i);
         use(law, i, s, spring, dx, dy, Lane<W>((dx * dx + dy * dy).sqrt()));
       }

@@ -18,23 +18,25 @@ decltype(auto) with_spring_law(const Lattice& lattice, Use&& use) {
 /// Springs are a half list by node, so F of a node is complete once its own row is done, and no later row needs its position:
 /// kick and drift follow at once, while everything is in registers. `force` must hold what else acts on the nodes (contact).
 template <int W, class Law>
-[[gnu::noinline]] void kick_and_drift(Moving<W>& body, const Law& law, const Lane<W>& kick, const Lane<W>& drift) {
+[[gnu::noinline]] void kick_and_drift(Moving<W>& body, const Law law, const Lane<W>& kick, const Lane<W>& drift) {
   const Lattice& lattice = *body.lattice;
-  const Spring* spring = lattice.spring.data();
+  const std::array<int, 2>* ends = lattice.spring.ends();
+  const double *length = lattice.spring.length(), *strength = lattice.spring.stiffness();
   const int* first = lattice.first.data();
   Lane<W>*position = body.position.data(), *velocity = body.velocity.data(), *force = body.force.data();
   const Lane<W> stiffness = body.stiffness, kick_ = kick, drift_ = drift;
+  std::size_t s = 0;
   for (int i = 0, free = lattice.free; i < free; ++i) {
     // Assigned, not copied: GCC copies an Eigen array in halves, and the full load that follows waits for both.
     Lane<W> xi, yi, fx, fy;
     xi = position[2 * i], yi = position[2 * i + 1], fx = force[2 * i], fy = force[2 * i + 1];
-    for (int n = first[i + 1] - first[i]; n > 0; --n, ++spring) {
-      const int j = 2 * spring->other;
+    for (int n = first[i + 1] - first[i]; n > 0; --n, ++s) {
+      const std::size_t j = 2 * static_cast<std::size_t>(ends[s][1]);
       const Lane<W> dx = position[j] - xi, dy = position[j + 1] - yi;
       const Lane<W> r = (dx * dx + dy * dy).sqrt();
       const Lane<W> per_distance = 1.0 / r;  // not tension / r: the divider would wait for the tension, which costs 15 %
-      const Lane<W> stretch = r - spring->length;
-      const Lane<W> pull = (stiffness * spring->stiffness) * law.tension(stretch) * per_distance;
+      const Lane<W> stretch = r - length[s];
+      const Lane<W> pull = (stiffness * strength[s]) * law.tension(stretch) * per_distance;
       const Lane<W> px = pull * dx, py = pull * dy;
       fx += px, fy += py;
       force[j] -= px, force[j + 1] -= py;
@@ -43,6 +45,42 @@ template <int W, class Law>
     velocity[2 * i] = vx, velocity[2 * i + 1] = vy;
     position[2 * i] = xi + drift_ * vx, position[2 * i + 1] = yi + drift_ * vy;
     force[2 * i].setZero(), force[2 * i + 1].setZero();
+  }
+}
+
+/// The same for one impact alone, whose springs fill the registers four at a time. Every number is made by the same operations, and those
+/// of a node are summed in the same order, so the bits are those of a lane.
+template <class Law>
+[[gnu::noinline]] void kick_and_drift(Moving<1>& body, const Law& law, const Lane<1>& kick, const Lane<1>& drift) {
+  using XY = double __attribute__((vector_size(2 * sizeof(double)), may_alias));  // x, y; Eigen's own is spread over two registers by GCC
+  const Lattice& lattice = *body.lattice;
+  const std::array<int, 2>* ends = lattice.spring.ends();
+  const double *length = lattice.spring.length(), *strength = lattice.spring.stiffness();
+  XY *position = reinterpret_cast<XY*>(body.position.data()), *velocity = reinterpret_cast<XY*>(body.velocity.data()), *force = reinterpret_cast<XY*>(body.force.data());
+  const double stiffness = body.stiffness[0], kick_ = kick[0], drift_ = drift[0];
+  const auto pull_by = [&]<int N>(std::integral_constant<int, N>, std::size_t s) {
+    XY d[N];
+    for (std::size_t k = 0; k < N; ++k) d[k] = position[ends[s + k][1]] - position[ends[s + k][0]];
+    Lane<N> dx, dy;
+    for (std::size_t k = 0; k < N; ++k) dx[static_cast<int>(k)] = d[k][0], dy[static_cast<int>(k)] = d[k][1];
+    const Lane<N> r = (dx * dx + dy * dy).sqrt();
+    const Lane<N> per_distance = 1.0 / r;
+    const Lane<N> stretch = r - Eigen::Map<const Lane<N>>(length + s);
+    const Lane<N> pull = (stiffness * Eigen::Map<const Lane<N>>(strength + s)) * law.tension(stretch) * per_distance;
+    const Lane<N> px = pull * dx, py = pull * dy;
+    for (std::size_t k = 0; k < N; ++k) {
+      const XY p{px[static_cast<int>(k)], py[static_cast<int>(k)]};
+      force[ends[s + k][0]] += p, force[ends[s + k][1]] -= p;
+    }
+  };
+  const std::size_t count = lattice.spring.size();
+  std::size_t s = 0;
+  for (; s + 4 <= count; s += 4) pull_by(std::integral_constant<int, 4>{}, s);
+  for (; s < count; ++s) pull_by(std::integral_constant<int, 1>{}, s);
+  for (int i = 0, free = lattice.free; i < free; ++i) {
+    velocity[i] += kick_ * force[i];
+    position[i] += drift_ * velocity[i];
+    force[i] = XY{};
   }
 }
 
@@ -60,7 +98,7 @@ Lane<W> spring_energy(const Moving<W>& body) {
     Lane<W> sum = Lane<W>::Zero();
     for (int i = 0; i < lattice.free; ++i)
       for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
-        const Spring& spring = lattice.spring[s];
+        const Spring spring = lattice.spring[s];
         const Lane<W> dx = position.x(spring.other) - position.x(i), dy = position.y(spring.other) - position.y(i);
         const Lane<W> stretch = (dx * dx + dy * dy).sqrt() - spring.length;
         sum += spring.stiffness * law.energy(stretch);

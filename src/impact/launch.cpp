@@ -118,7 +118,7 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
               if (!acts_on(e.on, body) || lattice.rest_energy == 0) continue;
               for (int i = 0; i < lattice.free; ++i)
                 for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
-                  const Spring& spring = lattice.spring[s];
+                  const Spring spring = lattice.spring[s];
                   const double strain = (lattice.points[spring.other] - lattice.points[i]).norm() / spring.length - 1;
                   if (e.exceeded(strain))
                     throw FieldError("effects", fmt::format("{}: prestress strains a spring of the {} by {:.3g} at rest, beyond its limit; lower prestress or raise the limit", E::name, body == 0 ? "projectile" : "target", strain));

@@ -12,7 +12,7 @@ FrequencyBound frequency_bound(const Lattice& lattice, double stiffness) {
   std::vector<Block> blocks(lattice.nodes());
   for (int i = 0; i < lattice.free; ++i)
     for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
-      const Spring& spring = lattice.spring[s];
+      const Spring spring = lattice.spring[s];
       const Vec2 d = lattice.points[spring.other] - lattice.points[i];
       const double r = d.norm(), x = r - spring.length;  // not 0 under prestress
       const Vec2 n = d / r;

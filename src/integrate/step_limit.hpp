@@ -28,7 +28,7 @@ Lane<W> squared_frequency_bound(const Moving<W>& body, Rest&& rest) {
   blocks.assign(static_cast<std::size_t>(lattice.nodes()), Block{});
   for (int i = 0; i < lattice.free; ++i)
     for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
-      const Spring& spring = lattice.spring[s];
+      const Spring spring = lattice.spring[s];
       const Lane<W> dx = body.position.x(spring.other) - body.position.x(i), dy = body.position.y(spring.other) - body.position.y(i);
       const Lane<W> r = (dx * dx + dy * dy).sqrt();
       const SpringRest<Lane<W>> left = rest(s, Lane<W>(r - spring.length));

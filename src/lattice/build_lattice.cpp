@@ -70,13 +70,13 @@ std::shared_ptr<const Lattice> build_lattice(const Body& body) {
     lattice->edges.push_back({e.low, e.high});
     if (e.low >= lattice->free) continue;
     const Vec2 d = lattice->points[static_cast<std::size_t>(e.high)] - lattice->points[static_cast<std::size_t>(e.low)];
-    lattice->spring.push_back({e.high, e.on_rim, std::sqrt(d.x() * d.x() + d.y() * d.y()), e.stiffness});
+    lattice->spring.push_back({e.low, e.high, e.on_rim, std::sqrt(d.x() * d.x() + d.y() * d.y()), e.stiffness});
     ++lattice->first[static_cast<std::size_t>(e.low) + 1];
   }
   for (std::size_t i = 0; i + 1 < lattice->first.size(); ++i) lattice->first[i + 1] += lattice->first[i];
   if (body.numbers.prestress > 0) {
     Random random(static_cast<std::uint64_t>(body.numbers.seed), prestress_stream);
-    for (Spring& spring : lattice->spring) spring.length *= std::max(0.1, 1 + body.numbers.prestress * random.normal());
+    for (std::size_t s = 0; s < lattice->spring.size(); ++s) lattice->spring.set_length(s, lattice->spring[s].length * std::max(0.1, 1 + body.numbers.prestress * random.normal()));
     try {
       relax(*lattice);
     } catch (const Error& error) {
@@ -84,7 +84,7 @@ std::shared_ptr<const Lattice> build_lattice(const Body& body) {
     }
     for (int i = 0; i < lattice->free; ++i)
       for (int s = lattice->first[i]; s < lattice->first[i + 1]; ++s) {
-        const Spring& spring = lattice->spring[s];
+        const Spring spring = lattice->spring[s];
         const double x = (lattice->points[spring.other] - lattice->points[i]).norm() - spring.length;
         lattice->rest_energy += spring.stiffness * x * x * (0.5 + 0.25 * lattice->quartic * x * x);
       }

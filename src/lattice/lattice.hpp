@@ -54,10 +54,28 @@ NodePlan plan_nodes(const Points& outline, const BodyNumbers& numbers, const std
 Points plan_rim(const Points& outline, const BodyNumbers& numbers);
 
 struct Spring {
-  int other;         ///< the other end; larger than the node that holds the spring
+  int node, other;   ///< its ends; the first holds it and is the smaller
   bool on_rim;       ///< joins neighbours in the rim
   double length;     ///< rest length: the distance of its ends at rest, but for prestress [R]
   double stiffness;  ///< relative to the body's stiffness
+};
+
+/// Springs, read like a vector of Spring, kept as one array a quantity: a loop over one impact alone takes several at once.
+class Springs {
+ public:
+  void push_back(const Spring& s) { ends_.push_back({s.node, s.other}), on_rim_.push_back(s.on_rim), length_.push_back(s.length), stiffness_.push_back(s.stiffness); }
+  Spring operator[](std::size_t s) const { return {ends_[s][0], ends_[s][1], on_rim_[s], length_[s], stiffness_[s]}; }
+  std::size_t size() const { return ends_.size(); }
+  void set_length(std::size_t s, double length) { length_[s] = length; }
+
+  const std::array<int, 2>* ends() const { return ends_.data(); }  ///< [spring] node, other
+  const double* length() const { return length_.data(); }          ///< [spring]
+  const double* stiffness() const { return stiffness_.data(); }    ///< [spring]
+
+ private:
+  std::vector<std::array<int, 2>> ends_;
+  std::vector<bool> on_rim_;
+  std::vector<double> length_, stiffness_;
 };
 
 /// Nodes joined by springs. Free nodes come first, in reverse Cuthill-McKee order, then the anchored ones: loops over what
@@ -67,7 +85,7 @@ struct Lattice {
   Points points;             ///< [node] rest positions [R]
   int free = 0;              ///< how many nodes move
   std::vector<int> first;    ///< [node + 1] first spring of a node
-  std::vector<Spring> spring;
+  Springs spring;
   std::vector<std::array<int, 2>> edges;  ///< every spring's two ends, for drawing and files
   std::vector<Triangle> triangles;
   std::vector<int> rim;      ///< the outline's nodes in order, counter-clockwise, closed

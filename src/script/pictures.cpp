@@ -41,7 +41,7 @@ Joined join(const Scene& scene) {
   for (const auto& [lattice, body] : {std::pair{joined.projectile, scene.projectile}, std::pair{joined.target, scene.target}}) {
     for (int i = 0; i < lattice->nodes(); ++i)
       for (int s = lattice->first[i]; s < lattice->first[i + 1]; ++s) {
-        const Spring& spring = lattice->spring[s];
+        const Spring spring = lattice->spring[s];
         joined.mesh.edges.push_back({i + offset, spring.other + offset});
         joined.length.push_back(spring.length), joined.stiffness.push_back(spring.stiffness * body->numbers.stiffness);
       }

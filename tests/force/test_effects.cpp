@@ -181,7 +181,8 @@ TEST_CASE("damping conserves momentum and angular momentum, and leaves a body th
 
 TEST_CASE("damping of two nodes is their exact decay, for steps of any length") {
   Lattice pair;
-  pair.points = {Vec2(0, 0), Vec2(1, 0)}, pair.free = 2, pair.first = {0, 1, 1}, pair.spring = {{1, false, 1.0, 1.5}}, pair.mass = 2;
+  pair.points = {Vec2(0, 0), Vec2(1, 0)}, pair.free = 2, pair.first = {0, 1, 1}, pair.mass = 2;
+  pair.spring.push_back({0, 1, false, 1.0, 1.5});
   const Damping damping{0.25, "both"};
   const auto error = [&](int steps) {
     Moving<1> moving{&pair, {}, {}, {}, one(4.0)};

@@ -22,9 +22,9 @@ Lattice block(int columns, int rows, double spacing, double left, double bottom,
   for (int i = 0; i < lattice.nodes(); ++i) {
     const int column = i % columns, row = rows - 1 - i / columns;
     if (i < lattice.free) {
-      if (column + 1 < columns) lattice.spring.push_back({number(column + 1, row), false, spacing, 1});
-      if (row > 0) lattice.spring.push_back({number(column, row - 1), false, spacing, 1});
-      if (row > 0 && column + 1 < columns) lattice.spring.push_back({number(column + 1, row - 1), false, spacing * std::sqrt(2.0), 1});
+      if (column + 1 < columns) lattice.spring.push_back({i, number(column + 1, row), false, spacing, 1});
+      if (row > 0) lattice.spring.push_back({i, number(column, row - 1), false, spacing, 1});
+      if (row > 0 && column + 1 < columns) lattice.spring.push_back({i, number(column + 1, row - 1), false, spacing * std::sqrt(2.0), 1});
     }
     lattice.first[static_cast<std::size_t>(i) + 1] = static_cast<int>(lattice.spring.size());
   }

@@ -31,7 +31,7 @@ class Grip {
       before_[body].resize(lattice.nodes());
       stretch_[body].assign(static_cast<std::size_t>(lattice.nodes()), Lane<W>::Zero());
       in_touch_[body].assign(static_cast<std::size_t>(lattice.nodes()), false);
-      for (const Spring& spring : lattice.spring) mean_[body] += spring.stiffness / static_cast<double>(lattice.spring.size());
+      for (std::size_t s = 0; s < lattice.spring.size(); ++s) mean_[body] += lattice.spring[s].stiffness / static_cast<double>(lattice.spring.size());
     }
     known_.fill(false);
   }

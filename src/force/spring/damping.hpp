@@ -53,7 +53,7 @@ struct Damping {
       xi = position[2 * i], yi = position[2 * i + 1], vx = velocity[2 * i], vy = velocity[2 * i + 1];
       for (int k = 0; k < count; ++k) {
         const int s = forward ? first + k : first + count - 1 - k;
-        const Spring& spring = lattice.spring[s];
+        const Spring spring = lattice.spring[s];
         if (spring.stiffness != known) {
           known = spring.stiffness;
           for (int lane = 0; lane < W; ++lane) to_free[lane] = taken(2 * known * strength[lane]), to_anchor[lane] = taken(known * strength[lane]);
