@@ -22,12 +22,15 @@
 
 namespace ricochet {
 
-// Ledgers, endings and the contact's shape are looked at every so many force evaluations: 64 cost about 2 % of the time.
+// Endings and the contact's shape are looked at every so many force evaluations.
 inline constexpr int evaluations_between_looks = 64;
+
+// The ledger is taken at every so many looks, and at the end.
+inline constexpr int looks_between_ledgers = 4;
 
 // The bound of the highest frequency is taken anew every so many looks, each of which costs about a force evaluation. It lies
 // 1.10 to 1.15 times above the frequency itself, so an impact is unstable only above that slack.
-inline constexpr int looks_between_bounds = 8;
+inline constexpr int looks_between_bounds = 16;
 inline constexpr double bound_slack = 1.15;
 
 // Contact shows when its energy exceeds this share of the energy at launch.
@@ -74,6 +77,7 @@ class Engine {
       for (int i = 0; i < body.lattice->nodes(); ++i)  // idle lanes rest
         for (int lane = 0; lane < W; ++lane) body.position.set(i, lane, body.lattice->points[i]);
     }
+    end_ = body_;
     const std::vector<int>& nodes = projectile.rim;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       rim_gap_ = std::max(rim_gap_, (projectile.points[nodes[k]] - projectile.points[nodes[(k + 1) % nodes.size()]]).norm());
@@ -98,10 +102,11 @@ class Engine {
     Run& now = runs_[lane];
     // The ledger before: the state is still at the end of step 0.
     const Motions motions = motions_of(body_);
-    if (motions.contact[lane] > touch_share * run.start.energy)
+    const Energies energies = energies_of(body_, motions);
+    if (energies.contact[lane] > touch_share * run.start.energy)
       throw FieldError("effects", "thermal: the vibration reaches across the gap between the bodies at the start; lower its temperature or raise contact.reach");
-    for (std::size_t kind = 0; kind < effect_kinds; ++kind) now.effects_before[kind] = motions.effects[kind][lane];
-    now.before = ledger(lane, motions);
+    for (std::size_t kind = 0; kind < effect_kinds; ++kind) now.effects_before[kind] = energies.effects[kind][lane];
+    now.before = ledger(lane, motions, energies);
     now.energy_before = now.before.total();
     now.projectile_radius = support(body_[0].lattice->smooth_rim, Vec2(0, -1)) + body_[0].lattice->centre().y();
     now.target_radius = support(body_[1].lattice->smooth_rim, Vec2(0, 1)) - body_[1].lattice->centre().y();
@@ -163,21 +168,25 @@ class Engine {
   template <class Ended>
   void look(Ended&& ended) {
     go_to_step_end();
+    contact_.update(end_[0].position, end_[1].position);
     const Motions motions = motions_of(end_);
     take_spring_bounds();
+    std::optional<Energies> taken;
+    const auto energies = [&]() -> const Energies& { return taken ? *taken : taken.emplace(energies_of(end_, motions)); };
     for (int lane = 0; lane < W; ++lane) {
       if (!runs_[lane].scene) continue;
       Outcome outcome;
-      outcome.status = follow(lane, motions, outcome.reason);
+      outcome.status = follow(lane, motions, energies, outcome.reason);
       if (outcome.status == Status::not_run) continue;
-      write(lane, motions, outcome);
+      write(lane, motions, energies(), outcome);
       ended(lane, outcome);
     }
   }
 
   Snapshot snapshot(int lane) {
     go_to_step_end();
-    Snapshot shot{runs_[lane].time(), {}, {}, {}, {}, ledger(lane, motions_of(end_))};
+    const Motions motions = motions_of(end_);
+    Snapshot shot{runs_[lane].time(), {}, {}, {}, {}, ledger(lane, motions, energies_of(end_, motions))};
     for (int i = 0; i < body_[0].lattice->nodes(); ++i)
       shot.projectile.push_back(end_[0].position.at(i, lane)), shot.projectile_velocity.push_back(end_[0].velocity.at(i, lane));
     for (int i = 0; i < body_[1].lattice->nodes(); ++i)
@@ -286,7 +295,9 @@ class Engine {
 
   struct Motions {
     RigidMotion<W> projectile, target;
-    Lane<W> contact;  // energy
+  };
+  struct Energies {
+    Lane<W> projectile, target, contact;  // of vibration, of contact
     typename Effects::Energies effects;
   };
 
@@ -313,7 +324,8 @@ class Engine {
 
   // The state at the end of the last step, in end_.
   void go_to_step_end() {
-    end_ = body_;
+    for (int b : {0, 1})  // forces are 0 in both
+      end_[b].position = body_[b].position, end_[b].velocity = body_[b].velocity, end_[b].stiffness = body_[b].stiffness;
     if (!effects_.split()) fall_back(end_);
   }
 
@@ -335,17 +347,19 @@ class Engine {
     contact_energy_ = contact_energy;
   }
 
-  Motions motions_of(const Bodies& bodies) {
-    Motions m{rigid_motion(bodies[0]), rigid_motion(bodies[1]), contact_.energy(bodies[0].position, bodies[1].position), effects_.energies(bodies)};
-    if (effects_.empty()) return m;
-    m.projectile.vibration += effects_.spring_change(0, bodies[0]), m.target.vibration += effects_.spring_change(1, bodies[1]);
+  static Motions motions_of(const Bodies& bodies) { return {rigid_motion(bodies[0]), rigid_motion(bodies[1])}; }
+
+  Energies energies_of(const Bodies& bodies, const Motions& motions) {
+    Energies e{vibration_energy(bodies[0], motions.projectile), vibration_energy(bodies[1], motions.target), contact_.energy(bodies[0].position, bodies[1].position), effects_.energies(bodies)};
+    if (effects_.empty()) return e;
+    e.projectile += effects_.spring_change(0, bodies[0]), e.target += effects_.spring_change(1, bodies[1]);
     const auto friction = contact_.friction_energies(bodies[0], bodies[1]);
-    m.contact += friction.held, m.effects[Effect(Friction{}).index()] += friction.lost;
-    m.effects[Effect(Adhesion{}).index()] += contact_.adhesion_energy(bodies[0].position, bodies[1].position);
-    return m;
+    e.contact += friction.held, e.effects[Effect(Friction{}).index()] += friction.lost;
+    e.effects[Effect(Adhesion{}).index()] += contact_.adhesion_energy(bodies[0].position, bodies[1].position);
+    return e;
   }
 
-  // Every lane at its own eighth looks, so that its neighbours do not change what it sees.
+  // Every lane at its own sixteenth looks, so that its neighbours do not change what it sees.
   void take_spring_bounds() {
     const auto due = [](const Run& run) { return run.scene && run.looks % looks_between_bounds == 0; };
     if (std::any_of(runs_.begin(), runs_.end(), due)) {
@@ -361,26 +375,30 @@ class Engine {
     for (Run& run : runs_) ++run.looks;
   }
 
-  Ledger ledger(int lane, const Motions& motions) const {
-    const auto& [p, t, contact, effects] = motions;
-    Ledger ledger{p.translation[lane], p.rotation[lane], p.vibration[lane], t.translation[lane], t.rotation[lane], t.vibration[lane], contact[lane]};
-    for (std::size_t kind = 0; kind < effect_kinds; ++kind) ledger.effects += effects[kind][lane] - runs_[lane].effects_before[kind];
+  Ledger ledger(int lane, const Motions& motions, const Energies& energies) const {
+    const auto& [p, t] = motions;
+    Ledger ledger{p.translation[lane], p.rotation[lane], energies.projectile[lane], t.translation[lane], t.rotation[lane], energies.target[lane], energies.contact[lane]};
+    for (std::size_t kind = 0; kind < effect_kinds; ++kind) ledger.effects += energies.effects[kind][lane] - runs_[lane].effects_before[kind];
     return ledger;
   }
 
-  // Follows a lane; not_run means that it goes on.
-  Status follow(int lane, const Motions& motions, std::string& reason) {
+  // Follows a lane; not_run means that it goes on. `energies()`: those of the last step's end, taken if they are asked for.
+  template <class Taken>
+  Status follow(int lane, const Motions& motions, Taken&& energies, std::string& reason) {
     Run& run = runs_[lane];
     const RigidMotion<W>&p = motions.projectile, &t = motions.target;
-    const double total = ledger(lane, motions).total();
-    if (!std::isfinite(total)) {
-      reason = fmt::format("a position or velocity was not finite at t = {:.6g}", run.time());
-      return Status::not_finite;
-    }
-    run.drift = std::max(run.drift, std::abs(total - run.energy_before) / run.energy_before);
-    if (run.drift > run.scene->integration.energy_tolerance) {
-      reason = fmt::format("the total energy had strayed by {:.3g} at t = {:.6g} with the time step {:.3g} R/c; give a step half as long", run.drift, run.time(), run.start.step);
-      return Status::energy_drift;
+    const bool parted = separated(lane, p, t), late = run.time() >= run.start.time_limit;
+    if (parted || late || run.looks % looks_between_ledgers == 0) {
+      const double total = ledger(lane, motions, energies()).total();
+      if (!std::isfinite(total)) {
+        reason = fmt::format("a position or velocity was not finite at t = {:.6g}", run.time());
+        return Status::not_finite;
+      }
+      run.drift = std::max(run.drift, std::abs(total - run.energy_before) / run.energy_before);
+      if (run.drift > run.scene->integration.energy_tolerance) {
+        reason = fmt::format("the total energy had strayed by {:.3g} at t = {:.6g} with the time step {:.3g} R/c; give a step half as long", run.drift, run.time(), run.start.step);
+        return Status::energy_drift;
+      }
     }
     // Contact stiffens the node it pushes; K <= 2 blockdiag(K_ii) holds for it as for a spring.
     const double lightest = std::min(body_[0].lattice->mass, body_[1].lattice->mass);
@@ -398,8 +416,8 @@ class Engine {
     }
     const double overlap = run.reference_height - (p.y[lane] - t.y[lane]);
     if (run.touches > 0 && (!run.indented || overlap > run.indentation)) measure_contact(lane, p.x[lane], overlap);
-    if (separated(lane, p, t)) return run.touches > 0 ? Status::finished : no_contact(reason);
-    if (run.time() >= run.start.time_limit) {
+    if (parted) return run.touches > 0 ? Status::finished : no_contact(reason);
+    if (late) {
       reason = fmt::format("the bodies had not parted after {:.6g} R/c; raise time_limit", run.time());
       return Status::out_of_time;
     }
@@ -452,11 +470,11 @@ class Engine {
     run.tan_alpha = run.contact_length > 0 ? (b->y() - a->y()) / run.contact_length : Outcome::undefined;
   }
 
-  void write(int lane, const Motions& motions, Outcome& o) const {
+  void write(int lane, const Motions& motions, const Energies& energies, Outcome& o) const {
     const RigidMotion<W>&p = motions.projectile, &t = motions.target;
     const Run& run = runs_[lane];
-    o.before = run.before, o.after = ledger(lane, motions);
-    for (const Effect& effect : run.scene->effects) o.effect_energy[effect.index()] = motions.effects[effect.index()][lane] - run.effects_before[effect.index()];
+    o.before = run.before, o.after = ledger(lane, motions, energies);
+    for (const Effect& effect : run.scene->effects) o.effect_energy[effect.index()] = energies.effects[effect.index()][lane] - run.effects_before[effect.index()];
     o.effect_count = effects_.counts(lane);
     o.energy_closure = std::abs(o.after.total() - run.energy_before) / run.energy_before;
     o.energy_drift = run.drift;

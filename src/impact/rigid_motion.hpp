@@ -3,12 +3,12 @@
 
 namespace ricochet {
 
-/// Mass, momentum, angular momentum and energy of a body, in W lanes.
+/// Momentum, angular momentum and their energies of a body, in W lanes.
 template <int W>
 struct RigidMotion {
   Lane<W> x, y, vx, vy, omega;                    ///< centre of mass, its velocity, L / I of the body as deformed
   Lane<W> spin;                                   ///< L / I of the body at rest: once free, it keeps its value while the body vibrates
-  Lane<W> translation, rotation, vibration;       ///< energies [m0 c^2]; vibration includes the springs
+  Lane<W> translation, rotation;                  ///< energies [m0 c^2]
 };
 
 /// An anchored body has no rigid motion: all its energy is vibration, its centre the mean of its nodes at rest.
@@ -37,15 +37,22 @@ RigidMotion<W> rigid_motion(const Moving<W>& body) {
     motion.translation = 0.5 * lattice.total_mass() * (motion.vx * motion.vx + motion.vy * motion.vy);
     motion.rotation = 0.5 * lattice.mass * momentum * motion.omega;
   }
-  // Kinetic energy relative to the rigid motion, summed as squares: no difference of large numbers.
+  return motion;
+}
+
+/// Kinetic energy relative to the rigid motion, and that of the springs. [m0 c^2]
+template <int W>
+Lane<W> vibration_energy(const Moving<W>& body, const RigidMotion<W>& motion) {
+  const Lattice& lattice = *body.lattice;
+  const NodeVectors<W>& position = body.position;
+  // Summed as squares: no difference of large numbers.
   Lane<W> kinetic = Lane<W>::Zero();
   for (int i = 0; i < lattice.free; ++i) {
     const Lane<W> dvx = body.velocity.x(i) - motion.vx + motion.omega * (position.y(i) - motion.y);
     const Lane<W> dvy = body.velocity.y(i) - motion.vy - motion.omega * (position.x(i) - motion.x);
     kinetic += dvx * dvx + dvy * dvy;
   }
-  motion.vibration = 0.5 * lattice.mass * kinetic + spring_energy(body);
-  return motion;
+  return 0.5 * lattice.mass * kinetic + spring_energy(body);
 }
 
 }  // namespace ricochet

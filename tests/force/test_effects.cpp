@@ -212,7 +212,7 @@ TEST_CASE("springs that remember pull by the slope of their energy, lose energy 
       INFO(E::name);
       const E effect = set_up<E>();
       const Quartic law{0.3};
-      const Spring spring{1, false, 1.7, 1.0};
+      const Spring spring{0, 1, false, 1.7, 1.0};
       SpringMemory<1> memory{one(0), one(0)};
       double lost = 0, before = 0, work = 0;
       for (std::size_t k = 0; k < stretches.size(); ++k) {
@@ -239,7 +239,7 @@ TEST_CASE("springs that remember pull by the slope of their energy, lose energy 
 
 TEST_CASE("a plastic spring yields at its limit, hardens, and yields the other way as far below its new rest length") {
   const Plastic plastic{0.1, 0.5, "both"};
-  const Spring spring{1, false, 2.0, 1.0};
+  const Spring spring{0, 1, false, 2.0, 1.0};
   SpringMemory<1> memory{one(0), one(0)};
   const auto tension_at = [&](double x) { return plastic.change(Linear{}, spring, one(x), memory), tension_of(plastic, Linear{}, one(x), memory)[0]; };
   CHECK(tension_at(0.19) == Catch::Detail::Approx(0.19));
@@ -254,7 +254,7 @@ TEST_CASE("a plastic spring yields at its limit, hardens, and yields the other w
 TEST_CASE("a spring breaks beyond its strain, for good, unless it is of the rim") {
   const Breaking breaking{0.1, "both"};
   SpringMemory<1> memory{one(0), one(0)}, rim = memory;
-  const Spring inner{1, false, 2.0, 1.0}, outer{1, true, 2.0, 1.0};
+  const Spring inner{0, 1, false, 2.0, 1.0}, outer{0, 1, true, 2.0, 1.0};
   breaking.change(Linear{}, inner, one(0.199), memory);
   CHECK(tension_of(breaking, Linear{}, one(0.199), memory)[0] == 0.199);
   CHECK(breaking.change(Linear{}, inner, one(0.21), memory)[0] == Catch::Detail::Approx(0.21 * 0.21 / 2));

@@ -130,7 +130,7 @@ const std::vector<Mistake> mistakes{
     {"anchors damped and moved", "ricochet.scene { projectile = d, target = w,\n  effects = { ricochet.absorbing { width = 1, rate = 1 }, ricochet.moving_anchor { amplitude = 1, omega = 1 } } }",
      "error: s.lua:4: scene: 'effects': absorbing damps against a wall at rest, and moving_anchor moves it; name one of them"},
     {"prestress beyond the yield", "ricochet.scene { projectile = ricochet.disk { nodes = 60, prestress = 0.02 }, target = ricochet.wall { nodes = 150 },\n  effects = { ricochet.plastic { yield = 1e-3 } } }:run()",
-     "error: s.lua:4: scene: 'effects': plastic: prestress strains a spring of the projectile by *"},
+     "error: s.lua:3: scene: 'effects': plastic: prestress strains a spring of the projectile by *"},
     {"accuracy of a method that an effect lowers", "ricochet.accuracy { scene = ricochet.scene { projectile = d, target = w, effects = { ricochet.drag { rate = 1 } } },\n  methods = { 'pefrl' } }",
      "error: s.lua:4: accuracy: 'methods': pefrl of order 4 would fall to order 2 beside drag; give verlet or leave method out"},
     {"a high order beside damping", "ricochet.scene { projectile = d, target = w,\n  method = 'pefrl', effects = { ricochet.damping { time = 1e-3 } } }",

@@ -48,6 +48,16 @@ class Contact {
     if (grip()) grip()->take(lane, *from.grip(), from_lane);
   }
 
+  /// Finds the pairs near these positions, if rims have moved too far since they were last found; each() and apart() need it, evaluations do it.
+  // A list found at the reference positions holds every pair within reach until both rims together have moved `allowance`.
+  void update(const NodeVectors<W>& projectile, const NodeVectors<W>& target) {
+    const Lane<W> moved = moved_furthest(0, projectile) + moved_furthest(1, target);
+    // Written so that NaN also counts as too far: the impact is then ended by its ledger.
+    if ((moved < allowance_).all()) return;
+    for (int lane = 0; lane < W; ++lane)
+      if (law_[lane] && !(moved[lane] < allowance_[lane])) rebuild(lane, projectile, target);
+  }
+
   /// Adds the contact forces at the bodies' positions to their `force`; returns the energy of the repulsion in each lane. [m0 c^2]
   Lane<W> add_forces(Moving<W>& projectile, Moving<W>& target) {
     update(projectile.position, target.position);
@@ -145,7 +155,7 @@ class Contact {
     return sum;
   }
 
-  /// True if no pair of the lane is within reach at the last evaluation's positions.
+  /// True if no pair of the lane is within reach.
   bool apart(int lane, const NodeVectors<W>& projectile, const NodeVectors<W>& target) const {
     bool any = false;
     each(lane, projectile, target, [&](const Push&) { any = true; });
@@ -156,15 +166,6 @@ class Contact {
   const Adhesion* adhesion() const { return effects ? adhesion_ : nullptr; }
   const Grip<W>* grip() const { return effects && grip_ ? &*grip_ : nullptr; }
   Grip<W>* grip() { return effects && grip_ ? &*grip_ : nullptr; }
-
-  // A list found at the reference positions holds every pair within reach until both rims together have moved `allowance`.
-  void update(const NodeVectors<W>& projectile, const NodeVectors<W>& target) {
-    const Lane<W> moved = moved_furthest(0, projectile) + moved_furthest(1, target);
-    // Written so that NaN also counts as too far: the impact is then ended by its ledger.
-    if ((moved < allowance_).all()) return;
-    for (int lane = 0; lane < W; ++lane)
-      if (law_[lane] && !(moved[lane] < allowance_[lane])) rebuild(lane, projectile, target);
-  }
 
   Lane<W> moved_furthest(int body, const NodeVectors<W>& position) const {
     Lane<W> furthest = Lane<W>::Zero();
