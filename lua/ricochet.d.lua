@@ -252,6 +252,13 @@ function ricochet.animate(t) end
 ---@return table
 function ricochet.record(t) end
 
+---@class ricochet.lammps_fields
+---@field scene ricochet.scene what happens
+---@field out? string file name without extension, below the run's folder (default impact)
+--- Exports a scene without effects for LAMMPS: OUT.data and the input script OUT.in, with every spring as a bond of bond_style class2, which carries the quartic term. LAMMPS repels node from node, not from segment.
+---@param t ricochet.lammps_fields
+function ricochet.lammps(t) end
+
 ---@class ricochet.accuracy_fields
 ---@field scene ricochet.scene what happens
 ---@field methods? string[] integrators; all unless given

@@ -7,6 +7,7 @@ local ricochet = {
   scene = core.scene,
   animate = core.animate,
   record = core.record,
+  lammps = core.lammps,
   elasticity = core.elasticity,
   file = { write = core.file_write, read = core.file_read },
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
 
 #include "core/error.hpp"
 #include "lattice/outline.hpp"
@@ -61,27 +60,44 @@ Vec2 draw(const Box& box, Random& random) {
   return {x, random.uniform(box.low.y(), box.high.y())};
 }
 
-/// A hashed grid that answers whether a point has a neighbour nearer than `distance`.
+/// A grid over a box that answers whether a point in it has a neighbour nearer than `distance`, which must not be above the first one given.
 class Neighbours {
  public:
-  explicit Neighbours(double distance) : cell_(distance) {}
-  void add(const Vec2& p) { cells_[key(index(p.x()), index(p.y()))].push_back(p); }
+  Neighbours(const Box& box, double distance) : low_(box.low), cell_(distance) {
+    const Vec2 size = (box.high - box.low) / cell_;
+    columns_ = static_cast<std::int64_t>(size.x()) + 3, rows_ = static_cast<std::int64_t>(size.y()) + 3;  // a border spares questions at the edge
+    first_.assign(static_cast<std::size_t>(columns_ * rows_), none);
+  }
+  void add(const Vec2& p) {
+    std::int32_t& first = first_[static_cast<std::size_t>(cell(p))];
+    members_.push_back({p, first});
+    first = static_cast<std::int32_t>(members_.size() - 1);
+  }
   bool any_nearer(const Vec2& p, double distance) const {
-    for (std::int64_t dx = -1; dx <= 1; ++dx)
-      for (std::int64_t dy = -1; dy <= 1; ++dy) {
-        const auto found = cells_.find(key(index(p.x()) + dx, index(p.y()) + dy));
-        if (found == cells_.end()) continue;
-        for (const Vec2& q : found->second)
-          if ((p - q).squaredNorm() < distance * distance) return true;
-      }
+    const double square = distance * distance;
+    for (std::int64_t row = cell(p) - columns_ - 1, last = row + 2 * columns_; row <= last; row += columns_)
+      for (std::int64_t c = row; c < row + 3; ++c)
+        for (std::int32_t m = first_[static_cast<std::size_t>(c)]; m != none; m = members_[static_cast<std::size_t>(m)].next)
+          if ((p - members_[static_cast<std::size_t>(m)].place).squaredNorm() < square) return true;
     return false;
   }
 
  private:
-  std::int64_t index(double x) const { return static_cast<std::int64_t>(std::floor(x / cell_)); }
-  static std::int64_t key(std::int64_t i, std::int64_t j) { return i * 0x100000001LL + j; }
+  static constexpr std::int32_t none = -1;
+  struct Member {
+    Vec2 place;
+    std::int32_t next;  // in the same cell
+  };
+
+  std::int64_t cell(const Vec2& p) const {
+    return (static_cast<std::int64_t>((p.y() - low_.y()) / cell_) + 1) * columns_ + static_cast<std::int64_t>((p.x() - low_.x()) / cell_) + 1;
+  }
+
+  Vec2 low_;
   double cell_;
-  std::unordered_map<std::int64_t, Points> cells_;
+  std::int64_t columns_ = 0, rows_ = 0;
+  std::vector<std::int32_t> first_;  // [row][column] member, or none
+  std::vector<Member> members_;
 };
 
 Points place_uniform(const Inside& inside, int count, Random& random) {
@@ -97,7 +113,7 @@ Points place_uniform(const Inside& inside, int count, Random& random) {
 // 0.83 spacings; start just below and shrink by 1 % whenever darts keep missing.
 Points place_poisson_disk(const Points& outline, const Inside& inside, int count, double spacing, Random& random) {
   double distance = 0.82 * spacing;
-  Neighbours neighbours(distance);
+  Neighbours neighbours(inside.box(), distance);
   for (const Vec2& p : outline) neighbours.add(p);
   Points points;
   int misses = 0;
@@ -115,9 +131,9 @@ Points place_poisson_disk(const Points& outline, const Inside& inside, int count
 }
 
 Points triangular_lattice(const Points& outline, const Inside& inside, double side) {
-  Neighbours rim(0.6 * side);
-  for (const Vec2& p : outline) rim.add(p);
   const Box& box = inside.box();
+  Neighbours rim(box, 0.6 * side);
+  for (const Vec2& p : outline) rim.add(p);
   const Vec2 centre = (box.low + box.high) / 2;
   const double row = side * std::sqrt(3.0) / 2;
   const int rows = static_cast<int>(std::ceil((box.high.y() - box.low.y()) / 2 / row));

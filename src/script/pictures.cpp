@@ -1,4 +1,4 @@
-// ricochet.animate, ricochet.record, gnuplot for ricochet.plot, ricochet.file.
+// ricochet.animate, ricochet.record, ricochet.lammps, gnuplot for ricochet.plot, ricochet.file.
 
 #include <fmt/format.h>
 #include <spawn.h>
@@ -12,6 +12,7 @@
 #include "core/hash.hpp"
 #include "force/springs.hpp"
 #include "impact/batch.hpp"
+#include "impact/lammps.hpp"
 #include "impact/launch.hpp"
 #include "render/picture.hpp"
 #include "render/png.hpp"
@@ -281,6 +282,29 @@ int record(lua_State* L) {
   }
 }
 
+// Writes OUT.data and OUT.in for LAMMPS.
+int lammps(lua_State* L) {
+  check_table(L, 1, function_named("lammps"));
+  Session& session = session_of(L);
+  lua_getfield(L, 1, "scene");
+  const SceneObject& object = scene_at(L, -1);
+  try {
+    const Scene scene = with_chosen_step(session, object.scene);
+    const fs::path data = below_folder(L, text_field(L, "out", "impact") + ".data");
+    const Joined joined = join(scene);
+    if (session.options.check) return 0;
+    const LammpsFiles files = lammps_files(scene, *joined.projectile, *joined.target, data.stem().string());
+    session.claim(session.own_folder());
+    make_folder(data.parent_path());
+    write_atomically(data, files.data);
+    write_atomically(fs::path(data).replace_extension(".in"), files.input);
+    session.print(fmt::format("LAMMPS files: {}, beside it .in\n", data.string()));
+    return 0;
+  } catch (const FieldError& error) {
+    throw_at_call_or_scene(L, object, error);
+  }
+}
+
 // gnuplot(name, text): writes NAME.gp into the run's folder and lets gnuplot draw NAME.svg and NAME.png.
 int gnuplot(lua_State* L) {
   Session& session = session_of(L);
@@ -326,7 +350,7 @@ int file_read(lua_State* L) {
 }  // namespace
 
 void add_pictures(lua_State* L) {
-  const luaL_Reg list[] = {{"animate", guarded<animate>}, {"record", guarded<record>}, {"gnuplot", guarded<gnuplot>}, {"file_write", guarded<file_write>}, {"file_read", guarded<file_read>}};
+  const luaL_Reg list[] = {{"animate", guarded<animate>}, {"record", guarded<record>}, {"lammps", guarded<lammps>}, {"gnuplot", guarded<gnuplot>}, {"file_write", guarded<file_write>}, {"file_read", guarded<file_read>}};
   for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
 }
 

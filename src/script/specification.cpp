@@ -113,6 +113,10 @@ std::vector<Function> make() {
   list.push_back({"record", "Stores an impact as H5MD (OUT.h5, for MDAnalysis) and OUT.xdmf (for ParaView). Returns the impact's row.",
                   {scene, frames, {"out", "string", "", "file name without extension, below the run's folder", any_number, "trajectory"}, duration}, "table",
                   "ricochet.record { scene = scene, frames = 200 }"});
+  list.push_back({"lammps", "Exports a scene without effects for LAMMPS: OUT.data and the input script OUT.in, with every spring as a bond of bond_style class2, which carries the quartic term. "
+                            "LAMMPS repels node from node, not from segment.",
+                  {scene, {"out", "string", "", "file name without extension, below the run's folder", any_number, "impact"}}, "nothing",
+                  "ricochet.lammps { scene = scene }"});
   list.push_back({"accuracy",
                   "What accuracy costs: runs a scene by many methods and steps against two runs of order 6 at short steps, prints errors, force evaluations, wall times, "
                   "energy drifts and fitted orders, and leaves NAME.csv and work-precision plots NAME.png, NAME.svg. With `lattices` it also shows what the size of the lattice "

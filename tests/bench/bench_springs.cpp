@@ -60,11 +60,11 @@ void sweep(benchmark::State& state) {
   per_spring(state, static_cast<double>(bodies.projectile->spring.size() + bodies.target->spring.size()) * W);
 }
 
-BENCHMARK(bound<4>)->Name("bound, 1 / sqrt(x)")->Repetitions(7)->ReportAggregatesOnly();
-BENCHMARK(sweep<4>)->Name("sweep, 4 lanes")->Repetitions(7)->ReportAggregatesOnly();
-BENCHMARK(sweep<8>)->Name("sweep, 8 lanes")->Repetitions(7)->ReportAggregatesOnly();
-BENCHMARK(sweep<12>)->Name("sweep, 12 lanes")->Repetitions(7)->ReportAggregatesOnly();
-BENCHMARK(sweep<1>)->Name("sweep, alone")->Repetitions(7)->ReportAggregatesOnly();
+BENCHMARK(bound<4>)->Name("bound, 1 / sqrt(x)");
+BENCHMARK(sweep<4>)->Name("sweep, 4 lanes");
+BENCHMARK(sweep<8>)->Name("sweep, 8 lanes");
+BENCHMARK(sweep<12>)->Name("sweep, 12 lanes");
+BENCHMARK(sweep<1>)->Name("sweep, alone");
 
 }  // namespace
 

@@ -1,0 +1,59 @@
+// What a lattice costs as it grows: `growth [most nodes]`. Seconds to build, nanoseconds a node and step of the spring sweep in full lanes and
+// alone, bytes a node and lane of what a run holds.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+
+#include "force/springs.hpp"
+#include "scenes.hpp"
+
+using namespace ricochet;
+using namespace ricochet::test;
+
+namespace {
+
+template <class Work>
+double seconds(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Least time of nine sweeps a node and lane, after one that warms up. [ns]
+template <int W>
+double sweep(const Lattice& lattice) {
+  Moving<W> body{&lattice, {}, {}, {}, Lane<W>::Constant(1e4)};
+  for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(lattice.nodes());
+  for (int i = 0; i < lattice.nodes(); ++i)
+    for (int lane = 0; lane < W; ++lane) body.position.set(i, lane, lattice.points[static_cast<std::size_t>(i)]), body.velocity.set(i, lane, 1e-4 * Vec2(std::sin(i), std::cos(i)));
+  const Lane<W> step = Lane<W>::Constant(1e-4);
+  const int repeats = std::max(1, 200000 / lattice.nodes());
+  double least = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < 10; ++round) {
+    const double time = seconds([&] {
+      for (int i = 0; i < repeats; ++i) kick_and_drift(body, step, step);
+    });
+    if (round > 0) least = std::min(least, time);
+  }
+  return least / repeats / lattice.nodes() / W * 1e9;
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+  const int most = count > 1 ? std::atoi(values[1]) : 1000000;
+  fmt::print("{:>9} {:>12} {:>14} {:>26} {:>20}\n", "", "build [s]", "build [s]", "sweep [ns/node/lane]", "");
+  fmt::print("{:>9} {:>12} {:>14} {:>20} lanes {:>20}\n", "nodes", "uniform", "poisson_disk", lanes, "alone");
+  for (int nodes = 1000; nodes <= most; nodes *= 10) {
+    const auto body = [&](const char* placement) { return Body{circle(1, 2000), numbers(nodes, 1e4, 0, 1, placement), {}, {}}; };
+    std::shared_ptr<const Lattice> lattice;
+    const double uniform = seconds([&] { lattice = build_lattice(body("uniform")); });
+    const double poisson = seconds([&] { lattice = build_lattice(body("poisson_disk")); });
+    fmt::print("{:>9} {:>12.3f} {:>14.3f} {:>26.2f} {:>20.2f}\n", nodes, uniform, poisson, sweep<lanes>(*lattice), sweep<1>(*lattice));
+  }
+  // position, velocity, force of the run, position, velocity of its copy at a step's end, displacement of force-gradient kicks
+  fmt::print("a run holds {} bytes a node and lane, a lattice {} bytes a spring and {} a node beside its triangles\n", 8 * 2 * (3 + 3 + 1), sizeof(std::array<int, 2>) + 2 * sizeof(double), sizeof(Vec2) + sizeof(int));
+}

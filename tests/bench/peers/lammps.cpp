@@ -1,0 +1,210 @@
+// LAMMPS on the same lattices: do both vibrate alike, what does a spring cost in each, what does an impact cost in each at equal accuracy of e.
+// `./workbench bench` runs it with Debian's lammps, one core each, in turn.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "force/springs.hpp"
+#include "impact/accuracy.hpp"
+#include "impact/batch.hpp"
+#include "impact/lammps.hpp"
+#include "impact/launch.hpp"
+#include "impact/sweep.hpp"
+#include "scenes.hpp"
+#include "store/files.hpp"
+
+using namespace ricochet;
+using namespace ricochet::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::atomic<bool> go_on{false};
+const fs::path folder = fs::temp_directory_path() / "ricochet_peers";
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+template <class Work>
+double seconds(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Runs an input script in `folder`; returns its log.
+std::string run_lammps(const std::string& input) {
+  write_atomically(folder / "peer.in", input);
+  const std::string command = fmt::format("cd {} && OMP_NUM_THREADS=1 lmp -in peer.in -log peer.log -screen none > lmp.out 2>&1", folder.string());
+  if (std::system(command.c_str()) != 0) throw Error(fmt::format("lmp failed (Debian package lammps; its words: {})", (folder / "lmp.out").string()));
+  return read_file(folder / "peer.log");
+}
+
+double number_after(const std::string& text, const std::string& mark) {
+  const auto at = text.rfind(mark);
+  if (at == std::string::npos) throw Error("no '" + mark + "' in LAMMPS's log");
+  return std::stod(text.substr(at + mark.size()));
+}
+
+/// The input script as exported, for `steps` of `step`; without contact if not wanted.
+std::string script(std::string input, double step, long steps, bool contact) {
+  const auto replace_line = [&](const std::string& begin, const std::string& by) {
+    for (std::size_t at; (at = input.find("\n" + begin)) != std::string::npos;) input.replace(at, input.find('\n', at + 1) - at, by.empty() ? "" : "\n" + by + "#");
+  };
+  replace_line("timestep ", "");
+  replace_line("run ", "");
+  if (!contact) replace_line("pair_coeff ", ""), replace_line("neigh_modify ", ""), replace_line("pair_style ", "");
+  if (!contact) input.insert(input.find("\nspecial_bonds"), "\npair_style zero 0.15\n"), input.insert(input.find("\ngroup "), "\npair_coeff * *\n");
+  return input + fmt::format("timestep {:.17g}\nrun {}\nwrite_dump all custom peer.dump id x y modify sort id format float %.17g\n", step, steps);
+}
+
+Scene paper_scene(double psi1) {
+  Scene scene;
+  scene.projectile = disk(800, 1e4, 0.03, 1), scene.target = wall(4000, 100, 0.03, 1, 8, 2);
+  scene.launch.psi1 = psi1;
+  return scene;
+}
+
+void same_vibration() {
+  // A disk that spins at once is drawn out by its spin, and rings; its springs harden much.
+  Scene scene = paper_scene(1);
+  Body body = *scene.projectile;
+  body.numbers.quartic = 100;
+  scene.projectile = std::make_shared<Body>(body), scene.launch.spin = 0.5;
+  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  const LammpsFiles files = lammps_files(scene, *p, *t, "vibration");
+  write_atomically(folder / "vibration.data", files.data);
+  const double h = 2e-3;
+  const long steps = 2000;
+  const std::string log = run_lammps(script(files.input, h, steps, false));
+
+  // Velocity Verlet by the engine's own sweep: half a kick, then drift and kick in turn.
+  const Start start = launch(scene, *p, *t);
+  Moving<1> moving{p.get(), {}, {}, {}, Lane<1>::Constant(1e4)};
+  for (auto* values : {&moving.position, &moving.velocity, &moving.force}) values->resize(p->nodes());
+  const Points points = posed(p->points, p->centre(), start.pose);
+  for (int i = 0; i < p->nodes(); ++i) {
+    moving.position.set(i, 0, points[static_cast<std::size_t>(i)]);
+    moving.velocity.set(i, 0, start.velocity + start.spin * perpendicular(points[static_cast<std::size_t>(i)] - start.pose.centre));
+  }
+  const auto lane = [](double value) -> Lane<1> { return Lane<1>::Constant(value); };
+  kick_and_drift(moving, Lane<1>(lane(h / 2) / p->mass), lane(h));
+  for (long i = 1; i < steps; ++i) kick_and_drift(moving, Lane<1>(lane(h) / p->mass), lane(h));
+  const double springs = spring_energy(moving)[0];
+  kick_and_drift(moving, Lane<1>(lane(h / 2) / p->mass), lane(0));
+
+  std::ifstream dump(folder / "peer.dump");
+  std::string line;
+  for (int i = 0; i < 9; ++i) std::getline(dump, line);
+  double furthest = 0, moved = 0;
+  for (int i = 0; i < p->nodes(); ++i) {
+    long id;
+    double x, y;
+    dump >> id >> x >> y;
+    furthest = std::max(furthest, (Vec2(x, y) - moving.position.at(i, 0)).norm());
+    const Vec2 offset = points[static_cast<std::size_t>(i)] - start.pose.centre;
+    moved = std::max(moved, std::abs((moving.position.at(i, 0) - (start.pose.centre + h * steps * start.velocity)).norm() - offset.norm()));
+  }
+  // The last line of thermodynamics: step, time, total, kinetic and potential energy.
+  std::istringstream last(log.substr(log.rfind("\n", log.find("Loop time") - 2) + 1));
+  double step, time, total, kinetic, potential;
+  last >> step >> time >> total >> kinetic >> potential;
+  fmt::print("free vibration, {} springs with quartic = 100, spin 0.5 c/R, {} steps of velocity Verlet: radii change by {:.3g} R;\n"
+             "  positions of LAMMPS and Ricochet differ by {:.1e} R at most, energies of the springs by {:.1e} of themselves\n",
+             p->spring.size(), steps, moved, furthest, std::abs(potential * (p->nodes() + t->nodes()) / springs - 1));
+}
+
+void spring_cost() {
+  const Scene scene = paper_scene(1);
+  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  const LammpsFiles files = lammps_files(scene, *p, *t, "vibration");
+  write_atomically(folder / "vibration.data", files.data);
+  const double springs = static_cast<double>(p->spring.size() + t->spring.size());
+  std::array<Moving<lanes>, 2> bodies{Moving<lanes>{p.get(), {}, {}, {}, Lane<lanes>::Constant(1e4)}, Moving<lanes>{t.get(), {}, {}, {}, Lane<lanes>::Constant(100)}};
+  for (Moving<lanes>& body : bodies) {
+    for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(body.lattice->nodes());
+    for (int i = 0; i < body.lattice->nodes(); ++i)
+      for (int l = 0; l < lanes; ++l) body.position.set(i, l, body.lattice->points[static_cast<std::size_t>(i)]), body.velocity.set(i, l, i < body.lattice->free ? Vec2(1e-3 * std::sin(i), 0) : Vec2(0, 0));
+  }
+  std::vector<double> theirs, ours, ratios;
+  constexpr long steps = 1500;
+  for (int round = 0; round < 9; ++round) {
+    theirs.push_back(number_after(run_lammps(script(files.input, 2e-3, steps, false)), "Loop time of ") / steps / springs * 1e9);
+    ours.push_back(seconds([&] {
+                     for (long i = 0; i < steps; ++i)
+                       for (Moving<lanes>& body : bodies) kick_and_drift(body, Lane<lanes>(Lane<lanes>::Constant(1e-3)), Lane<lanes>(Lane<lanes>::Constant(1e-3)));
+                   }) / steps / springs / lanes * 1e9);
+    ratios.push_back(theirs.back() / ours.back());
+  }
+  fmt::print("a spring and force evaluation, whole step, no contact, {:.0f} springs, 9 rounds in turn:\n"
+             "  LAMMPS class2    least {:.2f} ns, median {:.2f} ns\n  Ricochet {} lanes least {:.2f} ns, median {:.2f} ns a lane\n  ratio {:.1f} of the medians, {:.1f} of the least\n",
+             springs, *std::min_element(theirs.begin(), theirs.end()), median(theirs), lanes, *std::min_element(ours.begin(), ours.end()), median(ours), median(theirs) / median(ours),
+             *std::min_element(theirs.begin(), theirs.end()) / *std::min_element(ours.begin(), ours.end()));
+}
+
+void impact_cost() {
+  constexpr double wanted = 1e-3;
+  const std::vector<double> angles{0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 8};
+  Scene scene = paper_scene(1);
+  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  // Nodes repel nodes in LAMMPS: the repulsion must reach over the gaps between them, or one rim slips through the other.
+  Scene theirs_scene = scene;
+  theirs_scene.contact.V0 *= std::exp(scene.contact.xi * 0.03);
+  LammpsFiles files = lammps_files(scene, *p, *t, "vibration");
+  files.input = lammps_files(theirs_scene, *p, *t, "vibration").input;
+  write_atomically(folder / "vibration.data", files.data);
+  const Outcome own = run_scene(*p, *t, scene, go_on);
+  const double omega = launch(scene, *p, *t).theta / launch(scene, *p, *t).step;
+  const auto e_and_seconds = [&](double theta) {
+    const double h = theta / omega;
+    const std::string log = run_lammps(script(files.input, h, std::lround(1.2 * own.time / h), true));
+    std::istringstream last(log.substr(log.rfind("\n", log.find("Loop time") - 2) + 1));
+    double value = 0;
+    for (int column = 0; column < 7; ++column) last >> value;
+    return std::pair(-value / scene.launch.velocity().y(), number_after(log, "Loop time of ") / 1.2);
+  };
+  const double reference = e_and_seconds(0.1).first, checked = e_and_seconds(0.2).first;
+  fmt::print("an impact, psi1 = 1: LAMMPS, velocity Verlet, nodes against nodes (V0 exp(9) instead of V0): e = {:.5f} at theta = 0.1 and {:.5f} at 0.2\n", reference, checked);
+  double longest = 0;
+  for (double theta : {0.4, 0.8, 1.2, 1.6, 1.9}) {
+    const double e = e_and_seconds(theta).first;
+    fmt::print("  theta = {:.1f}: e = {:.5f}, error {:.1e}\n", theta, e, std::abs(e - reference));
+    if (std::abs(e - reference) <= wanted) longest = theta;
+  }
+  std::vector<Scene> scenes;
+  for (double psi1 : angles) scenes.push_back(paper_scene(psi1));
+  std::vector<double> theirs, ours;
+  Scene chosen = scenes[2];
+  chosen.integration.accuracy = wanted;
+  const Choice choice = choose_step_for_accuracy(*p, *t, chosen, go_on);
+  for (Scene& s : scenes) s.integration.method = choice.method, s.integration.theta = choice.theta;
+  for (int round = 0; round < 5; ++round) {
+    theirs.push_back(e_and_seconds(longest).second);
+    ours.push_back(seconds([&] { run_sweep(scenes, std::vector<bool>(scenes.size(), true), {1, lanes}, go_on, [](const auto&) {}); }) / static_cast<double>(scenes.size()));
+  }
+  fmt::print("  LAMMPS at theta = {:.1f}, its longest within {:g}: median {:.2f} s an impact of {:.1f} R/c\n"
+             "  Ricochet, accuracy = {:g} ({}, theta {:.2f}), {} impacts, lattices and launch included: median {:.3f} s an impact\n  ratio {:.1f}\n",
+             longest, wanted, median(theirs), own.time, wanted, choice.method, choice.theta, scenes.size(), median(ours), median(theirs) / median(ours));
+}
+
+}  // namespace
+
+int main() try {
+  make_folder(folder);
+  same_vibration();
+  spring_cost();
+  impact_cost();
+  fs::remove_all(folder);
+} catch (const std::exception& error) {
+  fmt::print(stderr, "error: peers: {}\n", error.what());
+  return 1;
+}
