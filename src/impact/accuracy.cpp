@@ -25,7 +25,7 @@ double value_of(const Outcome& outcome, const std::string& column) {
 double richardson(double at_step, double at_half, int order) { return std::abs(at_step - at_half) / (1 - std::pow(2.0, -order)); }
 
 std::vector<std::string> methods_for(double accuracy) {
-  if (accuracy >= 2e-4) return {"multirate_8", "multirate_4", "multirate_2", "verlet"};
+  if (accuracy >= 2e-4) return {"multirate_8", "multirate_4", "multirate_2", "verlet", "takahashi_imada"};
   if (accuracy >= 1e-5) return {"verlet", "takahashi_imada"};
   if (accuracy >= 1e-8) return {"takahashi_imada", "chin_4a"};
   return {"blanes_moan_srkn6b"};
