@@ -11,20 +11,22 @@ namespace ricochet {
 /// Calls `use(law)` with the law of the lattice's springs: chosen once a sweep, never a spring.
 template <class Use>
 decltype(auto) with_spring_law(const Lattice& lattice, Use&& use) {
-  return lattice.quartic == 0 ? use(Linear{}) : use(Quartic{lattice.quartic});
+  constexpr double least = 1e-100;  // below it 1 + quartic x^2 is 1 for any stretch, and 1 / quartic may overflow
+  return lattice.quartic < least ? use(Linear{}) : use(Quartic{lattice.quartic});
 }
 
 /// One force evaluation, kick and drift: v += kick F, x += drift v.
 /// Springs are a half list by node, so F of a node is complete once its own row is done, and no later row needs its position:
 /// kick and drift follow at once, while everything is in registers. `force` must hold what else acts on the nodes (contact).
-template <int W, class Law>
+/// `uniform`: every spring has the body's stiffness, which spares looking for its own.
+template <bool uniform, int W, class Law>
 [[gnu::noinline]] void kick_and_drift(Moving<W>& body, const Law law, const Lane<W>& kick, const Lane<W>& drift) {
   const Lattice& lattice = *body.lattice;
   const std::array<int, 2>* ends = lattice.spring.ends();
   const double *length = lattice.spring.length(), *strength = lattice.spring.stiffness();
   const int* first = lattice.first.data();
   Lane<W>*position = body.position.data(), *velocity = body.velocity.data(), *force = body.force.data();
-  const Lane<W> stiffness = body.stiffness, kick_ = kick, drift_ = drift;
+  const Lane<W> stiffness = body.stiffness * law.scale(), kick_ = kick, drift_ = drift;
   std::size_t s = 0;
   for (int i = 0, free = lattice.free; i < free; ++i) {
     // Assigned, not copied: GCC copies an Eigen array in halves, and the full load that follows waits for both.
@@ -36,7 +38,10 @@ template <int W, class Law>
       const Lane<W> r = (dx * dx + dy * dy).sqrt();
       const Lane<W> per_distance = 1.0 / r;  // not tension / r: the divider would wait for the tension, which costs 15 %
       const Lane<W> stretch = r - length[s];
-      const Lane<W> pull = (stiffness * strength[s]) * law.tension(stretch) * per_distance;
+      Lane<W> of_spring;
+      if constexpr (uniform) of_spring = stiffness;
+      else of_spring = stiffness * strength[s];
+      const Lane<W> pull = of_spring * law.scaled_tension(stretch) * per_distance;
       const Lane<W> px = pull * dx, py = pull * dy;
       fx += px, fy += py;
       force[j] -= px, force[j + 1] -= py;
@@ -50,14 +55,14 @@ template <int W, class Law>
 
 /// The same for one impact alone, whose springs fill the registers four at a time. Every number is made by the same operations, and those
 /// of a node are summed in the same order, so the bits are those of a lane.
-template <class Law>
+template <bool uniform, class Law>
 [[gnu::noinline]] void kick_and_drift(Moving<1>& body, const Law& law, const Lane<1>& kick, const Lane<1>& drift) {
   using XY = double __attribute__((vector_size(2 * sizeof(double)), may_alias));  // x, y; Eigen's own is spread over two registers by GCC
   const Lattice& lattice = *body.lattice;
   const std::array<int, 2>* ends = lattice.spring.ends();
   const double *length = lattice.spring.length(), *strength = lattice.spring.stiffness();
   XY *position = reinterpret_cast<XY*>(body.position.data()), *velocity = reinterpret_cast<XY*>(body.velocity.data()), *force = reinterpret_cast<XY*>(body.force.data());
-  const double stiffness = body.stiffness[0], kick_ = kick[0], drift_ = drift[0];
+  const double stiffness = body.stiffness[0] * law.scale(), kick_ = kick[0], drift_ = drift[0];
   const auto pull_by = [&]<int N>(std::integral_constant<int, N>, std::size_t s) {
     XY d[N];
     for (std::size_t k = 0; k < N; ++k) d[k] = position[ends[s + k][1]] - position[ends[s + k][0]];
@@ -66,7 +71,10 @@ template <class Law>
     const Lane<N> r = (dx * dx + dy * dy).sqrt();
     const Lane<N> per_distance = 1.0 / r;
     const Lane<N> stretch = r - Eigen::Map<const Lane<N>>(length + s);
-    const Lane<N> pull = (stiffness * Eigen::Map<const Lane<N>>(strength + s)) * law.tension(stretch) * per_distance;
+    Lane<N> of_spring;
+    if constexpr (uniform) of_spring.setConstant(stiffness);
+    else of_spring = stiffness * Eigen::Map<const Lane<N>>(strength + s);
+    const Lane<N> pull = of_spring * law.scaled_tension(stretch) * per_distance;
     const Lane<N> px = pull * dx, py = pull * dy;
     for (std::size_t k = 0; k < N; ++k) {
       const XY p{px[static_cast<int>(k)], py[static_cast<int>(k)]};
@@ -86,7 +94,7 @@ template <class Law>
 
 template <int W>
 void kick_and_drift(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
-  with_spring_law(*body.lattice, [&](const auto& law) { kick_and_drift(body, law, kick, drift); });
+  with_spring_law(*body.lattice, [&](const auto& law) { body.lattice->uniform ? kick_and_drift<true>(body, law, kick, drift) : kick_and_drift<false>(body, law, kick, drift); });
 }
 
 /// Potential energy of all springs, above that at rest. [m0 c^2]

@@ -42,6 +42,7 @@ std::shared_ptr<const Lattice> build_lattice(const Body& body) {
   auto lattice = std::make_shared<Lattice>();
   lattice->mass = body.numbers.mass;
   lattice->quartic = body.numbers.quartic;
+  lattice->uniform = body.node_stiffness.empty();
   lattice->free = static_cast<int>(anchors - order.begin());
   for (const int old : order) lattice->points.push_back(plan.points[static_cast<std::size_t>(old)]);
   lattice->smooth_rim = plan.smooth_rim;

@@ -91,6 +91,7 @@ struct Lattice {
   std::vector<int> rim;      ///< the outline's nodes in order, counter-clockwise, closed
   Points smooth_rim;         ///< [rim] where they lay before roughness
   double mass = 1;           ///< of a node [m0]
+  bool uniform = true;       ///< every spring has the body's stiffness
   double quartic = 0;        ///< kb / ka [1/R^2]
   double rest_energy = 0;    ///< of the springs at rest, which prestress alone gives, per unit of the body's stiffness [R^2]
 

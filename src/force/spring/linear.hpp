@@ -8,6 +8,10 @@ struct Linear {
   Number tension(const Number& x) const { return x; }
   template <class Number>
   Number energy(const Number& x) const { return 0.5 * x * x; }
+
+  double scale() const { return 1; }
+  template <class Number>
+  Number scaled_tension(const Number& x) const { return x; }
 };
 
 }  // namespace ricochet
