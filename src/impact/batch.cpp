@@ -6,26 +6,34 @@
 namespace ricochet {
 namespace {
 
-/// What is left to do of a batch.
-struct Queue {
+/// What a thread works on.
+struct Work {
   const Lattice &projectile, &target;
-  std::span<const Scene> scenes;
+  const std::vector<Scene>& scenes;
+  Queue& queue;
   const std::atomic<bool>& stop;
   const Finished& finished;
-  std::size_t next = 0;
+  LaneUse& use;
+
+  template <int W>
+  Engine<W> engine() const {
+    const Scene& any = scenes[queue.first()];
+    return Engine<W>(projectile, target, any.method(), any.effects);
+  }
 };
 
 // Runs what is in the engine's lanes and in the queue, `width` lanes at a time. When the queue is empty and half of the lanes
 // would idle, the rest moves into an engine of half the width.
 template <int W>
-bool drain(Engine<W>& engine, Queue& queue, int width) {
+bool drain(Engine<W>& engine, const Work& work, int width) {
   const auto fill = [&](int lane) {
-    while (queue.next < queue.scenes.size() && engine.idle(lane)) {
-      const std::size_t index = queue.next++;
+    while (engine.idle(lane)) {
+      const auto index = work.queue.take();
+      if (!index) return;
       try {
-        if (const auto outcome = engine.begin(lane, queue.scenes[index], index)) queue.finished(index, *outcome, 0);
+        if (const auto outcome = engine.begin(lane, work.scenes[*index], *index)) work.finished(*index, *outcome, 0);
       } catch (const FieldError& error) {
-        throw SceneError(error, index);
+        throw SceneError(error, *index);
       }
     }
   };
@@ -37,35 +45,37 @@ bool drain(Engine<W>& engine, Queue& queue, int width) {
     }
     if (busy.empty()) return true;
     if constexpr (W > 1)
-      if (queue.next == queue.scenes.size() && static_cast<int>(busy.size()) <= W / 2) {
-        Engine<W / 2> narrow(queue.projectile, queue.target, engine.method(), queue.scenes.front().effects);
+      if (work.queue.left() == 0 && static_cast<int>(busy.size()) <= W / 2) {
+        auto narrow = work.engine<W / 2>();
         for (std::size_t i = 0; i < busy.size(); ++i) narrow.take(static_cast<int>(i), engine, busy[i]);
-        return drain(narrow, queue, W / 2);
+        return drain(narrow, work, W / 2);
       }
-    for (int i = 0; i < engine.steps_between_looks(); ++i) engine.advance_one_step();
-    if (queue.stop) return false;
+    const int steps = engine.steps_between_looks();
+    for (int i = 0; i < steps; ++i) engine.advance_one_step();
+    work.use.steps += steps * W, work.use.busy += steps * static_cast<std::int64_t>(busy.size());
+    if (work.stop) return false;
     engine.look([&](int lane, const Outcome& outcome) {
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - engine.run(lane).began).count() / static_cast<double>(busy.size());
-      queue.finished(engine.run(lane).index, outcome, seconds);
+      work.finished(engine.run(lane).index, outcome, seconds);
       engine.clear(lane);
     });
   }
 }
 
-template <int W>
-bool run_lanes(Queue queue, int width) {
-  Engine<W> engine(queue.projectile, queue.target, queue.scenes.front().method(), queue.scenes.front().effects);
-  return drain(engine, queue, width);
-}
-
 }  // namespace
 
-bool run_batch(const Lattice& projectile, const Lattice& target, std::span<const Scene> scenes, int width, const std::atomic<bool>& stop,
-               const Finished& finished) {
-  const int used = std::min<int>(width, static_cast<int>(scenes.size()));
-  const Queue queue{projectile, target, scenes, stop, finished};
+bool run_queue(const Lattice& projectile, const Lattice& target, const std::vector<Scene>& scenes, Queue& queue, int width, const std::atomic<bool>& stop,
+               const Finished& finished, LaneUse& use) {
+  const Work work{projectile, target, scenes, queue, stop, finished, use};
+  const int used = std::min<int>(width, static_cast<int>(std::min<std::size_t>(queue.left(), lanes)));
+  if (used == 0) return true;
   // One impact alone is faster without lanes; from two on, full registers win even if some lanes idle.
-  return used == 1 ? run_lanes<1>(queue, 1) : run_lanes<lanes>(queue, used);
+  if (used == 1) {
+    auto engine = work.engine<1>();
+    return drain(engine, work, 1);
+  }
+  auto engine = work.engine<lanes>();
+  return drain(engine, work, used);
 }
 
 Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop, const Observer* observer) {

@@ -1,7 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <atomic>
 #include <functional>
-#include <span>
+#include <optional>
+#include <vector>
 
 #include "impact/outcome.hpp"
 #include "impact/scene.hpp"
@@ -33,14 +35,37 @@ inline std::function<bool(double)> equally_spaced(double first, double spacing, 
   };
 }
 
-/// Called as each impact ends: its place in the batch, its outcome, and the seconds it spent in its lane over the lanes in use.
+/// The scenes of one group, handed out one by one to however many threads run them.
+class Queue {
+ public:
+  explicit Queue(std::vector<std::size_t> scenes) : scenes_(std::move(scenes)) {}
+  /// The next scene's place in the sweep.
+  std::optional<std::size_t> take() {
+    const std::size_t i = next_++;
+    return i < scenes_.size() ? std::optional(scenes_[i]) : std::nullopt;
+  }
+  std::size_t left() const { return scenes_.size() - std::min(next_.load(), scenes_.size()); }
+  void close() { next_ = scenes_.size(); }
+  std::size_t first() const { return scenes_.front(); }
+
+ private:
+  std::vector<std::size_t> scenes_;
+  std::atomic<std::size_t> next_ = 0;
+};
+
+/// Called as each impact ends: its place in the sweep, its outcome, and the seconds it spent in its lane over the lanes in use.
 using Finished = std::function<void(std::size_t, const Outcome&, double)>;
 
-/// Runs scenes of one group, `width` at a time (1 ... lanes): a lane whose impact has ended takes the next scene. The outcome
-/// of a scene does not depend on `width`, on its neighbours or on when it starts. Returns false if `stop` ended it early.
+/// How many steps lanes took, and how many of them were an impact's.
+struct LaneUse {
+  std::int64_t steps = 0, busy = 0;
+};
+
+/// Runs the scenes of a queue, `width` at a time (1 ... lanes), until none is left: a lane whose impact has ended takes the next one. The
+/// outcome of a scene does not depend on `width`, on its neighbours or on when it starts. Returns false if `stop` ended it early.
 /// Throws SceneError with the scene's place in `scenes` if it cannot start.
-bool run_batch(const Lattice& projectile, const Lattice& target, std::span<const Scene> scenes, int width, const std::atomic<bool>& stop,
-               const Finished& finished);
+bool run_queue(const Lattice& projectile, const Lattice& target, const std::vector<Scene>& scenes, Queue& queue, int width, const std::atomic<bool>& stop,
+               const Finished& finished, LaneUse& use);
 
 /// Runs one scene alone, watched.
 Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop, const Observer* observer = nullptr);

@@ -1,5 +1,7 @@
 #include "impact/sweep.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <map>
 #include <mutex>
 
@@ -15,31 +17,35 @@ const int SweepOptions::lanes_at_most = lanes;
 
 namespace {
 
-// A batch holds at most this many lanes' worth of scenes: enough to refill lanes, few enough to lose little to an interruption.
-constexpr std::size_t rounds_in_a_batch = 4;
+// Results are handed over when so many have ended, or so much time has passed: seldom enough to cost nothing, often enough to lose little.
+constexpr std::size_t most_kept = 16;
+constexpr double longest_kept = 1;  // [s]
 
-/// Lattices of one group, built by the first batch that needs them and dropped after the last.
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
+
+/// Scenes that share lattices. The lattices are built by the first thread that comes and dropped by the last that leaves.
 struct Group {
+  explicit Group(std::vector<std::size_t> of) : scenes(of), queue(std::move(of)) {}
   std::vector<std::size_t> scenes;
+  Queue queue;
   std::once_flag built;
   std::shared_ptr<const Lattice> projectile, target;
-  std::atomic<std::size_t> batches_left = 0;
-};
-
-struct Batch {
-  Group* group;
-  std::vector<std::size_t> scenes;
+  int threads = 0;  ///< at work on it
 };
 
 std::vector<std::unique_ptr<Group>> groups_of(const std::vector<Scene>& scenes, const std::vector<bool>& todo) {
-  std::vector<std::unique_ptr<Group>> groups;
-  std::map<std::string, Group*> by_key;
+  std::vector<std::vector<std::size_t>> members;
+  std::map<std::string, std::size_t> by_key;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     if (!todo[i]) continue;
-    Group*& group = by_key[scenes[i].group()];
-    if (!group) groups.push_back(std::make_unique<Group>()), group = groups.back().get();
-    group->scenes.push_back(i);
+    const auto [at, is_new] = by_key.try_emplace(scenes[i].group(), members.size());
+    if (is_new) members.emplace_back();
+    members[at->second].push_back(i);
   }
+  std::vector<std::unique_ptr<Group>> groups;
+  for (auto& of : members) groups.push_back(std::make_unique<Group>(std::move(of)));
   return groups;
 }
 
@@ -51,38 +57,87 @@ void build(Group& group, const std::vector<Scene>& scenes) {
   });
 }
 
+/// Tells threads what to work on.
+class Schedule {
+ public:
+  explicit Schedule(std::vector<std::unique_ptr<Group>> groups) : groups_(std::move(groups)) {}
+
+  /// A group to work on, until `leave`; nullptr if nothing is left to take.
+  Group* join() {
+    const std::lock_guard lock(mutex_);
+    Group* group = nullptr;
+    if (begun_ < groups_.size()) group = groups_[begun_++].get();
+    else
+      for (auto& other : groups_)
+        if (other->queue.left() > (group ? group->queue.left() : 0)) group = other.get();
+    if (group) ++group->threads;
+    return group;
+  }
+  void leave(Group& group) {
+    const std::lock_guard lock(mutex_);
+    if (--group.threads == 0 && group.queue.left() == 0) group.projectile.reset(), group.target.reset();
+  }
+  /// Nothing more is begun.
+  void close() {
+    const std::lock_guard lock(mutex_);
+    begun_ = groups_.size();
+    for (auto& group : groups_) group->queue.close();
+  }
+
+ private:
+  std::vector<std::unique_ptr<Group>> groups_;
+  std::mutex mutex_;
+  std::size_t begun_ = 0;
+};
+
 }  // namespace
 
 bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, const SweepOptions& options, const std::atomic<bool>& stop,
-               const std::function<void(const std::vector<Result>&)>& batch_done) {
-  auto groups = groups_of(scenes, todo);
-  const std::size_t size = options.batch == 1 ? 1 : rounds_in_a_batch * static_cast<std::size_t>(options.batch);
-  std::vector<Batch> batches;
-  for (auto& group : groups)
-    for (std::size_t first = 0; first < group->scenes.size(); first += size) {
-      const auto begin = group->scenes.begin() + static_cast<std::ptrdiff_t>(first);
-      batches.push_back({group.get(), {begin, begin + static_cast<std::ptrdiff_t>(std::min(size, group->scenes.size() - first))}});
-      ++group->batches_left;
-    }
+               const std::function<void(const std::vector<Result>&)>& some_done, SweepUse* use) {
+  Schedule schedule(groups_of(scenes, todo));
   std::mutex done;
-  in_parallel(batches, options.threads, [&](Batch& batch) {
-    if (stop) return;
-    build(*batch.group, scenes);
-    std::vector<Scene> run;
-    for (const std::size_t i : batch.scenes) run.push_back(scenes[i]);
+  LaneUse lane_use;
+  double worked = 0;
+  const auto began = Clock::now();
+  std::vector<int> threads(threads_of(options.threads));
+  // Few scenes are spread over the threads rather than over the lanes of one.
+  const std::size_t scenes_a_thread = (static_cast<std::size_t>(std::count(todo.begin(), todo.end(), true)) + threads.size() - 1) / threads.size();
+  const int width = static_cast<int>(std::min(static_cast<std::size_t>(options.batch), std::max<std::size_t>(1, scenes_a_thread)));
+  in_parallel(threads, options.threads, [&](int) {
+    const auto thread_began = Clock::now();
+    LaneUse own_use;
     std::vector<Result> results;
-    bool whole = false;
+    auto handed_over = thread_began;
+    const auto hand_over = [&] {
+      if (results.empty()) return;
+      const std::lock_guard lock(done);
+      some_done(results);
+      results.clear(), handed_over = Clock::now();
+    };
     try {
-      whole = run_batch(*batch.group->projectile, *batch.group->target, run, options.batch, stop,
-                        [&](std::size_t i, const Outcome& outcome, double seconds) { results.push_back({batch.scenes[i], outcome, seconds}); });
-    } catch (const SceneError& error) {
-      throw SceneError(error, batch.scenes[error.scene]);
+      while (Group* group = stop ? nullptr : schedule.join()) {
+        build(*group, scenes);
+        run_queue(*group->projectile, *group->target, scenes, group->queue, width, stop,
+                  [&](std::size_t i, const Outcome& outcome, double seconds) {
+                    results.push_back({i, outcome, seconds});
+                    if (results.size() >= most_kept || seconds_since(handed_over) > longest_kept) hand_over();
+                  },
+                  own_use);
+        schedule.leave(*group);
+      }
+      hand_over();
+    } catch (...) {
+      schedule.close();
+      throw;
     }
-    if (--batch.group->batches_left == 0) batch.group->projectile.reset(), batch.group->target.reset();
-    if (!whole && results.empty()) return;  // stopped: keep what had finished
     const std::lock_guard lock(done);
-    batch_done(results);
+    worked += seconds_since(thread_began), lane_use.steps += own_use.steps, lane_use.busy += own_use.busy;
   });
+  if (use) {
+    use->seconds = seconds_since(began), use->threads = static_cast<int>(threads.size());
+    use->idle_threads = 1 - worked / (use->seconds * use->threads);
+    use->idle_lanes = lane_use.steps > 0 ? 1 - static_cast<double>(lane_use.busy) / static_cast<double>(lane_use.steps) : 0;
+  }
   return !stop;
 }
 

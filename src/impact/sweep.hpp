@@ -21,11 +21,19 @@ struct SweepOptions {
   static const int lanes_at_most;
 };
 
-/// Runs the scenes whose `todo` is set, those that share lattices together, on a thread pool. `batch_done` is called from one
-/// thread at a time with all results of a batch. The outcomes do not depend on the options. Returns false if `stop` ended it;
-/// batches that were running then are dropped.
+/// What a sweep made of the machine.
+struct SweepUse {
+  double seconds = 0;       ///< wall time
+  int threads = 0;
+  double idle_threads = 0;  ///< share of the threads' time without work
+  double idle_lanes = 0;    ///< share of the lanes' steps without an impact
+};
+
+/// Runs the scenes whose `todo` is set. Those that share lattices advance together in lanes; threads take such groups in turn, and when
+/// none is left to begin with, help with the one that has most left. `some_done` is called from one thread at a time with what has ended
+/// since. The outcomes do not depend on the options. Returns false if `stop` ended it; impacts that were running then are dropped.
 bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, const SweepOptions& options, const std::atomic<bool>& stop,
-               const std::function<void(const std::vector<Result>&)>& batch_done);
+               const std::function<void(const std::vector<Result>&)>& some_done, SweepUse* use = nullptr);
 
 /// Builds the lattices and places the launch of `which` scenes, and runs nothing. Throws SceneError for the first scene that cannot start.
 void check_scenes(const std::vector<Scene>& scenes, const std::vector<bool>& which, const SweepOptions& options, const std::atomic<bool>& stop);

@@ -237,7 +237,8 @@ std::string left_behind(const Store& store, std::size_t total) {
 
 std::size_t scenes_once(const std::vector<std::string>& hashes) { return std::unordered_set<std::string>(hashes.begin(), hashes.end()).size(); }
 
-void run_and_store(Session& session, Store& store, const std::string& name, const std::vector<Scene>& scenes, const std::vector<std::string>& hashes) {
+// Returns what it made of the machine.
+SweepUse run_and_store(Session& session, Store& store, const std::string& name, const std::vector<Scene>& scenes, const std::vector<std::string>& hashes) {
   std::vector<bool> todo(scenes.size());
   std::map<std::string, std::size_t> first;  // a scene that occurs twice runs once
   for (std::size_t i = 0; i < scenes.size(); ++i) todo[i] = !store.done()[i] && first.emplace(hashes[i], i).second;
@@ -248,6 +249,7 @@ void run_and_store(Session& session, Store& store, const std::string& name, cons
   SweepOptions options;
   options.threads = session.options.threads;
   if (session.options.batch > 0) options.batch = session.options.batch;
+  SweepUse use;
   const bool whole = run_sweep(scenes, todo, options, stop_requested, [&](const std::vector<Result>& results) {
     std::vector<std::pair<std::size_t, Row>> batch;
     std::size_t failed = 0;
@@ -258,11 +260,12 @@ void run_and_store(Session& session, Store& store, const std::string& name, cons
     const std::size_t before = store.count();
     store.add(batch);
     progress.add(store.count() - before, failed);
-  });
+  }, &use);
   if (!whole) {
     store.assemble();
     throw Error(fmt::format("interrupted: {}", left_behind(store, scenes.size())), Exit::interrupted);
   }
+  return use;
 }
 
 Parameters read_parameters(lua_State* L, int names, int points) {
@@ -377,8 +380,10 @@ int run_sweep_from_lua(lua_State* L) {
       for (std::size_t i = 0; i < scenes.size(); ++i) by_step[i] = i == 0 || !std::isnan(scenes[i].integration.step);
       check_scenes(scenes, by_step, options, stop_requested);
       Store store(session, name, hashes, parameters);
+      const std::size_t before = store.count();
+      SweepUse use;
       try {
-        run_and_store(session, store, name, scenes, hashes);
+        use = run_and_store(session, store, name, scenes, hashes);
       } catch (const FileError& error) {
         throw FileError(fmt::format("{}\n  {}", error.what(), left_behind(store, scenes.size())));
       }
@@ -386,7 +391,9 @@ int run_sweep_from_lua(lua_State* L) {
       rows = store.rows();
       std::size_t finished = 0;
       for (const Row& row : rows) finished += row.status == "finished";
-      const std::string line = fmt::format("{}: {} of {} impacts finished; {}\n{}", name, finished, rows.size(), (store.folder() / "results.h5").string(), steps_text(scenes, rows));
+      std::string line = fmt::format("{}: {} of {} impacts finished; {}\n{}", name, finished, rows.size(), (store.folder() / "results.h5").string(), steps_text(scenes, rows));
+      if (store.count() > before)
+        line += fmt::format("  {:.3g} s on {} thread{}, {:.2g} % of their time idle, {:.2g} % of the lanes' steps idle\n", use.seconds, use.threads, use.threads == 1 ? "" : "s", 100 * use.idle_threads, 100 * use.idle_lanes);
       for (const Row& row : rows) session.count(row.status == "finished", row.status + ": " + row.reason);
       session.print(line);
     }

@@ -5,6 +5,7 @@
 
 #include "force/springs.hpp"
 #include "scenes.hpp"
+#include "variants.hpp"
 
 using namespace ricochet;
 using namespace ricochet::test;
@@ -33,7 +34,7 @@ Moving<W> vibrating(const Lattice& lattice, double stiffness) {
 }
 
 void per_spring(benchmark::State& state, double springs) {
-  state.counters["ns_per_spring"] = benchmark::Counter(springs * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["a_spring"] = benchmark::Counter(springs, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 /// Independent square roots and divisions, as many as springs need, nothing else: no sweep that uses them can be faster.
@@ -51,20 +52,79 @@ void bound(benchmark::State& state) {
   per_spring(state, count * W);
 }
 
+/// Two bodies that vibrate, and how many springs they have.
+template <int W>
+struct Pair {
+  Moving<W> projectile, target;
+  double springs;
+  Pair(const Lattice& p, const Lattice& t) : projectile(vibrating<W>(p, 1e4)), target(vibrating<W>(t, 100)), springs(static_cast<double>(p.spring.size() + t.spring.size())) {}
+};
+
+template <int W>
+const Lane<W> step = Lane<W>::Constant(1e-3);
+
+/// `way(body, kick, drift)`, after a check that it does what kick_and_drift does.
+template <int W, class Way>
+void sweep(benchmark::State& state, const Lattice& projectile, const Lattice& target, Way&& way) {
+  Pair<W> bodies(projectile, target), checked = bodies;
+  for (auto* body : {&bodies.projectile, &bodies.target}) way(*body, step<W>, step<W>), way(*body, step<W>, step<W>);
+  for (auto* body : {&checked.projectile, &checked.target}) kick_and_drift(*body, step<W>, step<W>), kick_and_drift(*body, step<W>, step<W>);
+  for (int i = 0; i < target.free; ++i)
+    if ((bodies.target.position.at(i, 0) - checked.target.position.at(i, 0)).norm() > 1e-13) return state.SkipWithError("this is another sweep");
+  for (auto _ : state) way(bodies.projectile, step<W>, step<W>), way(bodies.target, step<W>, step<W>);
+  per_spring(state, bodies.springs * W);
+}
+
+const auto as_built = [](auto& body, const auto& kick, const auto& drift) { kick_and_drift(body, kick, drift); };
+
 template <int W>
 void sweep(benchmark::State& state) {
   const PaperBodies& bodies = PaperBodies::get();
-  Moving<W> p = vibrating<W>(*bodies.projectile, 1e4), t = vibrating<W>(*bodies.target, 100);
-  const Lane<W> kick = Lane<W>::Constant(1e-3), drift = Lane<W>::Constant(1e-3);
-  for (auto _ : state) kick_and_drift(p, kick, drift), kick_and_drift(t, kick, drift);
-  per_spring(state, static_cast<double>(bodies.projectile->spring.size() + bodies.target->spring.size()) * W);
+  sweep<W>(state, *bodies.projectile, *bodies.target, as_built);
+}
+
+void edge_list(benchmark::State& state) {
+  const PaperBodies& bodies = PaperBodies::get();
+  sweep<4>(state, *bodies.projectile, *bodies.target, [](auto& body, const auto& kick, const auto& drift) { variants::edge_list(body, kick, drift); });
+}
+
+void prefetching(benchmark::State& state) {
+  const PaperBodies& bodies = PaperBodies::get();
+  sweep<4>(state, *bodies.projectile, *bodies.target, [](auto& body, const auto& kick, const auto& drift) { variants::prefetching<8>(body, kick, drift); });
+}
+
+template <auto order>
+void ordered(benchmark::State& state) {
+  const PaperBodies& bodies = PaperBodies::get();
+  sweep<4>(state, variants::renumbered(*bodies.projectile, order(*bodies.projectile)), variants::renumbered(*bodies.target, order(*bodies.target)), as_built);
+}
+
+void displacements(benchmark::State& state) {
+  const PaperBodies& bodies = PaperBodies::get();
+  Pair<4> pair(*bodies.projectile, *bodies.target);
+  std::array<std::vector<Vec2>, 2> rest;
+  for (int b = 0; b < 2; ++b) {
+    Moving<4>& body = b == 0 ? pair.projectile : pair.target;
+    const Lattice& lattice = *body.lattice;
+    for (std::size_t s = 0; s < lattice.spring.size(); ++s) rest[b].push_back(lattice.points[static_cast<std::size_t>(lattice.spring[s].other)] - lattice.points[static_cast<std::size_t>(lattice.spring[s].node)]);
+    for (int i = 0; i < lattice.nodes(); ++i)
+      for (int lane = 0; lane < 4; ++lane) body.position.set(i, lane, Vec2(0, 0));
+  }
+  for (auto _ : state) variants::displacements(pair.projectile, rest[0], step<4>, step<4>), variants::displacements(pair.target, rest[1], step<4>, step<4>);
+  per_spring(state, pair.springs * 4);
 }
 
 BENCHMARK(bound<4>)->Name("bound, 1 / sqrt(x)");
 BENCHMARK(sweep<4>)->Name("sweep, 4 lanes");
 BENCHMARK(sweep<8>)->Name("sweep, 8 lanes");
 BENCHMARK(sweep<12>)->Name("sweep, 12 lanes");
+BENCHMARK(sweep<2>)->Name("sweep, 2 lanes");
 BENCHMARK(sweep<1>)->Name("sweep, alone");
+BENCHMARK(edge_list)->Name("flat edge list, kick and drift apart");
+BENCHMARK(prefetching)->Name("prefetch 8 springs ahead");
+BENCHMARK(displacements)->Name("displacements");
+BENCHMARK(ordered<variants::by_rows>)->Name("nodes by rows");
+BENCHMARK(ordered<variants::at_random>)->Name("nodes at random");
 
 }  // namespace
 

@@ -1,7 +1,10 @@
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <set>
+#include <thread>
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -74,6 +77,27 @@ TEST_CASE("the outcomes have the same bits for 1, 2, 4 threads, for every batch 
       INFO(threads << " threads, batch " << batch);
       CHECK(hash_of(list, threads, batch) == expected);
     }
+}
+
+TEST_CASE("threads share the scenes of one lattice, every result is handed over once, and the use of the machine is told") {
+  std::vector<Scene> list;
+  for (int i = 0; i < 40; ++i) list.push_back(small_scene(1, 0.2 * i));
+  const std::atomic<bool> go_on{false};
+  std::vector<int> times(list.size());
+  std::set<std::thread::id> threads;
+  SweepUse use;
+  run_sweep(list, std::vector<bool>(list.size(), true), {2, lanes}, go_on, [&](const std::vector<Result>& results) {
+    threads.insert(std::this_thread::get_id());
+    for (const Result& r : results) ++times[r.index];
+  }, &use);
+  CHECK(std::count(times.begin(), times.end(), 1) == 40);
+  CHECK(threads.size() == 2);
+  CHECK(use.threads == 2);
+  CHECK((use.idle_threads >= 0 && use.idle_threads < 1 && use.idle_lanes >= 0 && use.idle_lanes < 0.5));
+  // Three scenes on three threads run alone each: no lane is idle.
+  list.resize(3);
+  run_sweep(list, {true, true, true}, {3, lanes}, go_on, [](const auto&) {}, &use);
+  CHECK(use.idle_lanes == 0);
 }
 
 TEST_CASE("an observer does not change a bit") {

@@ -1,0 +1,137 @@
+#pragma once
+// Other ways to write the spring sweep, for bench_springs: each does what kick_and_drift does, and was slower or no faster.
+
+#include <numeric>
+
+#include "core/rng.hpp"
+#include "force/springs.hpp"
+
+namespace ricochet::variants {
+
+/// One flat loop over springs that scatters to both ends, then one over nodes that kicks and drifts.
+template <int W>
+void edge_list(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
+  const Lattice& lattice = *body.lattice;
+  const Quartic law{lattice.quartic};
+  const auto* ends = lattice.spring.ends();
+  const double* length = lattice.spring.length();
+  Lane<W>*position = body.position.data(), *velocity = body.velocity.data(), *force = body.force.data();
+  const Lane<W> stiffness = body.stiffness * law.scale();
+  for (std::size_t s = 0, count = lattice.spring.size(); s < count; ++s) {
+    const std::size_t i = 2 * static_cast<std::size_t>(ends[s][0]), j = 2 * static_cast<std::size_t>(ends[s][1]);
+    const Lane<W> dx = position[j] - position[i], dy = position[j + 1] - position[i + 1];
+    const Lane<W> r = (dx * dx + dy * dy).sqrt();
+    const Lane<W> per_distance = 1.0 / r;
+    const Lane<W> pull = stiffness * law.scaled_tension(Lane<W>(r - length[s])) * per_distance;
+    const Lane<W> px = pull * dx, py = pull * dy;
+    force[i] += px, force[i + 1] += py;
+    force[j] -= px, force[j + 1] -= py;
+  }
+  for (std::size_t i = 0, free = 2 * static_cast<std::size_t>(lattice.free); i < free; ++i) {
+    velocity[i] += kick * force[i];
+    position[i] += drift * velocity[i];
+    force[i].setZero();
+  }
+}
+
+/// Positions as displacements from rest; the stretch without cancellation, (2 d.u + u^2) / (r + L) with rest vector d. rest[spring]: d.
+template <int W>
+void displacements(Moving<W>& body, const std::vector<Vec2>& rest, const Lane<W>& kick, const Lane<W>& drift) {
+  const Lattice& lattice = *body.lattice;
+  const Quartic law{lattice.quartic};
+  const auto* ends = lattice.spring.ends();
+  const double* length = lattice.spring.length();
+  Lane<W>*position = body.position.data(), *velocity = body.velocity.data(), *force = body.force.data();
+  const Lane<W> stiffness = body.stiffness * law.scale();
+  std::size_t s = 0;
+  for (int i = 0; i < lattice.free; ++i) {
+    Lane<W> xi, yi, fx, fy;
+    xi = position[2 * i], yi = position[2 * i + 1], fx = force[2 * i], fy = force[2 * i + 1];
+    for (int n = lattice.first[i + 1] - lattice.first[i]; n > 0; --n, ++s) {
+      const std::size_t j = 2 * static_cast<std::size_t>(ends[s][1]);
+      const Lane<W> ux = position[j] - xi, uy = position[j + 1] - yi;
+      const Lane<W> dx = rest[s].x() + ux, dy = rest[s].y() + uy;
+      const Lane<W> r = (dx * dx + dy * dy).sqrt();
+      const Lane<W> stretch = (ux * (dx + rest[s].x()) + uy * (dy + rest[s].y())) / (r + length[s]);
+      const Lane<W> pull = stiffness * law.scaled_tension(stretch) / r;
+      const Lane<W> px = pull * dx, py = pull * dy;
+      fx += px, fy += py;
+      force[j] -= px, force[j + 1] -= py;
+    }
+    const Lane<W> vx = velocity[2 * i] + kick * fx, vy = velocity[2 * i + 1] + kick * fy;
+    velocity[2 * i] = vx, velocity[2 * i + 1] = vy;
+    position[2 * i] = xi + drift * vx, position[2 * i + 1] = yi + drift * vy;
+    force[2 * i].setZero(), force[2 * i + 1].setZero();
+  }
+}
+
+/// kick_and_drift with the far ends of springs `ahead` of the current one fetched into the cache.
+template <int ahead, int W>
+void prefetching(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
+  const Lattice& lattice = *body.lattice;
+  const Quartic law{lattice.quartic};
+  const auto* ends = lattice.spring.ends();
+  const double* length = lattice.spring.length();
+  Lane<W>*position = body.position.data(), *velocity = body.velocity.data(), *force = body.force.data();
+  const Lane<W> stiffness = body.stiffness * law.scale();
+  const std::size_t last = lattice.spring.size() - 1;
+  std::size_t s = 0;
+  for (int i = 0; i < lattice.free; ++i) {
+    Lane<W> xi, yi, fx, fy;
+    xi = position[2 * i], yi = position[2 * i + 1], fx = force[2 * i], fy = force[2 * i + 1];
+    for (int n = lattice.first[i + 1] - lattice.first[i]; n > 0; --n, ++s) {
+      const std::size_t j = 2 * static_cast<std::size_t>(ends[s][1]), soon = 2 * static_cast<std::size_t>(ends[std::min(s + ahead, last)][1]);
+      __builtin_prefetch(&position[soon]), __builtin_prefetch(&force[soon], 1);
+      const Lane<W> dx = position[j] - xi, dy = position[j + 1] - yi;
+      const Lane<W> r = (dx * dx + dy * dy).sqrt();
+      const Lane<W> per_distance = 1.0 / r;
+      const Lane<W> pull = stiffness * law.scaled_tension(Lane<W>(r - length[s])) * per_distance;
+      const Lane<W> px = pull * dx, py = pull * dy;
+      fx += px, fy += py;
+      force[j] -= px, force[j + 1] -= py;
+    }
+    const Lane<W> vx = velocity[2 * i] + kick * fx, vy = velocity[2 * i + 1] + kick * fy;
+    velocity[2 * i] = vx, velocity[2 * i + 1] = vy;
+    position[2 * i] = xi + drift * vx, position[2 * i + 1] = yi + drift * vy;
+    force[2 * i].setZero(), force[2 * i + 1].setZero();
+  }
+}
+
+/// The lattice with its free nodes renumbered: `number[old]` is the new one.
+inline Lattice renumbered(const Lattice& lattice, const std::vector<int>& number) {
+  Lattice other = lattice;
+  for (int i = 0; i < lattice.nodes(); ++i) other.points[static_cast<std::size_t>(number[static_cast<std::size_t>(i)])] = lattice.points[static_cast<std::size_t>(i)];
+  std::vector<Spring> springs;
+  for (std::size_t s = 0; s < lattice.spring.size(); ++s) {
+    Spring spring = lattice.spring[s];
+    const int a = number[static_cast<std::size_t>(spring.node)], b = number[static_cast<std::size_t>(spring.other)];
+    spring.node = std::min(a, b), spring.other = std::max(a, b);
+    springs.push_back(spring);
+  }
+  std::sort(springs.begin(), springs.end(), [](const Spring& a, const Spring& b) { return std::pair(a.node, a.other) < std::pair(b.node, b.other); });
+  other.spring = {}, other.first.assign(lattice.first.size(), 0);
+  for (const Spring& spring : springs) other.spring.push_back(spring), ++other.first[static_cast<std::size_t>(spring.node) + 1];
+  std::partial_sum(other.first.begin(), other.first.end(), other.first.begin());
+  return other;
+}
+
+/// Numbers of nodes at random.
+inline std::vector<int> at_random(const Lattice& lattice) {
+  std::vector<int> number(static_cast<std::size_t>(lattice.nodes()));
+  std::iota(number.begin(), number.end(), 0);
+  Random random(1, 0);
+  for (std::size_t i = static_cast<std::size_t>(lattice.free); i > 1; --i) std::swap(number[i - 1], number[static_cast<std::size_t>(random.uniform(0, static_cast<double>(i)))]);
+  return number;
+}
+
+/// Numbers of nodes by rows of their height, a tenth of a radius each.
+inline std::vector<int> by_rows(const Lattice& lattice) {
+  std::vector<int> order(static_cast<std::size_t>(lattice.nodes())), number(order.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto place = [&](int i) { return std::pair(std::floor(10 * lattice.points[static_cast<std::size_t>(i)].y()), lattice.points[static_cast<std::size_t>(i)].x()); };
+  std::sort(order.begin(), order.begin() + lattice.free, [&](int a, int b) { return place(a) < place(b); });
+  for (std::size_t k = 0; k < order.size(); ++k) number[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  return number;
+}
+
+}  // namespace ricochet::variants
