@@ -1,8 +1,10 @@
 #include "lattice/placement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "core/error.hpp"
 #include "lattice/outline.hpp"
@@ -65,28 +67,33 @@ class Neighbours {
  public:
   Neighbours(const Box& box, double distance) : low_(box.low), cell_(distance) {
     const Vec2 size = (box.high - box.low) / cell_;
-    columns_ = static_cast<std::int64_t>(size.x()) + 3, rows_ = static_cast<std::int64_t>(size.y()) + 3;  // a border spares questions at the edge
-    first_.assign(static_cast<std::size_t>(columns_ * rows_), none);
+    columns_ = static_cast<std::int64_t>(size.x()) + 3;  // a border spares questions at the edge
+    cells_.resize(static_cast<std::size_t>(columns_ * (static_cast<std::int64_t>(size.y()) + 3)));
   }
   void add(const Vec2& p) {
-    std::int32_t& first = first_[static_cast<std::size_t>(cell(p))];
-    members_.push_back({p, first});
-    first = static_cast<std::int32_t>(members_.size() - 1);
+    Member& first = cells_[static_cast<std::size_t>(cell(p))];
+    if (std::isnan(first.x)) first.x = p.x(), first.y = p.y();
+    else more_.push_back({p.x(), p.y(), first.next}), first.next = static_cast<std::int32_t>(more_.size() - 1);
   }
   bool any_nearer(const Vec2& p, double distance) const {
     const double square = distance * distance;
+    const auto nearer = [&](const Member& m) { return (p.x() - m.x) * (p.x() - m.x) + (p.y() - m.y) * (p.y() - m.y) < square; };
     for (std::int64_t row = cell(p) - columns_ - 1, last = row + 2 * columns_; row <= last; row += columns_)
-      for (std::int64_t c = row; c < row + 3; ++c)
-        for (std::int32_t m = first_[static_cast<std::size_t>(c)]; m != none; m = members_[static_cast<std::size_t>(m)].next)
-          if ((p - members_[static_cast<std::size_t>(m)].place).squaredNorm() < square) return true;
+      for (std::int64_t c = row; c < row + 3; ++c) {
+        const Member* m = &cells_[static_cast<std::size_t>(c)];
+        if (nearer(*m)) return true;
+        while (m->next != none)
+          if (m = &more_[static_cast<std::size_t>(m->next)]; nearer(*m)) return true;
+      }
     return false;
   }
 
  private:
   static constexpr std::int32_t none = -1;
+  /// The first point of a cell, in place; NaN, which is near to nothing, if it has none. Others are linked.
   struct Member {
-    Vec2 place;
-    std::int32_t next;  // in the same cell
+    double x = std::numeric_limits<double>::quiet_NaN(), y = 0;
+    std::int32_t next = none;
   };
 
   std::int64_t cell(const Vec2& p) const {
@@ -95,9 +102,61 @@ class Neighbours {
 
   Vec2 low_;
   double cell_;
+  std::int64_t columns_ = 0;
+  std::vector<Member> cells_, more_;  // cells_: [row][column]
+};
+
+/// Squares of an outline's box that lie wholly inside and wholly nearer than some distance to a point: darts at a nearly full surface mostly
+/// fall there, and one bit tells.
+class Covered {
+ public:
+  Covered(const Points& outline, const Inside& inside, double side) : low_(inside.box().low), side_(side) {
+    const Vec2 size = (inside.box().high - low_) / side_;
+    columns_ = static_cast<std::int64_t>(size.x()) + 1, rows_ = static_cast<std::int64_t>(size.y()) + 1;
+    covered_.resize(static_cast<std::size_t>(columns_ * rows_ / 64 + 1));
+    inside_ = covered_;
+    for (std::int64_t j = 0; j < rows_; ++j)
+      for (std::int64_t i = 0; i < columns_; ++i)
+        if (inside(low_ + side_ * Vec2(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5))) set(inside_, j * columns_ + i);
+    // An edge divides only squares that its stretches of less than a side reach.
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      const Vec2 &a = outline[k], edge = outline[(k + 1) % outline.size()] - a;
+      const int pieces = static_cast<int>(edge.norm() / side_) + 1;
+      for (int piece = 0; piece <= pieces; ++piece) around(a + edge * piece / pieces, 1, [&](std::int64_t square, const Vec2&) { unset(inside_, square); });
+    }
+  }
+  void clear() { std::fill(covered_.begin(), covered_.end(), 0); }
+  void add(const Vec2& p, double distance) {
+    const double within = distance * (1 - 1e-9);  // the squares' corners are rounded
+    around(p, static_cast<std::int64_t>(within / side_) + 1, [&](std::int64_t square, const Vec2& corner) {
+      const Vec2 farthest = (corner - p).cwiseAbs().cwiseMax(((corner - p).array() + side_).abs().matrix());
+      if (farthest.squaredNorm() < within * within && is_set(inside_, square)) set(covered_, square);
+    });
+  }
+  std::int64_t square_of(const Vec2& p) const { return row(p) * columns_ + column(p); }
+  void expect(std::int64_t square) const { __builtin_prefetch(&covered_[static_cast<std::size_t>(square / 64)]); }
+  bool operator()(std::int64_t square) const { return is_set(covered_, square); }
+
+ private:
+  using Bits = std::vector<std::uint64_t>;
+  static bool is_set(const Bits& bits, std::int64_t i) { return bits[static_cast<std::size_t>(i / 64)] >> (i % 64) & 1; }
+  static void set(Bits& bits, std::int64_t i) { bits[static_cast<std::size_t>(i / 64)] |= std::uint64_t{1} << (i % 64); }
+  static void unset(Bits& bits, std::int64_t i) { bits[static_cast<std::size_t>(i / 64)] &= ~(std::uint64_t{1} << (i % 64)); }
+  std::int64_t column(const Vec2& p) const { return std::clamp<std::int64_t>(static_cast<std::int64_t>((p.x() - low_.x()) / side_), 0, columns_ - 1); }
+  std::int64_t row(const Vec2& p) const { return std::clamp<std::int64_t>(static_cast<std::int64_t>((p.y() - low_.y()) / side_), 0, rows_ - 1); }
+
+  // Calls use(square, its lowest corner) for those at most `reach` from that of p.
+  template <class Use>
+  void around(const Vec2& p, std::int64_t reach, Use&& use) {
+    for (std::int64_t j = std::max<std::int64_t>(0, row(p) - reach); j <= std::min(rows_ - 1, row(p) + reach); ++j)
+      for (std::int64_t i = std::max<std::int64_t>(0, column(p) - reach); i <= std::min(columns_ - 1, column(p) + reach); ++i)
+        use(j * columns_ + i, low_ + side_ * Vec2(static_cast<double>(i), static_cast<double>(j)));
+  }
+
+  Vec2 low_;
+  double side_;
   std::int64_t columns_ = 0, rows_ = 0;
-  std::vector<std::int32_t> first_;  // [row][column] member, or none
-  std::vector<Member> members_;
+  Bits covered_, inside_;  // [row * columns + column]
 };
 
 Points place_uniform(const Inside& inside, int count, Random& random) {
@@ -115,19 +174,34 @@ Points place_poisson_disk(const Points& outline, const Inside& inside, int count
   double distance = 0.82 * spacing;
   Neighbours neighbours(inside.box(), distance);
   for (const Vec2& p : outline) neighbours.add(p);
+  Covered covered(outline, inside, distance / 4);
   Points points;
-  int misses = 0;
-  while (static_cast<int>(points.size()) < count) {
-    const Vec2 p = draw(inside.box(), random);
-    if (!inside(p)) continue;
-    if (neighbours.any_nearer(p, distance)) {
-      if (++misses > 20 * count + 1000) distance *= 0.99, misses = 0;
-      continue;
+  const auto cover_again = [&] {
+    covered.clear();
+    for (const Vec2& p : outline) covered.add(p, distance);
+    for (const Vec2& p : points) covered.add(p, distance);
+  };
+  cover_again();
+  struct Dart {
+    Vec2 p;
+    std::int64_t square;
+  };
+  std::array<Dart, 32> darts;  // at once, because each falls anywhere and would wait for memory
+  for (std::int64_t misses = 0;;) {
+    for (Dart& dart : darts) dart.p = draw(inside.box(), random), dart.square = covered.square_of(dart.p), covered.expect(dart.square);
+    for (const auto& [p, square] : darts) {
+      if (static_cast<int>(points.size()) == count) return points;
+      const bool miss = covered(square);
+      if (!miss && !inside(p)) continue;
+      if (!miss && !neighbours.any_nearer(p, distance)) {
+        neighbours.add(p), covered.add(p, distance);
+        points.push_back(p);
+      } else if (++misses > 20 * static_cast<std::int64_t>(count) + 1000) {
+        distance *= 0.99, misses = 0;
+        cover_again();
+      }
     }
-    neighbours.add(p);
-    points.push_back(p);
   }
-  return points;
 }
 
 Points triangular_lattice(const Points& outline, const Inside& inside, double side) {
