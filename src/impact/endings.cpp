@@ -33,12 +33,8 @@ bool stays_clear(const Points& projectile, const Flight& flight, const Vec2& n, 
 
 // Calls `found(node)` for every node inside the outline until it returns true.
 template <class Found>
-bool any_inside(const Points& nodes, const Points& outline, Found&& found) {
-  Vec2 low = outline[0], high = outline[0];
-  for (const Vec2& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  for (const Vec2& p : nodes)
-    if ((p.array() >= low.array()).all() && (p.array() <= high.array()).all() && contains(outline, p) && found(p)) return true;
-  return false;
+bool any_inside(const Points& nodes, const ChainTree& outline, Found&& found) {
+  return std::any_of(nodes.begin(), nodes.end(), [&](const Vec2& p) { return contains(outline, p) && found(p); });
 }
 
 }  // namespace
@@ -56,16 +52,15 @@ bool clear_for_good(const Points& projectile, const Points& target, const Flight
 }
 
 std::string inside_one_another(const Points& projectile, const Points& target, bool two_sided, double gap) {
-  if (any_inside(projectile, target, [](const Vec2&) { return true; }))
+  if (any_inside(projectile, ChainTree(target), [](const Vec2&) { return true; }))
     return "a projectile node was inside the target; raise contact.V0, lower the speed, or take a smaller step";
+  const ChainTree outline(projectile);
   double depth = 0;
   const auto deep = [&](const Vec2& p) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t s = 0; s < projectile.size(); ++s) nearest = std::min(nearest, closest(p, projectile[s], projectile[(s + 1) % projectile.size()]).distance);
-    depth = nearest;
-    return two_sided || nearest > gap;
+    depth = distance_from(outline, p, std::numeric_limits<double>::infinity());
+    return two_sided || depth > gap;
   };
-  if (!any_inside(target, projectile, deep)) return "";
+  if (!any_inside(target, outline, deep)) return "";
   return two_sided ? "a target node was inside the projectile; raise contact.V0, lower the speed, or take a smaller step"
                    : fmt::format("a target node was {:.2g} R inside the projectile: the one-sided contact pushes projectile nodes only; set contact = {{ sides = \"two\" }}", depth);
 }

@@ -20,23 +20,24 @@ Points rim_of(const Lattice& lattice) {
 }
 
 // Height of the boundary of a chain above x: the highest (or lowest) point of its edges there; NaN beside it.
-double boundary_height(const Points& chain, double x, bool highest) {
+double boundary_height(const ChainTree& chain, double x, bool highest) {
   double height = not_given;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const Vec2 &a = chain[i], &b = chain[(i + 1) % chain.size()];
-    if (x < std::min(a.x(), b.x()) || x > std::max(a.x(), b.x())) continue;
-    const double y = a.x() == b.x() ? (highest ? std::max(a.y(), b.y()) : std::min(a.y(), b.y()))
-                                    : a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
-    if (std::isnan(height) || (highest ? y > height : y < height)) height = y;
-  }
+  chain.search([&](const Vec2& low, const Vec2& high) { return low.x() <= x && x <= high.x(); },
+               [&](std::size_t s) {
+                 const Vec2 &a = chain.from(s), &b = chain.to(s);
+                 const double y = a.x() == b.x() ? (highest ? std::max(a.y(), b.y()) : std::min(a.y(), b.y()))
+                                                 : a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
+                 if (std::isnan(height) || (highest ? y > height : y < height)) height = y;
+               });
   return height;
 }
 
 // How far the chain `upper` must be raised so that it just rests on `lower`; NaN if they pass beside each other.
 double resting_lift(const Points& upper, const Points& lower) {
+  const ChainTree above(upper), below(lower);
   double lift = not_given;
   const auto consider = [&](double x) {
-    const double bottom = boundary_height(upper, x, false), top = boundary_height(lower, x, true);
+    const double bottom = boundary_height(above, x, false), top = boundary_height(below, x, true);
     if (!std::isnan(bottom) && !std::isnan(top) && !(top - bottom <= lift)) lift = top - bottom;
   };
   for (const Vec2& p : upper) consider(p.x());

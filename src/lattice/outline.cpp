@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace ricochet {
 namespace {
@@ -25,6 +24,10 @@ bool segments_meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
          (cdb == 0 && on_segment(c, d, b));
 }
 
+bool boxes_meet(const Vec2& low, const Vec2& high, const Vec2& other_low, const Vec2& other_high) {
+  return (low.array() <= other_high.array()).all() && (high.array() >= other_low.array()).all();
+}
+
 }  // namespace
 
 double signed_area(const Points& outline) {
@@ -36,55 +39,47 @@ double signed_area(const Points& outline) {
 bool is_simple(const Points& outline) {
   const std::size_t n = outline.size();
   if (n < 3) return false;
-  // Edges by their left end: only those whose x ranges overlap are compared.
-  std::vector<std::size_t> order(n);
-  std::iota(order.begin(), order.end(), 0);
-  const auto left = [&](std::size_t i) { return std::min(outline[i].x(), outline[(i + 1) % n].x()); };
-  const auto right = [&](std::size_t i) { return std::max(outline[i].x(), outline[(i + 1) % n].x()); };
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return left(i) < left(j); });
-  for (std::size_t s = 0; s < n; ++s) {
-    const std::size_t i = order[s];
-    if (outline[i] == outline[(i + 1) % n]) return false;
-    for (std::size_t t = s + 1; t < n && left(order[t]) <= right(i); ++t) {
-      const std::size_t j = order[t];
-      const Vec2 &a = outline[i], &b = outline[(i + 1) % n], &c = outline[j], &d = outline[(j + 1) % n];
-      if ((i + 1) % n == j || (j + 1) % n == i) {  // neighbours: only a fold back onto each other is wrong
-        const Vec2 &corner = (i + 1) % n == j ? b : a, &before = (i + 1) % n == j ? a : b, &after = (i + 1) % n == j ? d : c;
-        if (orientation(before, corner, after) == 0 && (before - corner).dot(after - corner) > 0) return false;
-      } else if (segments_meet(a, b, c, d)) {
-        return false;
-      }
-    }
+  const ChainTree tree(outline);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 &a = tree.from(i), &b = tree.to(i);
+    if (a == b) return false;
+    bool meets = false;
+    tree.search(
+        [&](const Vec2& low, const Vec2& high) { return !meets && boxes_meet(a.cwiseMin(b), a.cwiseMax(b), low, high); },
+        [&](std::size_t j) {
+          if (j <= i) return;  // each pair once
+          const Vec2 &c = tree.from(j), &d = tree.to(j);
+          const bool next = j == i + 1, previous = (j + 1) % n == i;
+          if (next || previous) {  // neighbours: only a fold back onto each other is wrong
+            const Vec2 &corner = next ? b : a, &before = next ? a : b, &after = next ? d : c;
+            if (orientation(before, corner, after) == 0 && (before - corner).dot(after - corner) > 0) meets = true;
+          } else if (segments_meet(a, b, c, d)) {
+            meets = true;
+          }
+        });
+    if (meets) return false;
   }
   return true;
 }
 
-bool contains(const Points& outline, const Vec2& p) {
+bool contains(const ChainTree& outline, const Vec2& p) {
   bool inside = false;
-  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-    const Vec2 &a = outline[i], &b = outline[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) inside = !inside;
-  }
+  outline.search([&](const Vec2& low, const Vec2& high) { return low.y() <= p.y() && p.y() <= high.y() && p.x() <= high.x(); },
+                 [&](std::size_t s) {
+                   const Vec2 &a = outline.to(s), &b = outline.from(s);
+                   if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) inside = !inside;
+                 });
   return inside;
 }
 
-bool outlines_overlap(const Points& a, const Points& b) {
-  // Only the edges of either that reach into the other's box can meet.
-  const auto edges_near = [](const Points& outline, const Points& other) {
-    Vec2 low = other[0], high = other[0];
-    for (const Vec2& p : other) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    std::vector<std::pair<Vec2, Vec2>> edges;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Vec2 &from = outline[i], &to = outline[(i + 1) % outline.size()];
-      if ((from.cwiseMax(to).array() >= low.array()).all() && (from.cwiseMin(to).array() <= high.array()).all()) edges.emplace_back(from, to);
-    }
-    return edges;
-  };
-  const auto of_b = edges_near(b, a);
-  for (const auto& [p, q] : edges_near(a, b))
-    for (const auto& [r, s] : of_b)
-      if (segments_meet(p, q, r, s)) return true;
-  return contains(a, b[0]) || contains(b, a[0]);
+bool outlines_overlap(const ChainTree& a, const ChainTree& b) {
+  bool meets = false;
+  for (std::size_t i = 0; i < a.size() && !meets; ++i) {
+    const Vec2 &p = a.from(i), &q = a.to(i);
+    b.search([&](const Vec2& low, const Vec2& high) { return !meets && boxes_meet(p.cwiseMin(q), p.cwiseMax(q), low, high); },
+             [&](std::size_t s) { meets = meets || segments_meet(p, q, b.from(s), b.to(s)); });
+  }
+  return meets || contains(a, b.from(0)) || contains(b, a.from(0));
 }
 
 Points resample(const Points& outline, double spacing) {

@@ -3,6 +3,7 @@
 
 #include "core/rng.hpp"
 #include "core/vec2.hpp"
+#include "lattice/chain_tree.hpp"
 
 namespace ricochet {
 
@@ -13,10 +14,10 @@ double signed_area(const Points& outline);
 bool is_simple(const Points& outline);
 
 /// Even-odd rule; points on the outline may fall on either side.
-bool contains(const Points& outline, const Vec2& point);
+bool contains(const ChainTree& outline, const Vec2& point);
 
 /// True if two outlines have area in common: an edge of one meets one of the other, or one lies inside the other.
-bool outlines_overlap(const Points& a, const Points& b);
+bool outlines_overlap(const ChainTree& a, const ChainTree& b);
 
 /// Points along the outline, `spacing` apart as nearly as an even division allows. Corners (a turn of more than 30
 /// degrees) keep their place; between corners, and around an outline that has none, the points are evenly spaced by arc length.

@@ -1,4 +1,4 @@
-// What a lattice costs as it grows: `growth [most nodes]`. Seconds to build, nanoseconds a node and step of the spring sweep in full lanes and
+// What a lattice costs as it grows: `growth [most nodes]`. Seconds to build, to launch and to search for contacts, nanoseconds a node and step of the spring sweep in full lanes and
 // alone, bytes a node and lane of what a run holds.
 
 #include <fmt/format.h>
@@ -7,7 +7,9 @@
 #include <chrono>
 #include <cstdlib>
 
+#include "force/contact/candidates.hpp"
 #include "force/springs.hpp"
+#include "impact/launch.hpp"
 #include "scenes.hpp"
 
 using namespace ricochet;
@@ -45,14 +47,24 @@ double sweep(const Lattice& lattice) {
 
 int main(int count, char** values) {
   const int most = count > 1 ? std::atoi(values[1]) : 1000000;
-  fmt::print("{:>9} {:>12} {:>14} {:>26} {:>20}\n", "", "build [s]", "build [s]", "sweep [ns/node/lane]", "");
-  fmt::print("{:>9} {:>12} {:>14} {:>20} lanes {:>20}\n", "nodes", "uniform", "poisson_disk", lanes, "alone");
+  fmt::print("{:>9} {:>12} {:>14} {:>12} {:>16} {:>26} {:>20}\n", "", "build [s]", "build [s]", "launch [s]", "candidates [s]", "sweep [ns/node/lane]", "");
+  fmt::print("{:>9} {:>12} {:>14} {:>12} {:>16} {:>20} lanes {:>20}\n", "nodes", "uniform", "poisson_disk", "", "", lanes, "alone");
   for (int nodes = 1000; nodes <= most; nodes *= 10) {
     const auto body = [&](const char* placement) { return Body{circle(1, 2000), numbers(nodes, 1e4, 0, 1, placement), {}, {}}; };
     std::shared_ptr<const Lattice> lattice;
     const double uniform = seconds([&] { lattice = build_lattice(body("uniform")); });
     const double poisson = seconds([&] { lattice = build_lattice(body("poisson_disk")); });
-    fmt::print("{:>9} {:>12.3f} {:>14.3f} {:>26.2f} {:>20.2f}\n", nodes, uniform, poisson, sweep<lanes>(*lattice), sweep<1>(*lattice));
+    // A disk on its like: where the flight starts, and the search for pairs of a node and a segment.
+    Scene scene;
+    scene.projectile = scene.target = std::make_shared<Body>(body("poisson_disk"));
+    scene.launch.psi1 = 1;
+    Start start;
+    const double to_launch = seconds([&] { start = launch(scene, *lattice, *lattice); });
+    Points rim;
+    for (const int node : lattice->rim) rim.push_back(lattice->points[static_cast<std::size_t>(node)]);
+    const Points flying = posed(rim, lattice->centre(), start.pose);
+    const double to_search = seconds([&] { pairs_within(flying, rim, 1.5 * scene.contact.reach); });
+    fmt::print("{:>9} {:>12.3f} {:>14.3f} {:>12.4f} {:>16.4f} {:>26.2f} {:>20.2f}\n", nodes, uniform, poisson, to_launch, to_search, sweep<lanes>(*lattice), sweep<1>(*lattice));
   }
   // position, velocity, force of the run, position, velocity of its copy at a step's end, displacement of force-gradient kicks
   fmt::print("a run holds {} bytes a node and lane, a lattice {} bytes a spring and {} a node beside its triangles\n", 8 * 2 * (3 + 3 + 1), sizeof(std::array<int, 2>) + 2 * sizeof(double), sizeof(Vec2) + sizeof(int));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "lattice/outline.hpp"
 
@@ -22,36 +21,14 @@ Box box_of(const Points& points) {
 }  // namespace
 
 std::vector<Pair> pairs_within(const Points& nodes, const Points& rim, double distance) {
-  // Segments by their left end: for each node only those whose x range comes near are looked at.
-  struct Extent {
-    double left, right;
-    int segment;
-  };
-  const int n = static_cast<int>(rim.size());
-  const Box box = box_of(nodes);
-  std::vector<Extent> extents;
-  double longest = 0;
-  for (int s = 0; s < n; ++s) {
-    const Vec2 &a = rim[s], &b = rim[(s + 1) % n];
-    const double left = std::min(a.x(), b.x()), right = std::max(a.x(), b.x());
-    const double bottom = std::min(a.y(), b.y()), top = std::max(a.y(), b.y());
-    if (left > box.high.x() + distance || right < box.low.x() - distance || bottom > box.high.y() + distance || top < box.low.y() - distance)
-      continue;
-    extents.push_back({left, right, s});
-    longest = std::max(longest, right - left);
-  }
-  // A rim that has blown up has no neighbours; its impact is ended by its ledger.
-  std::erase_if(extents, [](const Extent& e) { return std::isnan(e.left) || std::isnan(e.right); });
-  std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) { return std::pair(a.left, a.segment) < std::pair(b.left, b.segment); });
+  const ChainTree tree(rim);
   std::vector<Pair> pairs;
   for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
-    const double x = nodes[i].x();
-    const std::size_t before = pairs.size();
-    auto e = std::lower_bound(extents.begin(), extents.end(), x - distance - longest, [](const Extent& a, double value) { return a.left < value; });
-    for (; e != extents.end() && e->left <= x + distance; ++e)
-      if (e->right >= x - distance && closest(nodes[i], rim[e->segment], rim[(e->segment + 1) % n]).distance <= distance)
-        pairs.push_back({i, e->segment});
-    std::sort(pairs.begin() + before, pairs.end(), [](const Pair& a, const Pair& b) { return a.segment < b.segment; });
+    const Vec2& p = nodes[static_cast<std::size_t>(i)];
+    tree.search([&](const Vec2& low, const Vec2& high) { return p.x() >= low.x() - distance && p.x() <= high.x() + distance && p.y() >= low.y() - distance && p.y() <= high.y() + distance; },
+                [&](std::size_t s) {
+                  if (closest(p, tree.from(s), tree.to(s)).distance <= distance) pairs.push_back({i, static_cast<int>(s)});
+                });
   }
   return pairs;
 }
@@ -62,20 +39,16 @@ double box_distance(const Points& a, const Points& b) {
   return gap.norm();
 }
 
+double distance_from(const ChainTree& chain, const Vec2& p, double least) {
+  return chain.nearest(p, least, [&](std::size_t s) { return closest(p, chain.from(s), chain.to(s)).distance; });
+}
+
 double chain_distance(const Points& a, const Points& b) {
-  if (outlines_overlap(a, b)) return 0;
+  const ChainTree of_a(a), of_b(b);
+  if (outlines_overlap(of_a, of_b)) return 0;
   double least = std::numeric_limits<double>::infinity();
-  const auto one_way = [&](const Points& nodes, const Points& rim) {
-    double longest = 0;
-    for (std::size_t s = 0; s < rim.size(); ++s) longest = std::max(longest, (rim[(s + 1) % rim.size()] - rim[s]).norm());
-    for (const Vec2& p : nodes)
-      for (std::size_t s = 0; s < rim.size(); ++s) {
-        const double skip = least + longest;  // a segment whose start is farther than this is no nearer
-        if (std::abs(p.y() - rim[s].y()) > skip || std::abs(p.x() - rim[s].x()) > skip) continue;
-        least = std::min(least, closest(p, rim[s], rim[(s + 1) % rim.size()]).distance);
-      }
-  };
-  one_way(a, b), one_way(b, a);
+  for (const Vec2& p : a) least = distance_from(of_b, p, least);
+  for (const Vec2& p : b) least = distance_from(of_a, p, least);
   return least;
 }
 

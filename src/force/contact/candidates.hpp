@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/vec2.hpp"
+#include "lattice/chain_tree.hpp"
 
 namespace ricochet {
 
@@ -44,6 +45,9 @@ std::vector<Pair> pairs_within(const Points& nodes, const Points& rim, double di
 
 /// A lower bound of the distance of two point sets: that of their bounding boxes; 0 if these overlap.
 double box_distance(const Points& a, const Points& b);
+
+/// The distance of p from the nearest segment of a chain, or `least` if that is smaller.
+double distance_from(const ChainTree& chain, const Vec2& p, double least);
 
 /// The smallest distance of a node of either chain from a segment of the other, and 0 if they overlap in area.
 double chain_distance(const Points& a, const Points& b);
