@@ -1,10 +1,14 @@
 #include "impact/batch.hpp"
 
+#include <chrono>
+
 #include "core/error.hpp"
 #include "impact/engine.hpp"
 
 namespace ricochet {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 /// What a thread works on.
 struct Work {
@@ -37,6 +41,7 @@ bool drain(Engine<W>& engine, const Work& work, int width) {
       }
     }
   };
+  auto counted = Clock::now();
   for (;;) {
     std::vector<int> busy;
     for (int lane = 0; lane < W; ++lane) {
@@ -52,11 +57,13 @@ bool drain(Engine<W>& engine, const Work& work, int width) {
       }
     const int steps = engine.steps_between_looks();
     for (int i = 0; i < steps; ++i) engine.advance_one_step();
+    const auto now = Clock::now();
+    for (const int lane : busy) engine.spend(lane, std::chrono::duration<double>(now - counted).count() / static_cast<double>(busy.size()));
+    counted = now;
     work.use.steps += steps * W, work.use.busy += steps * static_cast<std::int64_t>(busy.size());
     if (work.stop) return false;
     engine.look([&](int lane, const Outcome& outcome) {
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - engine.run(lane).began).count() / static_cast<double>(busy.size());
-      work.finished(engine.run(lane).index, outcome, seconds);
+      work.finished(engine.run(lane).index, outcome, engine.run(lane).seconds);
       engine.clear(lane);
     });
   }

@@ -53,7 +53,7 @@ class Queue {
   std::atomic<std::size_t> next_ = 0;
 };
 
-/// Called as each impact ends: its place in the sweep, its outcome, and the seconds it spent in its lane over the lanes in use.
+/// Called as each impact ends: its place in the sweep, its outcome, and its share of the thread's time [s].
 using Finished = std::function<void(std::size_t, const Outcome&, double)>;
 
 /// How many steps lanes took, and how many of them were an impact's.

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -57,7 +56,7 @@ struct Run {
   int looks = 0;
   double spring_bound = 0;  // squared_frequency_bound of both bodies when it was last taken, the target's times slower_by^2
   double theta_most = 0;  // greatest step times frequency bound, springs as stretched and contact included
-  std::chrono::steady_clock::time_point began;
+  double seconds = 0;     // its share of the thread's time
 
   double time() const { return static_cast<double>(steps) * start.step; }
 };
@@ -89,7 +88,7 @@ class Engine {
   /// Puts a scene into a lane. Returns the outcome at once if it never touches.
   std::optional<Outcome> begin(int lane, const Scene& scene, std::size_t index) {
     Run run;
-    run.scene = &scene, run.index = index, run.began = std::chrono::steady_clock::now();
+    run.scene = &scene, run.index = index;
     run.start = launch(scene, *body_[0].lattice, *body_[1].lattice);
     if (!run.start.touches) {
       Outcome outcome;
@@ -117,6 +116,8 @@ class Engine {
     if (!effects_.split()) get_ahead(method_, alone, Mover{*this, body_});
     return std::nullopt;
   }
+
+  void spend(int lane, double seconds) { runs_[lane].seconds += seconds; }
 
   /// Takes over an impact from a lane of another engine, between two steps.
   template <int V>

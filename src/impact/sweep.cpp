@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <mutex>
 
@@ -44,6 +45,12 @@ std::vector<std::unique_ptr<Group>> groups_of(const std::vector<Scene>& scenes, 
     if (is_new) members.emplace_back();
     members[at->second].push_back(i);
   }
+  // The longest first, as far as sizes tell: the last one to end should be a short one.
+  const auto duration = [&](const std::vector<std::size_t>& of) {
+    const Scene& scene = scenes[of.front()];
+    return static_cast<double>(of.size()) * std::pow(scene.projectile->numbers.nodes + scene.target->numbers.nodes, 1.5);
+  };
+  std::stable_sort(members.begin(), members.end(), [&](const auto& a, const auto& b) { return duration(a) > duration(b); });
   std::vector<std::unique_ptr<Group>> groups;
   for (auto& of : members) groups.push_back(std::make_unique<Group>(std::move(of)));
   return groups;

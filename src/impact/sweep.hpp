@@ -12,7 +12,7 @@ namespace ricochet {
 struct Result {
   std::size_t index;  ///< of the scene in the sweep
   Outcome outcome;
-  double seconds;     ///< wall time spent on it
+  double seconds;     ///< its share of the time of the thread that ran it
 };
 
 struct SweepOptions {

@@ -81,7 +81,7 @@ const Field status_field{"status", "string", "", "how it ended: finished, energy
 const Field reason_field{"reason", "string", "", "a sentence, if it did not finish"};
 const Field hash_field{"scene_hash", "string", "", "hash of the scene's canonical text"};
 const Field seed_field{"seed", "string", "", "seed of the projectile"};
-const Field seconds_field{"wall_seconds", "number", "s", "wall time spent on it"};
+const Field seconds_field{"wall_seconds", "number", "s", "its share of the time of the thread that ran it; impacts in lanes share it evenly"};
 
 Table table_of(const std::vector<const Row*>& rows) {
   Table table;

@@ -160,7 +160,8 @@ TEST_CASE("a plot leaves its gnuplot script, an SVG and a PNG") {
 TEST_CASE("scripts and examples of the project run short") {
   const Workplace here;
   const std::string root = RICOCHET_SOURCE;
-  for (const std::string command : {"examples/01_drop.lua nodes=60 frames=3", "scripts/elasticity.lua samples=1 height=3", "scripts/soft_wall.lua --check samples=1",
+  for (const std::string command : {"examples/01_drop.lua nodes=60 frames=3", "scripts/elasticity.lua samples=1 height=3", "scripts/benchmark.lua nodes=60 samples=1 psi1=0,1 growth=300,600",
+                                    "scripts/soft_wall.lua --check samples=1",
                                     "scripts/which_effects_matter.lua nodes=60 samples=2 speed=0.1,0.2", "examples/effects/gravity.lua nodes=60 samples=2 speed=0.05,0.1,0.2",
                                     "examples/effects/drag.lua samples=1 speed=0.1,0.2", "examples/effects/absorbing.lua samples=2 density=20 depth=1.5,2",
                                     "examples/effects/moving_anchor.lua samples=1 phase=0,90", "examples/effects/damping.lua nodes=100 samples=1 speed=0.04,0.08,0.16",
@@ -171,6 +172,21 @@ TEST_CASE("scripts and examples of the project run short") {
     INFO(command << "\n" << ended.err);
     CHECK(ended.status == 0);
   }
+}
+
+TEST_CASE("a scene is exported for LAMMPS, and one with effects is not") {
+  const Workplace here;
+  const std::string scene = "local ricochet = require 'ricochet'\nlocal d, w = ricochet.disk { nodes = 60 }, ricochet.wall { nodes = 150, width = 4 }\n"
+                            "local given = { projectile = d, target = w, launch = { speed = 0.1 } }\n";
+  const Ended ended = here.script(scene + "ricochet.lammps { scene = ricochet.scene(given), out = 'drop' }\n");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("LAMMPS files: out/s/drop.data, beside it .in"));
+  CHECK_THAT(here.read("out/s/drop.in"), Catch::Matchers::Contains("read_data drop.data") && Catch::Matchers::Contains("bond_style class2"));
+  CHECK_THAT(here.read("out/s/drop.data"), Catch::Matchers::Contains("210 atoms\n"));
+  const Ended refused = here.script(scene + "given.effects = { ricochet.gravity { g = 1e-5 } }\nricochet.lammps { scene = ricochet.scene(given), out = 'drop' }\n", "--force");
+  CHECK(refused.status == 1);
+  CHECK_THAT(refused.first_line(), Catch::Matchers::Contains("LAMMPS files hold springs and repulsion only; leave the effects out"));
 }
 
 TEST_CASE("every effect has an example of its name") {
