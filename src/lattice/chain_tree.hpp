@@ -63,7 +63,8 @@ class ChainTree {
       least = std::min(least, distance(begin));
       return;
     }
-    const auto from_box = [&](std::size_t at) { return (boxes_[at].low - p).cwiseMax(p - boxes_[at].high).cwiseMax(0.0).norm(); };
+    // Less by more than it is rounded: a box may end where its segment does.
+    const auto from_box = [&](std::size_t at) { return (1 - 1e-15) * (boxes_[at].low - p).cwiseMax(p - boxes_[at].high).cwiseMax(0.0).norm(); };
     const std::size_t a = place + 1, b = second(place, begin, end), half = middle(begin, end);
     const double to_a = from_box(a), to_b = from_box(b);
     const auto first_half = [&] { if (to_a < least) nearest(a, begin, half, p, least, distance); };

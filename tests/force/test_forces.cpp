@@ -167,6 +167,69 @@ TEST_CASE("the distance of two outlines is 0 as soon as they share area, even if
   CHECK(chain_distance(inside, bar) == 0);
 }
 
+TEST_CASE("a tree of a chain finds what a look at every segment finds") {
+  Random random(7, 0);
+  const auto star = [&](int corners) {  // any angle, any distance from the centre: simple, mostly concave
+    Points chain;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * M_PI * i / corners, r = random.uniform(0.3, 1);
+      chain.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+    return chain;
+  };
+  const auto nearest = [](const Points& chain, const Vec2& p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t s = 0; s < chain.size(); ++s) least = std::min(least, closest(p, chain[s], chain[(s + 1) % chain.size()]).distance);
+    return least;
+  };
+  const auto winds_around = [](const Points& chain, const Vec2& p) {  // by the angle that the chain sweeps as seen from p
+    double angle = 0;
+    for (std::size_t s = 0; s < chain.size(); ++s) {
+      const Vec2 a = chain[s] - p, b = chain[(s + 1) % chain.size()] - p;
+      angle += std::atan2(cross(a, b), a.dot(b));
+    }
+    return std::abs(angle) > M_PI;
+  };
+  int inside = 0, apart = 0;
+  for (const int corners : {3, 4, 7, 30, 201}) {
+    const Points chain = star(corners);
+    REQUIRE(is_simple(chain));
+    Points crossed = chain;
+    for (Vec2& p : crossed) p.normalize();
+    CHECK(is_simple(crossed));
+    std::swap(crossed[0], crossed[1]);
+    CHECK(is_simple(crossed) == (corners == 3));
+    const ChainTree tree(chain);
+    for (int i = 0; i < 200; ++i) {
+      const Vec2 p(random.uniform(-1.1, 1.1), random.uniform(-1.1, 1.1));
+      CHECK(distance_from(tree, p, 0.2) == std::min(0.2, nearest(chain, p)));
+      CHECK(distance_from(tree, p, std::numeric_limits<double>::infinity()) == nearest(chain, p));
+      CHECK(contains(tree, p) == winds_around(chain, p));
+      inside += contains(tree, p);
+    }
+    for (int i = 0; i < 40; ++i) {
+      Points other = star(20);
+      const Vec2 by(random.uniform(0.5, 2.5), random.uniform(-1, 1));
+      for (Vec2& p : other) p += by;
+      double least = std::numeric_limits<double>::infinity();
+      for (const Vec2& p : chain) least = std::min(least, nearest(other, p));
+      for (const Vec2& p : other) least = std::min(least, nearest(chain, p));
+      const double distance = chain_distance(chain, other);
+      if (distance > 0) {
+        CHECK(distance == least);
+        ++apart;
+      }
+      // A point of one inside the other is an overlap; crossing edges without one are rare here.
+      for (const Vec2& p : other)
+        if (winds_around(chain, p)) CHECK(distance == 0);
+      for (const Vec2& p : chain)
+        if (winds_around(other, p)) CHECK(distance == 0);
+    }
+  }
+  CAPTURE(inside, apart);
+  CHECK((inside > 200 && apart > 20));
+}
+
 TEST_CASE("a list with a skin never loses a pair while the bodies move") {
   const auto disk_lattice = build_lattice(*disk(60, 1e4, 0.03, 1));
   const auto wall_lattice = build_lattice(*wall(150, 100, 0.03, 1));
