@@ -59,30 +59,31 @@ struct Trial {
 /// Runs scenes by one method.
 class Trials {
  public:
-  Trials(const std::vector<TrialScene>& scenes, const std::string& method, int threads, const std::atomic<bool>& stop) : scenes_(scenes), method_(method), threads_(threads), stop_(stop) {}
+  /// `scenes` are tried in their order; the hardest one is moved to the front.
+  Trials(std::vector<const TrialScene*>& scenes, const std::string& method, int threads, const std::atomic<bool>& stop) : scenes_(scenes), method_(method), threads_(threads), stop_(stop) {}
 
-  // The greatest estimated error of all scenes; NaN if one of them does not finish.
-  double error_at(double theta, int order) {
-    std::vector<Trial> trials;
-    for (const TrialScene& scene : scenes_) trials.push_back({&scene, theta}), trials.push_back({&scene, theta / 2});
-    in_parallel(trials, threads_, [&](Trial& trial) {
-      Scene scene = trial.of->scene;
-      scene.integration.method = method_, scene.integration.accuracy = not_given, scene.integration.theta = trial.theta;
-      const Outcome outcome = run_scene(*trial.of->projectile, *trial.of->target, scene, stop_);
-      if (outcome.status == Status::finished) trial.value = value_of(outcome, scene.integration.accuracy_of), trial.counts = !std::isnan(trial.value);
-      else trial.counts = outcome.status != Status::no_contact, trial.reason = outcome.reason;
-    });
-    if (stop_) throw Error("interrupted", Exit::interrupted);
-    count += static_cast<int>(trials.size());
+  // The greatest estimated error of all scenes, or of those up to one above `allowed`; NaN if one of them does not finish.
+  double error_at(double theta, int order, double allowed) {
     double worst = 0;
     some_count = false;
-    for (std::size_t i = 0; i < trials.size(); i += 2) {
-      if (!trials[i].counts || !trials[i + 1].counts) continue;
-      some_count = true;
-      const double error = richardson(trials[i].value, trials[i + 1].value, order);
-      if (std::isnan(error)) reason = trials[i].reason.empty() ? trials[i + 1].reason : trials[i].reason;
-      if (std::isnan(error) || std::isnan(worst)) worst = not_given;
-      else worst = std::max(worst, error);
+    for (std::size_t first = 0; first < scenes_.size(); first += at_once) {
+      const std::size_t last = std::min(first + at_once, scenes_.size());
+      std::vector<Trial> trials;
+      for (std::size_t i = first; i < last; ++i) trials.push_back({scenes_[i], theta}), trials.push_back({scenes_[i], theta / 2});
+      run(trials);
+      std::size_t hardest = scenes_.size();
+      for (std::size_t i = first; i < last; ++i) {
+        const Trial &at_step = trials[2 * (i - first)], &at_half = trials[2 * (i - first) + 1];
+        if (!at_step.counts || !at_half.counts) continue;
+        some_count = true;
+        const double error = richardson(at_step.value, at_half.value, order);
+        if (std::isnan(error)) reason = at_step.reason.empty() ? at_half.reason : at_step.reason;
+        if (!(error <= worst) && !std::isnan(worst)) worst = error, hardest = i;
+      }
+      if (!(worst <= allowed)) {
+        std::rotate(scenes_.begin(), scenes_.begin() + static_cast<std::ptrdiff_t>(hardest), scenes_.begin() + static_cast<std::ptrdiff_t>(hardest) + 1);
+        break;
+      }
     }
     return worst;
   }
@@ -92,7 +93,21 @@ class Trials {
   std::string reason;
 
  private:
-  const std::vector<TrialScene>& scenes_;
+  static constexpr std::size_t at_once = 3;  // whatever the number of threads: they must not change a choice
+
+  void run(std::vector<Trial>& trials) {
+    in_parallel(trials, threads_, [&](Trial& trial) {
+      Scene scene = trial.of->scene;
+      scene.integration.method = method_, scene.integration.accuracy = not_given, scene.integration.theta = trial.theta;
+      const Outcome outcome = run_scene(*trial.of->projectile, *trial.of->target, scene, stop_);
+      if (outcome.status == Status::finished) trial.value = value_of(outcome, scene.integration.accuracy_of), trial.counts = !std::isnan(trial.value);
+      else trial.counts = outcome.status != Status::no_contact, trial.reason = outcome.reason;
+    });
+    if (stop_) throw Error("interrupted", Exit::interrupted);
+    count += static_cast<int>(trials.size());
+  }
+
+  std::vector<const TrialScene*>& scenes_;
   std::string method_;
   int threads_;
   const std::atomic<bool>& stop_;
@@ -136,7 +151,7 @@ Reached shorten_step(Trials& trials, const Candidate& c, const Integration& aske
   const double guess = std::clamp(c.usual * std::pow(wanted / c.method->usual_accuracy, 1.0 / order), c.usual / 4, c.longest);
   double theta = from_longest ? c.longest : std::max(guess, shortest), best = std::numeric_limits<double>::infinity(), previous = not_given;
   for (int attempt = 0; attempt < most_attempts && theta >= shortest; ++attempt) {
-    const double error = trials.error_at(theta, order);
+    const double error = trials.error_at(theta, order, aim * wanted);
     if (!trials.some_count) throw FieldError("accuracy_of", fmt::format("{} is not defined in this impact; name another outcome", asked.accuracy_of));
     if (error <= aim * wanted) return {theta, error, ""};
     // Two attempts in a row that gain less than a step of half as long should by far: rounding, or paths that part at a near tie.
@@ -177,12 +192,14 @@ Choice choose_for_accuracy(std::vector<TrialScene> scenes, int threads, const st
     if (const Candidate c = candidate(scenes, name); c.cost() < last.cost()) candidates.push_back(c);
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.cost() < b.cost(); });
   candidates.push_back(last);
+  std::vector<const TrialScene*> in_order;
+  for (const TrialScene& trial : scenes) in_order.push_back(&trial);
   int trial_count = 0;
   Reached reached;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& c = candidates[i];
     const double shortest = i + 1 < candidates.size() ? c.work / (candidates[i + 1].cost() * c.step_of_theta) : c.usual / most_shortened;
-    Trials trials(scenes, c.method->name, threads, stop);
+    Trials trials(in_order, c.method->name, threads, stop);
     // A single scene's estimate may be small by chance, the more steps are tried; that of several hardly.
     reached = shorten_step(trials, c, asked, shortest, scenes.size() > 2, scene.effects);
     trial_count += trials.count;
