@@ -53,42 +53,61 @@ template <bool uniform, int W, class Law>
   }
 }
 
-/// The same for one impact alone, whose springs fill the registers four at a time. Every number is made by the same operations, and those
-/// of a node are summed in the same order, so the bits are those of a lane.
-template <bool uniform, class Law>
-[[gnu::noinline]] void kick_and_drift(Moving<1>& body, const Law& law, const Lane<1>& kick, const Lane<1>& drift) {
-  using XY = double __attribute__((vector_size(2 * sizeof(double)), may_alias));  // x, y; Eigen's own is spread over two registers by GCC
+/// x and y of a node in one or two lanes: x of each lane, then y. GCC's own vectors: it spreads Eigen's over two registers.
+template <int W>
+struct NodeVector;
+template <>
+struct NodeVector<1> {
+  using Type = double __attribute__((vector_size(16), may_alias));
+};
+template <>
+struct NodeVector<2> {
+  using Type = double __attribute__((vector_size(32), aligned(16), may_alias));
+};
+
+/// The same for one or two impacts, whose springs fill the registers four or two at a time. Every number is made by the same operations,
+/// and those of a node are summed in the same order, so the bits are those of a lane.
+template <bool uniform, int W, class Law>
+  requires(W <= 2)
+[[gnu::noinline]] void kick_and_drift(Moving<W>& body, const Law law, const Lane<W>& kick, const Lane<W>& drift) {
+  using Node = typename NodeVector<W>::Type;
   const Lattice& lattice = *body.lattice;
   const std::array<int, 2>* ends = lattice.spring.ends();
   const double *length = lattice.spring.length(), *strength = lattice.spring.stiffness();
-  XY *position = reinterpret_cast<XY*>(body.position.data()), *velocity = reinterpret_cast<XY*>(body.velocity.data()), *force = reinterpret_cast<XY*>(body.force.data());
-  const double stiffness = body.stiffness[0] * law.scale(), kick_ = kick[0], drift_ = drift[0];
-  const auto pull_by = [&]<int N>(std::integral_constant<int, N>, std::size_t s) {
-    XY d[N];
+  Node *position = reinterpret_cast<Node*>(body.position.data()), *velocity = reinterpret_cast<Node*>(body.velocity.data()), *force = reinterpret_cast<Node*>(body.force.data());
+  Node kick_, drift_;
+  for (int lane = 0; lane < W; ++lane) kick_[lane] = kick_[W + lane] = kick[lane], drift_[lane] = drift_[W + lane] = drift[lane];
+  const auto pull_by = [&]<int N>(std::integral_constant<int, N>, std::size_t s, const Lane<N * W>& stiffness) {
+    Node d[N];
     for (std::size_t k = 0; k < N; ++k) d[k] = position[ends[s + k][1]] - position[ends[s + k][0]];
-    Lane<N> dx, dy;
-    for (std::size_t k = 0; k < N; ++k) dx[static_cast<int>(k)] = d[k][0], dy[static_cast<int>(k)] = d[k][1];
-    const Lane<N> r = (dx * dx + dy * dy).sqrt();
-    const Lane<N> per_distance = 1.0 / r;
-    const Lane<N> stretch = r - Eigen::Map<const Lane<N>>(length + s);
-    Lane<N> of_spring;
-    if constexpr (uniform) of_spring.setConstant(stiffness);
-    else of_spring = stiffness * Eigen::Map<const Lane<N>>(strength + s);
-    const Lane<N> pull = of_spring * law.scaled_tension(stretch) * per_distance;
-    const Lane<N> px = pull * dx, py = pull * dy;
-    for (std::size_t k = 0; k < N; ++k) {
-      const XY p{px[static_cast<int>(k)], py[static_cast<int>(k)]};
-      force[ends[s + k][0]] += p, force[ends[s + k][1]] -= p;
+    Lane<N * W> dx, dy, rest, of_spring = stiffness;
+    for (int k = 0; k < N; ++k)
+      for (int lane = 0; lane < W; ++lane) dx[k * W + lane] = d[k][lane], dy[k * W + lane] = d[k][W + lane], rest[k * W + lane] = length[s + static_cast<std::size_t>(k)];
+    if constexpr (!uniform)
+      for (int k = 0; k < N; ++k)
+        for (int lane = 0; lane < W; ++lane) of_spring[k * W + lane] *= strength[s + static_cast<std::size_t>(k)];
+    const Lane<N * W> r = (dx * dx + dy * dy).sqrt();
+    const Lane<N * W> per_distance = 1.0 / r;
+    const Lane<N * W> stretch = r - rest;
+    const Lane<N * W> pull = of_spring * law.scaled_tension(stretch) * per_distance;
+    const Lane<N * W> px = pull * dx, py = pull * dy;
+    for (int k = 0; k < N; ++k) {
+      Node p;
+      for (int lane = 0; lane < W; ++lane) p[lane] = px[k * W + lane], p[W + lane] = py[k * W + lane];
+      force[ends[s + static_cast<std::size_t>(k)][0]] += p, force[ends[s + static_cast<std::size_t>(k)][1]] -= p;
     }
   };
+  constexpr int at_once = 4 / W;
+  const Lane<W> stiffness = body.stiffness * law.scale();
+  const Lane<4> all_stiffness = stiffness.template replicate<at_once, 1>();
   const std::size_t count = lattice.spring.size();
   std::size_t s = 0;
-  for (; s + 4 <= count; s += 4) pull_by(std::integral_constant<int, 4>{}, s);
-  for (; s < count; ++s) pull_by(std::integral_constant<int, 1>{}, s);
+  for (; s + at_once <= count; s += at_once) pull_by(std::integral_constant<int, at_once>{}, s, all_stiffness);
+  for (; s < count; ++s) pull_by(std::integral_constant<int, 1>{}, s, stiffness);
   for (int i = 0, free = lattice.free; i < free; ++i) {
     velocity[i] += kick_ * force[i];
     position[i] += drift_ * velocity[i];
-    force[i] = XY{};
+    force[i] = Node{};
   }
 }
 
