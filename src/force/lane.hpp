@@ -46,6 +46,7 @@ struct Moving {
   const struct Lattice* lattice = nullptr;
   NodeVectors<W> position, velocity, force;
   Lane<W> stiffness = Lane<W>::Zero();  ///< ka of each lane [m0 c^2/R^2]
+  Lane<W> pulse = Lane<W>::Zero();      ///< sum of the free nodes' velocities at the last kick: finite as long as they all are
 };
 
 /// True if what acts on "projectile", "target" or "both" acts on body 0 (the projectile) or 1.

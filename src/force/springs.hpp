@@ -27,6 +27,7 @@ template <bool uniform, int W, class Law>
   const int* first = lattice.first.data();
   Lane<W>*position = body.position.data(), *velocity = body.velocity.data(), *force = body.force.data();
   const Lane<W> stiffness = body.stiffness * law.scale(), kick_ = kick, drift_ = drift;
+  Lane<W> pulse = Lane<W>::Zero();
   std::size_t s = 0;
   for (int i = 0, free = lattice.free; i < free; ++i) {
     // Assigned, not copied: GCC copies an Eigen array in halves, and the full load that follows waits for both.
@@ -50,7 +51,9 @@ template <bool uniform, int W, class Law>
     velocity[2 * i] = vx, velocity[2 * i + 1] = vy;
     position[2 * i] = xi + drift_ * vx, position[2 * i + 1] = yi + drift_ * vy;
     force[2 * i].setZero(), force[2 * i + 1].setZero();
+    pulse += vx, pulse += vy;
   }
+  body.pulse = pulse;
 }
 
 /// x and y of a node in one or two lanes: x of each lane, then y. GCC's own vectors: it spreads Eigen's over two registers.
@@ -104,11 +107,14 @@ template <bool uniform, int W, class Law>
   std::size_t s = 0;
   for (; s + at_once <= count; s += at_once) pull_by(std::integral_constant<int, at_once>{}, s, all_stiffness);
   for (; s < count; ++s) pull_by(std::integral_constant<int, 1>{}, s, stiffness);
+  Node pulse{};
   for (int i = 0, free = lattice.free; i < free; ++i) {
     velocity[i] += kick_ * force[i];
     position[i] += drift_ * velocity[i];
     force[i] = Node{};
+    pulse += velocity[i];
   }
+  for (int lane = 0; lane < W; ++lane) body.pulse[lane] = pulse[lane] + pulse[W + lane];
 }
 
 template <int W>

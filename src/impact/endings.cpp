@@ -1,7 +1,5 @@
 #include "impact/endings.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,12 +29,6 @@ bool stays_clear(const Points& projectile, const Flight& flight, const Vec2& n, 
   return false;  // too close to tell: asked again at the next look
 }
 
-// Calls `found(node)` for every node inside the outline until it returns true.
-template <class Found>
-bool any_inside(const Points& nodes, const ChainTree& outline, Found&& found) {
-  return std::any_of(nodes.begin(), nodes.end(), [&](const Vec2& p) { return contains(outline, p) && found(p); });
-}
-
 }  // namespace
 
 bool clear_for_good(const Points& projectile, const Points& target, const Flight& flight) {
@@ -51,18 +43,16 @@ bool clear_for_good(const Points& projectile, const Points& target, const Flight
   return clear_along(Vec2(0, 1)) || clear_along((flight.centre - flight.target_centre).normalized());
 }
 
-std::string inside_one_another(const Points& projectile, const Points& target, bool two_sided, double gap) {
-  if (any_inside(projectile, ChainTree(target), [](const Vec2&) { return true; }))
-    return "a projectile node was inside the target; raise contact.V0, lower the speed, or take a smaller step";
-  const ChainTree outline(projectile);
-  double depth = 0;
-  const auto deep = [&](const Vec2& p) {
-    depth = distance_from(outline, p, std::numeric_limits<double>::infinity());
-    return two_sided || depth > gap;
-  };
-  if (!any_inside(target, outline, deep)) return "";
-  return two_sided ? "a target node was inside the projectile; raise contact.V0, lower the speed, or take a smaller step"
-                   : fmt::format("a target node was {:.2g} R inside the projectile: the one-sided contact pushes projectile nodes only; set contact = {{ sides = \"two\" }}", depth);
+std::optional<Intruder> inside_one_another(const Points& projectile, const Points& target, bool two_sided, double gap) {
+  const ChainTree upper(projectile), lower(target);
+  for (std::size_t k = 0; k < projectile.size(); ++k)
+    if (contains(lower, projectile[k])) return Intruder{0, k, 0};
+  for (std::size_t k = 0; k < target.size(); ++k)
+    if (contains(upper, target[k])) {
+      const double depth = distance_from(upper, target[k], std::numeric_limits<double>::infinity());
+      if (two_sided || depth > gap) return Intruder{1, k, depth};
+    }
+  return std::nullopt;
 }
 
 }  // namespace ricochet

@@ -1,7 +1,8 @@
 #pragma once
 // What ends an impact, seen in the rims of the two bodies: they have parted for good, or one is inside the other.
 
-#include <string>
+#include <cstddef>
+#include <optional>
 
 #include "core/vec2.hpp"
 
@@ -18,8 +19,15 @@ struct Flight {
 /// projectile, flying on as a rigid body, never comes back down: a spinning bar may, however fast it leaves.
 bool clear_for_good(const Points& projectile, const Points& target, const Flight& flight);
 
-/// What is wrong if a rim node of one body is inside the other, with what to change; empty if nothing is. A one-sided contact pushes
-/// projectile nodes only: a target node may then stand in the gap between two of them, but no deeper than `gap` [R].
-std::string inside_one_another(const Points& projectile, const Points& target, bool two_sided, double gap);
+/// A rim node of one body that is inside the other.
+struct Intruder {
+  int body;           ///< whose node it is: 0 the projectile's, 1 the target's
+  std::size_t place;  ///< in its rim
+  double depth;       ///< a target node's distance from the projectile's rim [R]
+};
+
+/// The first rim node of one body that is inside the other. A one-sided contact pushes projectile nodes only: a target node may then
+/// stand in the gap between two of them, but no deeper than `gap` [R].
+std::optional<Intruder> inside_one_another(const Points& projectile, const Points& target, bool two_sided, double gap);
 
 }  // namespace ricochet

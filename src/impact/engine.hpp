@@ -13,6 +13,7 @@
 #include "impact/acting_effects.hpp"
 #include "impact/batch.hpp"
 #include "impact/endings.hpp"
+#include "impact/inversion.hpp"
 #include "impact/launch.hpp"
 #include "impact/rigid_motion.hpp"
 #include "integrate/compose.hpp"
@@ -35,6 +36,9 @@ inline constexpr double bound_slack = 1.15;
 // Contact shows when its energy exceeds this share of the energy at launch.
 inline constexpr double touch_share = 1e-6;
 
+// A body has folded when more than this share of its area is turned over; slivers of a random lattice do so in any impact.
+inline constexpr double folded_share = 0.01;
+
 /// What is followed of one impact while it runs.
 struct Run {
   const Scene* scene = nullptr;  // nullptr: the lane is idle
@@ -55,6 +59,10 @@ struct Run {
   double drift = 0;
   int looks = 0;
   double spring_bound = 0;  // squared_frequency_bound of both bodies when it was last taken, the target's times slower_by^2
+  BodyNode bound_node;      // the node that set it
+  bool broken = false;      // a velocity is no longer finite: steps do not count from then on
+  BodyNode broken_node;     // whose
+  double inverted = 0, inversion_time = Outcome::undefined;
   double theta_most = 0;  // greatest step times frequency bound, springs as stretched and contact included
   double seconds = 0;     // its share of the thread's time
 
@@ -68,6 +76,8 @@ class Engine {
   friend class Engine;
 
  public:
+  using Bodies = std::array<Moving<W>, 2>;  ///< projectile, target
+
   Engine(const Lattice& projectile, const Lattice& target, const Method& method, const std::vector<Effect>& effects)
       : body_{Moving<W>{&projectile}, Moving<W>{&target}}, method_(method), contact_(projectile, target, find_effect<Adhesion>(effects), find_effect<Friction>(effects)), effects_(effects, projectile, target) {
     for (int b : {0, 1}) {
@@ -152,7 +162,7 @@ class Engine {
     }
     for (int lane = 0; lane < W; ++lane) {
       Run& run = runs_[lane];
-      if (!run.scene) continue;
+      if (!run.scene || run.broken) continue;
       ++run.steps;
       const bool touching = contact_energy_[lane] > threshold_[lane];
       if (touching && !run.touching && run.touches++ == 0) run.first_touch = run.time();
@@ -174,10 +184,12 @@ class Engine {
     take_spring_bounds();
     std::optional<Energies> taken;
     const auto energies = [&]() -> const Energies& { return taken ? *taken : taken.emplace(energies_of(end_, motions)); };
+    std::optional<Lane<W>> shares;
+    const auto inverted = [&]() -> const Lane<W>& { return shares ? *shares : shares.emplace(inverted_share(end_[0]).max(inverted_share(end_[1]))); };
     for (int lane = 0; lane < W; ++lane) {
       if (!runs_[lane].scene) continue;
       Outcome outcome;
-      outcome.status = follow(lane, motions, energies, outcome.reason);
+      outcome.status = follow(lane, motions, energies, inverted, outcome.reason);
       if (outcome.status == Status::not_run) continue;
       write(lane, motions, energies(), outcome);
       ended(lane, outcome);
@@ -201,11 +213,20 @@ class Engine {
     return shot;
   }
 
+  /// Test hook: both bodies where the run is, which most methods leave ahead of a step's end.
+  Bodies& state() { return body_; }
+  /// Test hook: changes the bodies at the end of the last step by `change(bodies)`, in every lane.
+  template <class Change>
+  void change(Change&& change) {
+    if (!effects_.split()) fall_back(body_);
+    change(body_);
+    if (!effects_.split()) get_ahead(method_, h_, Mover{*this, body_});
+  }
+
   const Method& method() const { return method_; }
   int steps_between_looks() const { return std::max(1, evaluations_between_looks / method_.evaluations()); }
 
  private:
-  using Bodies = std::array<Moving<W>, 2>;  // projectile, target
   struct Rates {
     NodeVectors<W> velocity, acceleration;
   };
@@ -222,6 +243,7 @@ class Engine {
       if (!engine.effects_.empty())
         for (int b : {0, 1}) engine.effects_.add_forces(b, bodies[b]);
       for (Moving<W>& body : bodies) ricochet::kick_and_drift(body, Lane<W>(kick / body.lattice->mass), drift);
+      engine.find_broken(bodies);
       if (shakes) engine.effects_.book_anchors(bodies[1], kick), engine.effects_.drift_anchors(bodies[1], drift);
     }
     void drift(const Lane<W>& by) const {
@@ -261,6 +283,7 @@ class Engine {
     void slow(const Lane<W>& kick, const Lane<W>& drift, const Lane<W>& rim_drift) const {
       Moving<W>& target = bodies[1];
       ricochet::kick_and_drift(target, Lane<W>(kick / target.lattice->mass), drift);
+      engine.find_broken(bodies);
       const Lane<W> back = rim_drift - drift;
       for (const int i : target.lattice->rim)
         if (i < target.lattice->free) target.position.x(i) += back * target.velocity.x(i), target.position.y(i) += back * target.velocity.y(i);
@@ -369,9 +392,13 @@ class Engine {
         if (effects_.empty()) return squared_frequency_bound(end_[b]);
         return squared_frequency_bound(end_[b], [&](int s, const Lane<W>& x) { return effects_.rest(b, s, x); });
       };
-      const Lane<W> bound = bound_of(0).max(Lane<W>(slower * slower * bound_of(1)));
-      for (int lane = 0; lane < W; ++lane)
-        if (due(runs_[lane])) runs_[lane].spring_bound = bound[lane];
+      std::array<SquaredBounds<W>, 2> bounds{bound_of(0), bound_of(1)};
+      bounds[1].omega2 *= slower * slower;
+      for (std::size_t lane = 0; lane < W; ++lane) {
+        if (!due(runs_[lane])) continue;
+        const int body = bounds[1].omega2[lane] > bounds[0].omega2[lane];
+        runs_[lane].spring_bound = bounds[body].omega2[lane], runs_[lane].bound_node = {body, bounds[body].node[lane]};
+      }
     }
     for (Run& run : runs_) ++run.looks;
   }
@@ -383,18 +410,24 @@ class Engine {
     return ledger;
   }
 
-  // Follows a lane; not_run means that it goes on. `energies()`: those of the last step's end, taken if they are asked for.
-  template <class Taken>
-  Status follow(int lane, const Motions& motions, Taken&& energies, std::string& reason) {
+  // Follows a lane; not_run means that it goes on. `energies()` and `inverted()`: those of the last step's end, taken if they are asked for.
+  template <class Taken, class Shares>
+  Status follow(int lane, const Motions& motions, Taken&& energies, Shares&& inverted, std::string& reason) {
     Run& run = runs_[lane];
+    if (run.broken) {
+      reason = fmt::format("{} was no longer finite at t = {:.6g}: the forces had outgrown the time step {:.3g} R/c; give a step half as long or a lower speed", described(run.broken_node), run.time(), run.start.step);
+      return Status::not_finite;
+    }
     const RigidMotion<W>&p = motions.projectile, &t = motions.target;
     const bool parted = separated(lane, p, t), late = run.time() >= run.start.time_limit;
     if (parted || late || run.looks % looks_between_ledgers == 0) {
       const double total = ledger(lane, motions, energies()).total();
       if (!std::isfinite(total)) {
-        reason = fmt::format("a position or velocity was not finite at t = {:.6g}", run.time());
+        reason = fmt::format("the energy was beyond every number at t = {:.6g}; give a lower speed", run.time());
         return Status::not_finite;
       }
+      run.inverted = std::max(run.inverted, inverted()[lane]);
+      if (run.inverted > folded_share && std::isnan(run.inversion_time)) run.inversion_time = run.time();
       run.drift = std::max(run.drift, std::abs(total - run.energy_before) / run.energy_before);
       if (run.drift > run.scene->integration.energy_tolerance) {
         reason = fmt::format("the total energy had strayed by {:.3g} at t = {:.6g} with the time step {:.3g} R/c; give a step half as long", run.drift, run.time(), run.start.step);
@@ -403,18 +436,22 @@ class Engine {
     }
     // Contact stiffens the node it pushes; K <= 2 blockdiag(K_ii) holds for it as for a spring.
     const double lightest = std::min(body_[0].lattice->mass, body_[1].lattice->mass);
-    const double omega = std::sqrt(run.spring_bound + 2 * contact_.take_stiffest(lane) / lightest);
+    const double contact_bound = 2 * contact_.take_stiffest(lane) / lightest;
+    const double omega = std::sqrt(run.spring_bound + contact_bound);
     run.theta_most = std::max(run.theta_most, run.start.step * omega);
     if (run.start.step * omega > bound_slack * method_.stability_limit) {
-      reason = fmt::format("at t = {:.6g} the frequency bound had risen to {:.4g} c/R, where {} is unstable with the time step {:.3g} R/c; give a step of {:.3g}", run.time(), omega,
-                           method_.name, run.start.step, run.start.step * method_.usual / run.theta_most);
+      reason = fmt::format("at t = {:.6g} the frequency bound had risen to {:.4g} c/R at {}, where {} is unstable with the time step {:.3g} R/c; give a step of {:.3g}", run.time(), omega,
+                           described(contact_bound > run.spring_bound ? contact_.stiffest_node(lane) : run.bound_node), method_.name, run.start.step, run.start.step * method_.usual / run.theta_most);
       return Status::unstable;
     }
-    if (run.touches > 0) reason = inside_one_another(rim(0, lane), rim(1, lane), run.scene->contact.two_sided(), rim_gap_);
-    if (!reason.empty()) {
-      reason = fmt::format("at t = {:.6g} ", run.time()) + reason;
-      return Status::tunnelled;
-    }
+    if (run.touches > 0)
+      if (const auto intruder = inside_one_another(rim(0, lane), rim(1, lane), run.scene->contact.two_sided(), rim_gap_)) {
+        const BodyNode node{intruder->body, body_[intruder->body].lattice->rim[intruder->place]};
+        const bool unpushed = intruder->body == 1 && !run.scene->contact.two_sided();
+        reason = fmt::format("at t = {:.6g} {} was {}inside the {}{}", run.time(), described(node), unpushed ? fmt::format("{:.2g} R ", intruder->depth) : "", intruder->body == 0 ? "target" : "projectile",
+                             unpushed ? ": the one-sided contact pushes projectile nodes only; set contact = { sides = \"two\" }" : "; raise contact.V0, lower the speed, or take a smaller step");
+        return Status::tunnelled;
+      }
     const double overlap = run.reference_height - (p.y[lane] - t.y[lane]);
     if (run.touches > 0 && (!run.indented || overlap > run.indentation)) measure_contact(lane, p.x[lane], overlap);
     if (parted) return run.touches > 0 ? Status::finished : no_contact(reason);
@@ -423,6 +460,33 @@ class Engine {
       return Status::out_of_time;
     }
     return Status::not_run;
+  }
+
+  static std::string described(const BodyNode& node) { return fmt::format("node {} of the {}", node.node, node.body == 0 ? "projectile" : "target"); }
+
+  // Looks for lanes that have just broken. A node that is not finite takes its neighbours along in the same evaluation, so the one with
+  // the most of them is where it began.
+  void find_broken(const Bodies& bodies) {
+    const Lane<W> pulse = bodies[0].pulse + bodies[1].pulse;
+    if ((pulse - pulse == 0).all()) return;
+    for (int lane = 0; lane < W; ++lane) {
+      Run& run = runs_[lane];
+      if (!run.scene || run.broken || std::isfinite(pulse[lane])) continue;
+      run.broken = true;
+      int most = -1;
+      for (int b : {0, 1}) {
+        const Lattice& lattice = *bodies[b].lattice;
+        const auto lost = [&](int i) { return i < lattice.free && !(bodies[b].position.at(i, lane) + bodies[b].velocity.at(i, lane)).allFinite(); };
+        std::vector<int> neighbours(static_cast<std::size_t>(lattice.nodes()));
+        for (int i = 0; i < lattice.free; ++i)
+          for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
+            const int j = lattice.spring[s].other;
+            neighbours[i] += lost(j), neighbours[j] += lost(i);
+          }
+        for (int i = 0; i < lattice.free; ++i)
+          if (lost(i) && neighbours[i] > most) most = neighbours[i], run.broken_node = {b, i};
+      }
+    }
   }
 
   static Status no_contact(std::string& reason) {
@@ -479,6 +543,7 @@ class Engine {
     o.effect_count = effects_.counts(lane);
     o.energy_closure = std::abs(o.after.total() - run.energy_before) / run.energy_before;
     o.energy_drift = run.drift;
+    o.inverted = run.inverted, o.inversion_time = run.inversion_time;
     o.certified = run.start.certified;
     o.time = run.time(), o.step = run.start.step, o.theta = run.start.theta, o.theta_most = run.theta_most, o.steps = static_cast<double>(run.steps);
     o.touches = run.touches;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 #include "force/contact/candidates.hpp"
@@ -67,14 +68,33 @@ Step choose_step(const Scene& scene, const Lattice& projectile, const Lattice& t
                       : !std::isnan(wanted.theta) ? wanted.theta / omega
                                                   : std::min(method.usual / omega, onset_share * contacts / (scene.contact.xi * fastest));
   const double theta = step * omega;
-  if (theta > method.stability_limit) {
-    if (std::isnan(wanted.step)) throw FieldError("theta", fmt::format("{:.6g} is unstable: {} needs less than {:g}; {:g} works", theta, method.name, method.stability_limit, method.usual));
-    const bool first = a.omega >= b.omega;
-    throw FieldError("step", fmt::format("{} is unstable: {} needs a step below {:.4g} here (node {} of the {} vibrates at up to {:.4g} c/R); {:.3g} works",
-                                         wanted.step, method.name, method.stability_limit / omega, first ? a.node : b.node,
-                                         first ? "projectile" : "target", first ? a.omega : b.omega / slower_by(method), method.usual / omega));
+  if (!(theta <= method.stability_limit)) {
+    const bool first = a.omega >= b.omega, by_step = !std::isnan(wanted.step);
+    const double unit = by_step ? 1 / omega : 1;
+    throw FieldError(by_step ? "step" : "theta",
+                     fmt::format("{:.6g} is unstable: {} needs a {} below {:.4g} here (node {} of the {} vibrates at up to {:.4g} c/R); {:.3g} works", by_step ? wanted.step : theta, method.name,
+                                 by_step ? "step" : "theta", method.stability_limit * unit, first ? a.node : b.node, first ? "projectile" : "target",
+                                 first ? a.omega : b.omega / slower_by(method), method.usual * unit));
   }
   return {step, theta};
+}
+
+// Time and places must move on in numbers of 53 bits. `size`: of the places [R].
+void check_progress(const Scene& scene, const Start& start, double fastest, double size) {
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  const Integration& wanted = scene.integration;
+  const char* given = !std::isnan(wanted.step) ? "step" : !std::isnan(wanted.theta) ? "theta" : nullptr;
+  const char* speed = std::isnan(scene.launch.normal_speed) ? "speed" : "normal_speed";
+  if (start.time_limit + start.step == start.time_limit)
+    throw FieldError(given ? given : std::isnan(wanted.time_limit) ? speed : "time_limit",
+                     fmt::format("a time step of {:.3g} R/c is lost in rounding at the time limit of {:.3g} R/c: t + step = t; give {}", start.step, start.time_limit,
+                                 given ? std::string("a longer ") + given : std::isnan(wanted.time_limit) ? "a lower speed" : "a shorter time_limit"));
+  // The last digits of what a step adds to a place are lost; few enough that the impact does not notice.
+  const double least = 1e3 * rounding * size;
+  if (fastest > 0 && start.step * fastest < least)
+    throw FieldError(given ? given : speed,
+                     fmt::format("in a step of {:.3g} R/c the projectile would move by {:.2g} R, which is lost in rounding; give {} or more", start.step, start.step * fastest,
+                                 given && given[0] == 's' ? fmt::format("a step of {:.2g}", least / fastest) : given ? fmt::format("a theta of {:.2g}", least / fastest / start.step * wanted.theta) : fmt::format("a speed of {:.2g} c", least / start.step)));
 }
 
 }  // namespace
@@ -148,6 +168,7 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
   start.step = step, start.theta = theta;
   const double normal_speed = -start.velocity.y();
   start.time_limit = !std::isnan(scene.integration.time_limit) ? scene.integration.time_limit : 100 + 2 / std::max(normal_speed, 1e-9);
+  check_progress(scene, start, fastest, std::max(centre.norm(), radius));
   // Of the relative motion, in the frame where the energy is least: an anchored target is infinitely heavy.
   const double mass = projectile.total_mass();
   const double reduced = target.anchored() ? mass : mass * target.total_mass() / (mass + target.total_mass());

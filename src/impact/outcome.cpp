@@ -38,6 +38,8 @@ const std::vector<std::pair<Field, std::function<double(const Outcome&)>>>& Outc
       {{"after_contact", "number", "m0 c^2", "energy after: contact"}, [](O o) { return o.after.contact; }},
       {{"energy_closure", "number", "", "|total after - before| / before"}, [](O o) { return o.energy_closure; }},
       {{"energy_drift", "number", "", "greatest |total - before| / before seen during the impact"}, [](O o) { return o.energy_drift; }},
+      {{"inverted", "number", "", "greatest share of a body's area in triangles turned over, as seen with the ledger; beyond that of slivers it is no elastic solid any more"}, [](O o) { return o.inverted; }},
+      {{"inversion_time", "number", "R/c", "when that share first exceeded 0.01; undefined if it never did"}, [](O o) { return o.inversion_time; }},
       {{"certified", "number", "", "1 if the total energy is below V0, so that no projectile node can cross a target segment (nor the reverse, if two-sided)"}, [](O o) { return o.certified; }},
       {{"time", "number", "R/c", "simulated time, from the rims' coming within reach to the end"}, [](O o) { return o.time; }},
       {{"step", "number", "R/c", "time step"}, [](O o) { return o.step; }},

@@ -44,6 +44,7 @@ struct Outcome {
   double contact_length = undefined, centre_offset = undefined, tan_alpha = undefined, e_alpha = undefined;
   Ledger before, after;
   double energy_closure = undefined, energy_drift = undefined;
+  double inverted = undefined, inversion_time = undefined;
   double certified = 0, time = undefined, step = undefined, theta = undefined, theta_most = undefined, steps = 0;
   double momentum_residual = undefined, error_estimate = undefined;
 

@@ -48,8 +48,8 @@ void step(const Method& method, const Number& h, System&& system) {
 template <class Number, class System>
 void get_ahead(const Method& method, const Number& h, System&& system) {
   if (method.multirate()) {
-    system.drift(Number(method.ahead_drift * h));
-    system.slow(Number(0.5 * h), h, Number(method.ahead_drift * h));
+    const Number ahead = method.ahead_drift * h, none = 0 * h;
+    system.slow(Number(0.5 * h), Number(h - ahead), none), system.drift(ahead);
     return;
   }
   if (method.ahead_kick == 0) system.drift(Number(method.ahead_drift * h));

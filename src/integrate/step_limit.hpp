@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "force/spring/rest.hpp"
@@ -16,10 +17,17 @@ struct FrequencyBound {
 /// spring joins two nodes, K <= 2 blockdiag(K_ii) as a quadratic form, because k (n.(u_i - u_j))^2 <= 2k (n.u_i)^2 + 2k (n.u_j)^2. [here]
 FrequencyBound frequency_bound(const Lattice& lattice, double stiffness);
 
-/// The largest 2 lambda_max(K_ii) / m over the free nodes as the springs are stretched now, in W lanes [c^2/R^2]: K_ii is the sum of
+/// A bound of the highest frequency in W lanes.
+template <int W>
+struct SquaredBounds {
+  Lane<W> omega2 = Lane<W>::Zero();  ///< [c^2/R^2]
+  std::array<int, W> node{};         ///< the node that sets it
+};
+
+/// The largest 2 lambda_max(K_ii) / m over the free nodes as the springs are stretched now: K_ii is the sum of
 /// T'(x) n n^T + (|T|/r) (1 - n n^T). The half list gives a spring's block to both its ends. rest(s, x): what is left of spring s at a stretch x.
 template <int W, class Rest>
-Lane<W> squared_frequency_bound(const Moving<W>& body, Rest&& rest) {
+SquaredBounds<W> squared_frequency_bound(const Moving<W>& body, Rest&& rest) {
   const Lattice& lattice = *body.lattice;
   struct Block {
     Lane<W> xx = Lane<W>::Zero(), xy = Lane<W>::Zero(), yy = Lane<W>::Zero();
@@ -41,18 +49,21 @@ Lane<W> squared_frequency_bound(const Moving<W>& body, Rest&& rest) {
         b.xx += across + more * nx * nx, b.xy += more * nx * ny, b.yy += across + more * ny * ny;
       }
     }
-  Lane<W> largest = Lane<W>::Zero();
+  SquaredBounds<W> largest;
   for (int i = 0; i < lattice.free; ++i) {
     const Block& b = blocks[i];
     const Lane<W> half = (b.xx - b.yy) / 2;
-    largest = largest.max((b.xx + b.yy) / 2 + (half * half + b.xy * b.xy).sqrt());
+    const Lane<W> eigenvalue = (b.xx + b.yy) / 2 + (half * half + b.xy * b.xy).sqrt();
+    for (int lane = 0; lane < W; ++lane)
+      if (eigenvalue[lane] > largest.omega2[lane]) largest.omega2[lane] = eigenvalue[lane], largest.node[static_cast<std::size_t>(lane)] = i;
   }
-  return 2 / lattice.mass * body.stiffness * largest;
+  largest.omega2 *= 2 / lattice.mass * body.stiffness;
+  return largest;
 }
 
 /// The same for springs without a past.
 template <int W>
-Lane<W> squared_frequency_bound(const Moving<W>& body) {
+SquaredBounds<W> squared_frequency_bound(const Moving<W>& body) {
   return squared_frequency_bound(body, [](int, const Lane<W>& x) { return SpringRest<Lane<W>>{x, Lane<W>::Ones()}; });
 }
 

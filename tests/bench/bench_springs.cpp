@@ -25,7 +25,7 @@ struct PaperBodies {
 
 template <int W>
 Moving<W> vibrating(const Lattice& lattice, double stiffness) {
-  Moving<W> body{&lattice, {}, {}, {}, Lane<W>::Constant(stiffness)};
+  Moving<W> body{&lattice, {}, {}, {}, Lane<W>::Constant(stiffness), {}};
   for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(lattice.nodes());
   for (int i = 0; i < lattice.nodes(); ++i)
     for (int lane = 0; lane < W; ++lane) {

@@ -85,36 +85,6 @@ TEST_CASE("momentum and angular momentum of two free disks are exact to rounding
   }
 }
 
-TEST_CASE("every method shows its order on a real smooth impact") {
-  Scene scene = small_scene(1, 1, 0);
-  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
-  const auto final_state = [&](const char* method, double step) {
-    scene.integration.method = method, scene.integration.step = step;
-    const Snapshot s = run_until(*p, *t, scene, 4.8);  // on the way out: contact passed its climax
-    std::vector<double> state;
-    for (const Points& points : {s.projectile, s.target})
-      for (const Vec2& x : points) state.push_back(x.x()), state.push_back(x.y());
-    return state;
-  };
-  const auto distance = [](const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-    return std::sqrt(sum / static_cast<double>(a.size()));
-  };
-  const auto exact = final_state("blanes_moan_srkn14a", 0.0025);
-  // Steps at which each method's leading term shows; takahashi_imada's paths are of order 2, its outcomes of order 4 (test_accuracy.cpp).
-  for (const auto& [method, step] : {std::pair{"verlet", 0.005}, std::pair{"takahashi_imada", 0.005}, std::pair{"forest_ruth", 0.005}, std::pair{"pefrl", 0.01},
-                                     std::pair{"chin_4a", 0.01}, std::pair{"mclachlan_sb3a4", 0.01}, std::pair{"blanes_moan_s6", 0.01},
-                                     std::pair{"blanes_moan_srkn6b", 0.01}, std::pair{"rk4", 0.005}, std::pair{"multirate_4", 0.01}}) {
-    const double coarse = distance(final_state(method, step), exact), fine = distance(final_state(method, step / 2), exact);
-    INFO(method << " " << coarse << " " << fine);
-    CHECK(coarse > 1e-13);
-    CHECK(std::log2(coarse / fine) == Catch::Detail::Approx(method_named(method).order).margin(0.3));
-  }
-  // At any stable step, those of order 6 are at rounding already.
-  for (const auto& [method, step] : {std::pair{"okunbor_skeel_13", 0.005}, std::pair{"blanes_moan_srkn11b", 0.005}, std::pair{"dop853", 0.005}}) CHECK(distance(final_state(method, step), exact) < 1e-10);
-}
-
 TEST_CASE("a smooth disk on a smooth wall transmits little tangential impulse: beta = -1") {
   Scene scene;
   scene.projectile = disk(300, 1e4, 0, 1), scene.target = wall(1000, 100, 0, 1, 6, 2);
@@ -181,7 +151,7 @@ TEST_CASE("endings are statuses with a reason") {
     CHECK(outcome_of(scene).status != Status::unstable);
   }
   SECTION("positions that overflow") {
-    scene.launch.speed = 1e200, scene.integration.energy_tolerance = 1e300;
+    scene.launch.speed = 1e200, scene.integration.energy_tolerance = 1e300, scene.integration.step = 1e-3;
     CHECK(outcome_of(scene).status == Status::not_finite);
   }
 }

@@ -18,6 +18,11 @@
 
 namespace ricochet {
 
+/// A node of one of two bodies: 0 the projectile, 1 the target.
+struct BodyNode {
+  int body = 0, node = 0;
+};
+
 /// Nodes of one body against segments of the other, in every lane. `effects` false leaves out what adhesion and friction need, for the
 /// benchmark that shows what that costs a scene without them.
 template <int W, bool effects = true>
@@ -70,7 +75,7 @@ class Contact {
       energy[lane] = each(lane, projectile.position, target.position, [&](const Push& push) {
         const double repulsion = xi * push.energy;
         on_node = push.node == node ? on_node + repulsion : repulsion, node = push.node;  // pairs of a node stand together
-        stiffest_[lane] = std::max(stiffest_[lane], xi * on_node);
+        if (xi * on_node > stiffest_[lane]) stiffest_[lane] = xi * on_node, stiffest_node_[lane] = {push.direction, push.node};
         Moving<W>& a = push.direction == 0 ? projectile : target;
         Moving<W>& b = push.direction == 0 ? target : projectile;
         a.force.add(push.node, lane, push.force);
@@ -87,6 +92,9 @@ class Contact {
     const double stiffest = std::exchange(stiffest_[lane], 0.0);
     return stiffest > 0 && grip() ? stiffest + grip()->stiffness(lane) : stiffest;
   }
+
+  /// Which node that was.
+  BodyNode stiffest_node(int lane) const { return stiffest_node_[lane]; }
 
   /// Energy of the repulsion in each lane at given positions. [m0 c^2]
   Lane<W> energy(const NodeVectors<W>& projectile, const NodeVectors<W>& target) {
@@ -220,6 +228,7 @@ class Contact {
   std::array<const ExponentialRepulsion*, W> law_{};
   std::array<std::array<std::vector<Pair>, 2>, W> pairs_;  // [lane][direction]
   Lane<W> stiffest_ = Lane<W>::Zero();
+  std::array<BodyNode, W> stiffest_node_{};
   const Adhesion* adhesion_;
   std::optional<Grip<W>> grip_;
   mutable Gaps gaps_;                                    // of the lane at hand; kept for its memory

@@ -129,7 +129,7 @@ void spring_cost() {
   const LammpsFiles files = lammps_files(scene, *p, *t, "vibration");
   write_atomically(folder / "vibration.data", files.data);
   const double springs = static_cast<double>(p->spring.size() + t->spring.size());
-  std::array<Moving<lanes>, 2> bodies{Moving<lanes>{p.get(), {}, {}, {}, Lane<lanes>::Constant(1e4)}, Moving<lanes>{t.get(), {}, {}, {}, Lane<lanes>::Constant(100)}};
+  std::array<Moving<lanes>, 2> bodies{Moving<lanes>{p.get(), {}, {}, {}, Lane<lanes>::Constant(1e4), {}}, Moving<lanes>{t.get(), {}, {}, {}, Lane<lanes>::Constant(100), {}}};
   for (Moving<lanes>& body : bodies) {
     for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(body.lattice->nodes());
     for (int i = 0; i < body.lattice->nodes(); ++i)
