@@ -110,7 +110,7 @@ function ricochet.scene(t) end
 ---@class ricochet.contact_fields
 ---@field V0? number energy of a rim node that touches a segment: a total energy below it cannot tunnel [m0 c^2] (default 150)
 ---@field xi? number inverse range of the repulsion [1/R] (default 300)
----@field reach? number segments farther than this from a node are left out; 20 <= xi reach <= 700 [R] (default 0.1)
+---@field reach? number segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an impact is so slow that what is left out would show [R] (default 0.1)
 ---@field sides? "one"|"two" one: projectile nodes are pushed off target segments (the paper); two: and the other way round (default one)
 
 ---@class ricochet.gravity_fields

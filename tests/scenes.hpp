@@ -1,9 +1,12 @@
 #pragma once
 // Small scenes that the tests share.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
+#include "impact/outcome.hpp"
 #include "impact/scene.hpp"
 #include "lattice/lattice.hpp"
 #include "lattice/outline.hpp"
@@ -47,6 +50,13 @@ inline Scene small_scene(int seed = 1, double psi1 = 1, double roughness = 0.03)
   scene.projectile = disk(60, 1e4, roughness, seed), scene.target = wall(150, 400, roughness, seed);
   scene.launch.psi1 = psi1;
   return scene;
+}
+
+/// Every bit of an outcome, as text.
+inline std::string exact_text(const Outcome& o) {
+  std::string text = name_of(o.status) + ";";
+  for (const auto& [field, value] : Outcome::fields()) text += fmt::format("{:a};", value(o));
+  return text;
 }
 
 }  // namespace ricochet::test

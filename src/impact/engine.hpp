@@ -33,9 +33,6 @@ inline constexpr int looks_between_ledgers = 4;
 inline constexpr int looks_between_bounds = 16;
 inline constexpr double bound_slack = 1.15;
 
-// Contact shows when its energy exceeds this share of the energy at launch.
-inline constexpr double touch_share = 1e-6;
-
 // A body has folded when more than this share of its area is turned over; slivers of a random lattice do so in any impact.
 inline constexpr double folded_share = 0.01;
 
@@ -106,9 +103,9 @@ class Engine {
       outcome.reason = "the projectile passes by the target";
       return outcome;
     }
-    place(lane, run.start, scene);
     runs_[lane] = run;
     Run& now = runs_[lane];
+    place(lane, now.start, scene);
     // The ledger before: the state is still at the end of step 0.
     const Motions motions = motions_of(body_);
     const Energies energies = energies_of(body_, motions);
@@ -142,7 +139,7 @@ class Engine {
     };
     for (int b : {0, 1}) copy(from.body_[b], body_[b]);
     runs_[lane] = from.runs_[from_lane], h_[lane] = from.h_[from_lane], threshold_[lane] = from.threshold_[from_lane];
-    contact_.set(lane, &runs_[lane].scene->contact);
+    contact_.set(lane, &runs_[lane].start.contact);
     contact_.take(lane, from.contact_, from_lane);
     effects_.take(lane, from.effects_, from_lane);
   }
@@ -271,6 +268,7 @@ class Engine {
     void fast(const Lane<W>& kick, const Lane<W>& drift, const Lane<W>& rim_drift) const {
       engine.contact_energy_ = engine.contact_.add_forces(bodies[0], bodies[1]);
       ricochet::kick_and_drift(bodies[0], Lane<W>(kick / bodies[0].lattice->mass), drift);
+      engine.find_broken(bodies);
       Moving<W>& target = bodies[1];
       const Lane<W> per_mass = kick / target.lattice->mass;
       for (const int i : target.lattice->rim) {
@@ -342,7 +340,7 @@ class Engine {
     body_[0].stiffness[lane] = scene.projectile->numbers.stiffness;
     body_[1].stiffness[lane] = scene.target->numbers.stiffness;
     h_[lane] = start.step;
-    contact_.set(lane, &scene.contact);
+    contact_.set(lane, &start.contact);
     effects_.begin(lane, start.step, scene.effects, body_, start.pose.angle);
   }
 
@@ -441,7 +439,7 @@ class Engine {
     run.theta_most = std::max(run.theta_most, run.start.step * omega);
     if (run.start.step * omega > bound_slack * method_.stability_limit) {
       reason = fmt::format("at t = {:.6g} the frequency bound had risen to {:.4g} c/R at {}, where {} is unstable with the time step {:.3g} R/c; give a step of {:.3g}", run.time(), omega,
-                           described(contact_bound > run.spring_bound ? contact_.stiffest_node(lane) : run.bound_node), method_.name, run.start.step, run.start.step * method_.usual / run.theta_most);
+                           described(contact_bound > run.spring_bound ? contact_.stiffest_node(lane) : run.bound_node), method_.name, run.start.step, run.start.step * method_.usual / (2 * run.theta_most));
       return Status::unstable;
     }
     if (run.touches > 0)
@@ -522,7 +520,7 @@ class Engine {
     });
     double strongest = 0;
     for (const Point& p : points) strongest = std::max(strongest, p.force);
-    if (strongest * run.scene->contact.reach < touch_share * run.start.energy) return;  // between two touches
+    if (strongest * run.start.contact.reach < touch_share * run.start.energy) return;  // between two touches
     run.indentation = overlap, run.indented = true;
     std::optional<Vec2> a, b;  // trailing and leading end; the projectile moves along +x
     for (const Point& p : points) {

@@ -53,7 +53,7 @@ LammpsFiles lammps_files(const Scene& scene, const Lattice& projectile, const La
   add(files.data, "Masses\n\n1 {0:.17g}\n2 {0:.17g}\n3 {1:.17g}\n4 {1:.17g}\n5 {1:.17g}\n\n", projectile.mass, target.mass);
   files.data += "Bond Coeffs # class2\n\n" + coefficients + "\nAtoms # bond\n\n" + atoms + "\nVelocities\n\n" + velocities + "\nBonds\n\n" + bonds;
 
-  const ExponentialRepulsion& contact = scene.contact;
+  const ExponentialRepulsion& contact = start.energy > 0 ? start.contact : scene.contact;
   const double step = start.step;
   const auto steps = static_cast<std::int64_t>(std::ceil((start.energy > 0 ? 4 / std::max(1e-9, -start.velocity.y()) * contact.reach + 10 : 10) / step));
   files.input = fmt::format(

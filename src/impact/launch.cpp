@@ -187,7 +187,11 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
   if (std::isnan(lift)) throw FieldError("at", fmt::format("a projectile at x = {} passes beside the target", scene.launch.at));
   start.overlap_height = centre.y() + lift - target.centre().y();
 
-  const double reach = scene.contact.reach;
+  // What is cut off must not show: at 0.1 c a reach of 0.1 R is far enough, below about 1e-4 c it is not.
+  constexpr double cut_share = touch_share / 100;
+  start.contact = scene.contact;
+  if (start.energy > 0) start.contact.reach = std::max(scene.contact.reach, std::log(scene.contact.V0 / (cut_share * start.energy)) / scene.contact.xi);
+  const double reach = start.contact.reach;
   const auto roughest = [](const Points& a, const Points& b) {
     double largest = 0;
     for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
@@ -208,9 +212,19 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
   double distance = chain_distance(posed(rim, centre, pose), target_rim);
   // Where the outlines slope, a height is less of a distance: go higher until the rims are apart.
   for (double above = 2 * height; !given && distance < reach && above < 1e3 * height; above *= 2) pose = upstream(above), distance = chain_distance(posed(rim, centre, pose), target_rim);
-  if (scene.contact.V0 * std::exp(-scene.contact.xi * distance) > 1e-6 * std::max(start.energy, 1e-300))
-    throw FieldError("height", fmt::format("the bodies overlap at the start (rims {:.3g} R apart, {:.3g} R needed); raise launch.height to {:.3g} or more, or leave it out",
-                                           distance, reach, height - distance + reach));
+  const auto too_near = [&](double apart) { return scene.contact.V0 * std::exp(-scene.contact.xi * apart) > touch_share * std::max(start.energy, 1e-300); };
+  if (too_near(distance)) {
+    // A height that works, found as if none were given, and the least one below it.
+    double low = height, high = reach + roughest(rim, projectile.smooth_rim) + roughest(target_rim, target.smooth_rim);
+    const auto works = [&](double above) { return !too_near(chain_distance(posed(rim, centre, upstream(above)), target_rim)); };
+    while (!works(high) && high < 1e3) low = high, high *= 2;
+    while (high - low > 1e-3 * high) {
+      const double middle = (low + high) / 2;
+      (works(middle) ? high : low) = middle;
+    }
+    throw FieldError("height", fmt::format("the bodies overlap at the start (rims {:.3g} R apart, {:.3g} R needed); raise launch.height to {:.3g} or more, or leave it out", distance,
+                                           std::log(scene.contact.V0 / (touch_share * std::max(start.energy, 1e-300))) / scene.contact.xi, 1.01 * high));
+  }
 
   // As far as the projectile can be from the target and still approach it: past that it has passed by.
   Vec2 low = target_rim[0], high = target_rim[0];

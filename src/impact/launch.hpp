@@ -8,6 +8,9 @@ namespace ricochet {
 /// its springs in long steps.
 inline double slower_by(const Method& method) { return method.multirate() ? method.stability_limit / method.slow_limit : 1; }
 
+/// Contact shows when its energy exceeds this share of the energy at launch.
+inline constexpr double touch_share = 1e-6;
+
 /// A rigid motion of the projectile from its lattice's rest position.
 struct Pose {
   Vec2 centre = Vec2::Zero();   ///< of mass
@@ -22,6 +25,7 @@ struct Start {
   double spin = 0;
   double step = 0, theta = 0, time_limit = 0;
   double energy = 0;         ///< kinetic energy [m0 c^2]
+  ExponentialRepulsion contact{};  ///< the scene's, its reach widened for a slow impact
   bool certified = false;    ///< energy below V0: no node can cross a segment
   double overlap_height = 0; ///< height of the projectile's centre at which the smooth outlines just overlap, above the target's centre
 };

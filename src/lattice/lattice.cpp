@@ -47,6 +47,8 @@ std::string Body::geometry_text() const {
 
 Points plan_rim(const Points& outline, const BodyNumbers& numbers) {
   if (outline.size() < 3) throw FieldError("outline", fmt::format("needs at least 3 points, has {}", outline.size()));
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    if (!outline[i].allFinite()) throw FieldError("outline", fmt::format("point {} is not finite: ({}, {})", i + 1, outline[i].x(), outline[i].y()));
   if (!is_simple(outline)) throw FieldError("outline", "crosses or touches itself; give its points in order along the boundary");
   // Extents whose square is no number, or nothing, would leave no spacing to place nodes by.
   const double area = signed_area(outline);

@@ -6,6 +6,7 @@
 
 #include "hard/alone.hpp"
 #include "hard/table.hpp"
+#include "impact/accuracy.hpp"
 #include "impact/batch.hpp"
 #include "integrate/particle.hpp"
 #include "script/program.hpp"
@@ -14,6 +15,8 @@ using namespace ricochet;
 using namespace ricochet::test;
 
 namespace {
+
+const std::atomic<bool> go_on{false};
 
 using Chain = Eigen::Array<long double, 8, 1>;
 
@@ -216,6 +219,36 @@ TEST_CASE("hard 6: a symmetric method runs back to where it came from") {
     worst = std::max(worst, furthest);
   }
   of.at_most(1e-12, worst, "furthest coordinate from the start after 4 R/c there and back [R]");
+}
+
+TEST_CASE("hard 18: Richardson's estimate of e is within 0.5 to 2 of the true error on smooth scenes") {
+  Case of(18, "Richardson's estimate of e");
+  const auto e_of = [](const Lattice& p, const Lattice& t, Scene scene, const std::string& method, double step) {
+    scene.integration.method = method, scene.integration.step = step;
+    const Outcome o = run_scene(p, t, scene, go_on);
+    REQUIRE(o.status == Status::finished);
+    return o.e;
+  };
+  double worst = 1;
+  // takahashi_imada by its outcome order, 4.
+  for (const char* method : {"verlet", "forest_ruth", "pefrl", "chin_4a", "takahashi_imada", "multirate_4"})
+    for (int seed : {1, 2, 3}) {
+      Scene scene;
+      scene.projectile = disk(60, 1e4, 0, seed), scene.target = wall(200, 1e3, 0, seed, 5, 1.5);
+      scene.launch.psi1 = 1;
+      const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+      const Method& m = method_named(method);
+      scene.integration.method = method;
+      const double step = launch(scene, *p, *t).step / m.usual * 0.8 * m.stability_limit;
+      scene.integration.method = "pefrl";
+      const double coarse = e_of(*p, *t, scene, method, step), fine = e_of(*p, *t, scene, method, step / 2);
+      const double exact = e_of(*p, *t, scene, "blanes_moan_srkn14a", 0.6 * launch(scene, *p, *t).step);
+      const double estimate = richardson(coarse, fine, m.outcome_order), error = std::abs(coarse - exact);
+      INFO(method << " seed " << seed << " estimate " << estimate << " true " << error);
+      worst = std::max({worst, estimate / error, error / estimate});
+      CHECK(worst < 2);
+    }
+  of.at_most(2, worst, "estimate over true error, or the reverse: six methods of order 2 and 4, three smooth scenes");
 }
 
 TEST_CASE("hard 19: the energy of a long run has no trend") {

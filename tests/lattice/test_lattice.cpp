@@ -139,23 +139,3 @@ TEST_CASE("a triangular lattice of springs k has E = 2k/sqrt(3) and nu = 1/3") {
   CHECK(moduli.young_modulus / 50 == Catch::Detail::Approx(2 / std::sqrt(3.0)).epsilon(0.03));
   CHECK(moduli.poisson_ratio == Catch::Detail::Approx(1.0 / 3).epsilon(0.03));
 }
-
-TEST_CASE("wrong outlines and rims are refused by name") {
-  const auto message = [](const Points& outline, const BodyNumbers& n) -> std::string {
-    try {
-      build_lattice(Body{outline, n, {}, {}});
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "accepted";
-  };
-  CHECK_THAT(message({{0, 0}, {1, 0}}, numbers(100, 1, 0, 1)), Catch::Matchers::Contains("at least 3 points"));
-  CHECK_THAT(message({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, numbers(100, 1, 0, 1)), Catch::Matchers::Contains("crosses or touches itself"));
-  CHECK_THAT(message({{0, 0}, {1, 0}, {1, 0}, {0, 1}}, numbers(100, 1, 0, 1)), Catch::Matchers::Contains("crosses or touches itself"));
-  CHECK_THAT(message({{0, 0}, {100, 0}, {100, 0.001}, {0, 0.001}}, numbers(10, 1, 0, 1)), Catch::Matchers::Contains("cannot cover this outline"));
-  CHECK_THAT(message(circle(), numbers(800, 1, 1.0, 1)), Catch::Matchers::Contains("rough rim crosses itself"));
-}
-
-TEST_CASE("coincident nodes are refused by name") {
-  CHECK_THROWS_WITH(triangulate({{0, 0}, {1, 0}, {0, 1}, {0.25, 0.25}, {0.25, 0.25}}, 3), Catch::Matchers::Contains("coincide at (0.25, 0.25)"));
-}
