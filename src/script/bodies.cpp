@@ -60,6 +60,7 @@ int body(lua_State* L) {
       lua_pop(L, 1);
       return value;
     };
+    spend(L, work_a_node * (made->numbers.nodes + static_cast<double>(made->outline.size())));
     const Points rim = plan_rim(made->outline, made->numbers);
     std::vector<bool> anchored_rim;
     if (lua_isfunction(L, anchored))
@@ -67,14 +68,18 @@ int body(lua_State* L) {
     // Samples of a sweep share bodies: a plan is made once.
     auto& plan = session.plans[plan_key(made->outline, made->numbers, anchored_rim)];
     if (!plan) plan = std::make_shared<NodePlan>(plan_nodes(made->outline, made->numbers, anchored_rim));
+    const auto planned = plan;
+    session.planned_nodes += made->numbers.nodes;
+    constexpr double most_planned = 2e7;  // half a GB: then the plans are made again
+    if (session.planned_nodes > most_planned) session.plans.clear(), session.planned_nodes = 0;
     if (lua_isfunction(L, anchored)) {
       made->anchored = anchored_rim;
-      for (std::size_t i = made->anchored.size(); i < plan->points.size(); ++i) made->anchored.push_back(held(plan->points[i]));
+      for (std::size_t i = made->anchored.size(); i < planned->points.size(); ++i) made->anchored.push_back(held(planned->points[i]));
       if (std::count(made->anchored.begin(), made->anchored.end(), false) == 0) throw FieldError("anchored", "holds every node; nothing could move");
     }
     if (lua_isfunction(L, stiffness)) {
       made->numbers.stiffness = 1;
-      for (const Vec2& p : plan->points) {
+      for (const Vec2& p : planned->points) {
         call_at(L, stiffness, p);
         const double k = lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : not_given;
         if (!(k > 0 && std::isfinite(k))) throw FieldError("stiffness", fmt::format("the function must return a positive number, gave {} at ({:.4g}, {:.4g})", shown(L, -1), p.x(), p.y()));
@@ -85,7 +90,9 @@ int body(lua_State* L) {
   } catch (const FieldError& error) {
     throw_at(session, call_site(L), error);
   }
+  const std::size_t bytes = made->outline.size() * sizeof(Vec2) + made->anchored.size() / 8 + made->node_stiffness.size() * sizeof(double);
   push_object(L, "ricochet.body", BodyObject{made});
+  lua_gc(L, LUA_GCSTEP, static_cast<int>(bytes / 1024 + 1));  // Lua does not see what its object holds
   return 1;
 }
 

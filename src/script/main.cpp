@@ -14,6 +14,12 @@
 
 namespace {
 
+// A script may raise an error of any length.
+std::string shortened(const std::string& message) {
+  constexpr std::size_t most = 20000;
+  return message.size() <= most ? message : message.substr(0, most) + fmt::format("... ({} bytes more)", message.size() - most);
+}
+
 using namespace ricochet;
 
 int run(RunOptions options, const std::string& script, const std::vector<std::string>& arguments) {
@@ -34,7 +40,7 @@ int run(RunOptions options, const std::string& script, const std::vector<std::st
     if (!session.options.study.empty() && !session.done) session.options.check = false, state.study_first_scene();
     if (session.options.help && !session.done) session.print(fmt::format("{} declares no parameters.\n", script));
   } catch (const Error& error) {
-    session.log(fmt::format("error: {}\n", error.what()));
+    session.log(fmt::format("error: {}\n", shortened(error.what())));
     const bool keep = error.exit == Exit::script && session.something_stored();
     try {
       session.write_log();
@@ -57,7 +63,7 @@ int repl() {
     try {
       state.run_text(line);
     } catch (const Error& error) {
-      fmt::print(stderr, "error: {}\n", error.what());
+      fmt::print(stderr, "error: {}\n", shortened(error.what()));
     }
   }
   fmt::print("\n");
@@ -114,7 +120,7 @@ int program(int count, char** words) {
   run_command->add_option("--threads", options.threads, "worker threads; all cores unless given")->check(CLI::Range(1, 1024));
   run_command->add_option("--batch", options.batch, fmt::format("impacts that advance together, 1 to {}; never changes a result", lanes))->check(CLI::Range(1, lanes));
   run_command->add_option("--out", options.out, "folder of the results (default: out)");
-  run_command->add_option("--budget", options.budget, "greatest number of Lua instructions")->check(CLI::Range(1LL, 1000000000000000LL));
+  run_command->add_option("--budget", options.budget, "greatest work of the script, in Lua instructions; long strings, searches and files count as what they cost")->check(CLI::Range(1LL, 1000000000000000LL));
   run_command->add_flag("--resume", options.resume, "go on with earlier results");
   run_command->add_flag("--force", options.force, "replace earlier results");
   run_command->add_flag("--check", options.check, "build every scene, run none");
@@ -199,7 +205,7 @@ int main(int count, char** words) {
     return program(count, words);
   } catch (const Error& error) {
     const std::string message = error.what();
-    fmt::print(stderr, "error: {}\n", message.substr(0, message.find_last_not_of('\n') + 1));
+    fmt::print(stderr, "error: {}\n", shortened(message.substr(0, message.find_last_not_of('\n') + 1)));
     return static_cast<int>(error.exit);
   } catch (const std::exception& error) {
     fmt::print(stderr, "error: {} (this is a mistake of the program; please report it)\n", error.what());

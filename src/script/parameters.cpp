@@ -190,6 +190,8 @@ int parameters(lua_State* L) {
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING) throw Error(report(session, call_site(L), {{{}, "takes named parameters only"}}));
     names.push_back(lua_tostring(L, -2));
+    constexpr std::size_t most = 1000;
+    if (names.size() > most) throw Error(report(session, call_site(L), {{{}, fmt::format("takes at most {} parameters; read long lists from a file with ricochet.file.read", most)}}));
   }
   std::sort(names.begin(), names.end());
   const std::vector<Given> given = given_arguments(session);

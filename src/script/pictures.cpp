@@ -335,6 +335,7 @@ int file_write(lua_State* L) {
   std::size_t length = 0;
   const char* text = luaL_checklstring(L, 2, &length);
   if (session.options.check) return 0;
+  spend(L, work_a_file + static_cast<double>(length) / 8);
   session.claim(session.own_folder());
   make_folder(path.parent_path());
   write_atomically(path, {text, length});

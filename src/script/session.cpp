@@ -104,6 +104,8 @@ void Session::claim(const fs::path& place) {
 }
 
 void Session::print(const std::string& text) {
+  constexpr std::size_t most = std::size_t{64} << 20;
+  if (log_.size() + text.size() > most) throw Error("the script has printed more than 64 MiB, all of which run.log would hold; write what is so long with ricochet.file.write");
   std::fwrite(text.data(), 1, text.size(), stdout);
   std::fflush(stdout);
   log(text);

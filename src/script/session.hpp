@@ -22,7 +22,7 @@ struct RunOptions {
   std::string out = "out";
   bool resume = false, force = false, check = false, traceback = false, quiet = false, unsafe = false, help = false;
   std::string study;     ///< Lua that studies `first_scene`: the script is then only checked
-  long long budget = 0;  ///< Lua instructions; 0: no limit
+  long long budget = 0;  ///< work in Lua instructions; 0: no limit
 };
 
 /// Set by ^C and SIGTERM. A second signal ends the program at once.
@@ -42,6 +42,7 @@ class Session {
   bool done = false;                                   ///< the script ended early without an error: after --help
   std::string making;                                  ///< the values of a sweep's point while its scene is being made: "psi1 = 2"
   std::map<std::string, std::shared_ptr<const NodePlan>> plans;  ///< planned nodes of bodies, by their geometry
+  double planned_nodes = 0;                            ///< in `plans`
 
   std::map<std::string, std::shared_ptr<const Scene>> chosen;    ///< scenes with the step chosen for their accuracy, by the asked scene's hash
 

@@ -16,48 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int hook_period = 10000;
-
-// Called from within Lua: only what allocates none of its memory.
-void* allocate(void* opaque, void* block, std::size_t old_size, std::size_t size) {
-  auto& limits = *static_cast<Limits*>(opaque);
-  const std::size_t before = block ? old_size : 0;
-  if (size == 0) {
-    std::free(block);
-    limits.used -= before;
-    return nullptr;
-  }
-  if (size > before && limits.used + (size - before) > limits.most) {
-    limits.note_line();
-    return nullptr;
-  }
-  void* result = std::realloc(block, size);
-  if (result) limits.used += size - before;
-  return result;
-}
-
-// Called every so many instructions: ends a script that is interrupted or has used up its budget. Once over the budget it is
-// called at every instruction, so that a script that catches the error gets no further.
-void watch(lua_State* L, lua_Debug*) {
-  if (stop_requested) {
-    lua_sethook(L, watch, LUA_MASKCOUNT, 1);
-    lua_pushliteral(L, "interrupted");
-    lua_error(L);
-  }
-  const Session& session = session_of(L);
-  if (session.options.budget <= 0) return;
-  lua_getfield(L, LUA_REGISTRYINDEX, "ricochet.instructions");
-  auto& count = *static_cast<long long*>(lua_touserdata(L, -1));
-  lua_pop(L, 1);
-  count += hook_period;
-  if (count <= session.options.budget) return;
-  lua_sethook(L, watch, LUA_MASKCOUNT, 1);
-  luaL_where(L, 0);
-  lua_pushstring(L, fmt::format("the script used up its budget of {} instructions; raise --budget or look for a loop without end", session.options.budget).c_str());
-  lua_concat(L, 2);
-  lua_error(L);
-}
-
 std::string displayed(lua_State* L, int index) {
   std::size_t length = 0;
   const char* text = luaL_tolstring(L, index, &length);
@@ -69,6 +27,7 @@ std::string displayed(lua_State* L, int index) {
 int print(lua_State* L) {
   std::string line;
   for (int i = 1; i <= lua_gettop(L); ++i) line += (i > 1 ? "\t" : "") + displayed(L, i);
+  spend(L, static_cast<double>(line.size()) / 8);
   if (!session_of(L).options.check) session_of(L).print(line + "\n");  // with --check nothing ran that could be told of
   return 0;
 }
@@ -150,6 +109,9 @@ int require(lua_State* L) {
   for (const fs::path& file : {session.library / (path + ".lua"), session.library / path / "init.lua", beside / (path + ".lua")}) {
     std::error_code error;
     if (!fs::is_regular_file(file, error)) continue;
+    const fs::path home = fs::weakly_canonical(file.parent_path() == session.library ? session.library : beside.empty() ? fs::path(".") : beside, error), real = fs::weakly_canonical(file, error);
+    const bool below = std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
+    if (!below && !session.options.unsafe && !file.string().starts_with(session.library.string())) throw at_line(L, fmt::format("require: {} is a link that leads out of the script's folder; copy it there (--unsafe lifts this)", file.string()));
     load_file(L, file, file.string());
     lua_call(L, 0, 1);
     if (lua_isnil(L, -1)) lua_pop(L, 1), lua_pushboolean(L, true);
@@ -345,6 +307,7 @@ void open_sandbox(lua_State* L, bool unsafe) {
     remove(L, "os", {"execute", "exit", "getenv", "remove", "rename", "setlocale", "tmpname"});
     remove(L, "string", {"dump"});
     for (const char* name : {"dofile", "loadfile", "collectgarbage"}) lua_pushnil(L), lua_setglobal(L, name);
+    bound_libraries(L);
     lua_register(L, "load", load_text);
     lua_register(L, "xpcall", protected_call);
     lua_register(L, "setmetatable", set_metatable);
@@ -388,24 +351,12 @@ void close_globals(lua_State* L) {
 
 }  // namespace
 
-void Limits::note_line() {
-  if (!state) return;
-  lua_Debug frame;
-  for (int level = 0; lua_getstack(state, level, &frame); ++level) {
-    lua_getinfo(state, "Sl", &frame);
-    if (frame.currentline <= 0) continue;
-    refused_at = fmt::format("{}:{}", frame.source[0] == '@' ? frame.source + 1 : frame.source, frame.currentline);
-    return;
-  }
-}
-
 State::State(Session& session) : session_(session) {
   L_ = lua_newstate(allocate, limits_.get());
   if (!L_) throw Error("no memory for Lua");
   limits_->state = L_;
   *static_cast<Session**>(lua_getextraspace(L_)) = &session_;
-  lua_pushlightuserdata(L_, &limits_->instructions);
-  lua_setfield(L_, LUA_REGISTRYINDEX, "ricochet.instructions");
+  limits_->budget = static_cast<double>(session.options.budget);
   open_sandbox(L_, session.options.unsafe);
 
   lua_newtable(L_);  // the module's native part, which lua/ricochet/init.lua requires as "ricochet.core"
@@ -437,7 +388,8 @@ void State::call_chunk(int results) {
   lua_remove(L_, handler);
   if (status == LUA_OK || session_.done) return;
   if (status == LUA_ERRMEM)
-    throw Error(fmt::format("{}the script needs more than 2 GiB of memory; look for a table or string that grows without end, or recursion without end",
+    throw limits_->over_budget ? Error(fmt::format("{}the script used up its budget of {:.0f} instructions, filling memory among them; raise --budget or look for a loop without end", limits_->refused_at.empty() ? "" : limits_->refused_at + ": ", limits_->budget)) :
+      Error(fmt::format("{}the script needs more than 2 GiB of memory; look for a table or string that grows without end, or recursion without end",
                             limits_->refused_at.empty() ? "" : limits_->refused_at + ": "));
   const std::string message = lua_isstring(L_, -1) ? lua_tostring(L_, -1) : "the script raised an error without a message";
   lua_pop(L_, 1);

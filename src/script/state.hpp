@@ -4,19 +4,10 @@
 #include <memory>
 #include <string>
 
+#include "script/bounds.hpp"
 #include "script/session.hpp"
 
 namespace ricochet {
-
-/// What a script may use up.
-struct Limits {
-  std::size_t used = 0, most = std::size_t{2} << 30;  ///< bytes of Lua's own memory
-  long long instructions = 0;                         ///< executed so far
-  lua_State* state = nullptr;
-  std::string refused_at;                             ///< "file:line" of the last refusal of memory
-
-  void note_line();
-};
 
 /// A Lua state with the module, in a sandbox: strict globals; no os.execute, io, debug, bytecode or native modules; a memory
 /// limit; an instruction budget if the session sets one.

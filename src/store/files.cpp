@@ -92,6 +92,7 @@ void make_folder(const std::filesystem::path& path) {
 std::string read_file(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw FileError(fmt::format("cannot read {}: it is a folder", path.string()));
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) throw FileError(fmt::format("cannot read {}: it is no regular file", path.string()));
   std::ifstream file(path, std::ios::binary);
   if (!file) fail(path, "read", errno);
   return {std::istreambuf_iterator<char>(file), {}};

@@ -103,7 +103,7 @@ const std::vector<Mistake> mistakes{
      "error: s.lua:2: 'over' has no 'psi' (did you mean 'psi1'?)"},
     {"syntax error", "local d = = 3", "error: s.lua:2: unexpected symbol near '='"},
     {"a step and a theta", "local s = ricochet.scene { projectile = d, target = w,\n  step = 0.001, theta = 1 }", "error: s.lua:4: scene: 'theta': give step or theta, not both"},
-    {"a theta beyond the limit", "ricochet.scene { projectile = d, target = w,\n  theta = 3 }:run()", "error: s.lua:4: scene: 'theta': 3 is unstable: pefrl needs less than 2.989; 1.6 works"},
+    {"a theta beyond the limit", "ricochet.scene { projectile = d, target = w,\n  theta = 3 }:run()", "error: s.lua:4: scene: 'theta': 3 is unstable: pefrl needs a theta below 2.989 here (node * works"},
     {"misspelt keyword", "retrun ricochet", "error: s.lua:2: syntax error near 'ricochet' (did you mean 'return' for 'retrun'?)"},
     {"misspelt local", "loacl x = 3", "error: s.lua:2: syntax error near 'x' (did you mean 'local' for 'loacl'?)"},
     {"misspelt function", "local f = fucntion(x)\n  return x\nend", "error: s.lua:4: <eof> expected near 'end' (did you mean 'function' for 'fucntion' in line 2?)"},

@@ -1,0 +1,186 @@
+#include "script/bounds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+
+#include "script/pattern.hpp"
+#include "script/reader.hpp"
+
+namespace ricochet {
+namespace {
+
+// Without a budget: a second or so.
+constexpr double most_pattern_steps = 1e8;
+constexpr lua_Integer most_elements = 50'000'000;
+
+// "file:line" that is running, of the script rather than of the library that it calls; "" if no Lua is.
+std::string line_of(lua_State* L) {
+  const std::string library = "@" + session_of(L).library.string() + "/";
+  std::string line;
+  lua_Debug frame;
+  for (int level = 0; lua_getstack(L, level, &frame); ++level) {
+    lua_getinfo(L, "Sl", &frame);
+    if (frame.currentline <= 0) continue;
+    const bool inside = std::string_view(frame.source).starts_with(library);
+    if (line.empty() || !inside) line = fmt::format("{}:{}", frame.source[0] == '@' ? frame.source + 1 : frame.short_src, frame.currentline);
+    if (!inside) break;
+  }
+  return line;
+}
+
+void raise_over_budget(lua_State* L) {
+  lua_sethook(L, watch, LUA_MASKCOUNT, 1);
+  const std::string line = line_of(L);
+  lua_pushstring(L, fmt::format("{}{}the script used up its budget of {:.0f} instructions; raise --budget or look for a loop without end", line, line.empty() ? "" : ": ", limits_of(L).budget).c_str());
+  lua_error(L);
+}
+
+// Calls the library's own function in the wrapper's place, so that its errors name the script's line.
+int original(lua_State* L) { return lua_tocfunction(L, lua_upvalueindex(1))(L); }
+
+enum class Search { find, match, gmatch, gsub };
+
+template <Search search>
+int pattern_function(lua_State* L) {
+  constexpr bool all = search == Search::gsub || search == Search::gmatch;
+  constexpr int begin_at = search == Search::gsub ? 0 : 3;  // argument
+  const bool plain = search == Search::find && lua_toboolean(L, 4);
+  if (lua_isstring(L, 1) && lua_isstring(L, 2) && !plain) {
+    std::size_t text_length = 0, pattern_length = 0;
+    const char *text = lua_tolstring(L, 1, &text_length), *pattern = lua_tolstring(L, 2, &pattern_length);
+    const lua_Integer asked = begin_at && lua_isinteger(L, begin_at) ? lua_tointeger(L, begin_at) : 1;
+    const lua_Integer length = static_cast<lua_Integer>(text_length);
+    const lua_Integer begin = asked > 0 ? asked - 1 : asked == 0 || asked < -length ? 0 : length + asked;
+    const double matches = search == Search::gsub && lua_isnumber(L, 4) ? lua_tonumber(L, 4) : all ? 1e300 : 1;
+    double most = most_pattern_steps;
+    const Limits& limits = limits_of(L);
+    if (limits.budget > 0) most = std::min(most, std::max(0.0, limits.budget - limits.work) / work_a_pattern_step);
+    const PatternSearch found = search_pattern({text, text_length}, {pattern, pattern_length}, static_cast<std::size_t>(begin), matches, search != Search::gmatch, most);
+    spend(L, found.steps * work_a_pattern_step);
+    if (found.too_long) {
+      if (limits.budget > 0 && most < most_pattern_steps) raise_over_budget(L);
+      return luaL_error(L, "the pattern takes more than %d million steps on this text of %I bytes; use fewer of * + - in it, or a shorter text", static_cast<int>(most_pattern_steps / 1e6), length);
+    }
+  }
+  return original(L);
+}
+
+// string.rep of nothing would count to n all the same.
+int rep(lua_State* L) {
+  std::size_t length = 1, between = 0;
+  if (lua_isstring(L, 1)) lua_tolstring(L, 1, &length);
+  if (lua_isstring(L, 3)) lua_tolstring(L, 3, &between);
+  if (length == 0 && between == 0 && lua_isnumber(L, 2)) {
+    lua_pushliteral(L, "");
+    return 1;
+  }
+  return original(L);
+}
+
+int date(lua_State* L) {
+  std::size_t length = 0;
+  if (lua_isstring(L, 1)) lua_tolstring(L, 1, &length);
+  if (length > 1000) return luaL_error(L, "os.date: the format is longer than 1000 bytes");
+  return original(L);
+}
+
+// table.insert and table.remove shift what a table says that it holds, if they are given a place; table.move what it is told to.
+template <int with_place>
+int shift(lua_State* L) {
+  if (lua_istable(L, 1) && lua_gettop(L) >= with_place) {
+    const lua_Integer length = luaL_len(L, 1), place = lua_tointeger(L, 2);
+    if (length > most_elements) return luaL_error(L, "the table says that it holds %I elements; more than %I cannot be shifted", length, most_elements);
+    spend(L, static_cast<double>(std::max<lua_Integer>(0, length - std::max<lua_Integer>(0, place))));
+  }
+  return original(L);
+}
+
+int move(lua_State* L) {
+  const lua_Integer first = lua_tointeger(L, 2), last = lua_tointeger(L, 3);  // 0 if they are no numbers: the original says so
+  if (last >= first) {
+    if (static_cast<lua_Unsigned>(last) - static_cast<lua_Unsigned>(first) >= static_cast<lua_Unsigned>(most_elements))
+      return luaL_error(L, "table.move: from %I to %I are more than %I elements", first, last, most_elements);
+    spend(L, static_cast<double>(last - first));
+  }
+  return original(L);
+}
+
+void replace(lua_State* L, const char* table, const char* name, lua_CFunction bounded) {
+  lua_getglobal(L, table);
+  lua_getfield(L, -1, name);
+  lua_pushcclosure(L, bounded, 1);
+  lua_setfield(L, -2, name);
+  lua_pop(L, 1);
+}
+
+}  // namespace
+
+void Limits::note_line() {
+  if (state) refused_at = line_of(state);
+}
+
+Limits& limits_of(lua_State* L) {
+  void* limits = nullptr;
+  lua_getallocf(L, &limits);
+  return *static_cast<Limits*>(limits);
+}
+
+// Called from within Lua: only what allocates none of its memory.
+void* allocate(void* opaque, void* block, std::size_t old_size, std::size_t size) {
+  auto& limits = *static_cast<Limits*>(opaque);
+  const std::size_t before = block ? old_size : 0;
+  if (size == 0) {
+    std::free(block);
+    limits.used -= before;
+    return nullptr;
+  }
+  if (size > before) {
+    const double work = static_cast<double>(size - before) * work_a_byte;
+    const bool over = limits.budget > 0 && work > 1e3 && limits.work + work > limits.budget;
+    if (over || limits.used + (size - before) > limits.most) {
+      limits.over_budget = over;
+      limits.note_line();
+      return nullptr;
+    }
+    limits.work += work;
+  }
+  void* result = std::realloc(block, size);
+  if (result) limits.used += size - before;
+  return result;
+}
+
+void spend(lua_State* L, double work) {
+  Limits& limits = limits_of(L);
+  limits.work += work;
+  if (limits.budget > 0 && limits.work > limits.budget) raise_over_budget(L);
+}
+
+// Once over the budget it is called at every instruction, so that a script that catches the error gets no further.
+void watch(lua_State* L, lua_Debug*) {
+  if (stop_requested) {
+    lua_sethook(L, watch, LUA_MASKCOUNT, 1);
+    lua_pushliteral(L, "interrupted");
+    lua_error(L);
+  }
+  Limits& limits = limits_of(L);
+  limits.work += hook_period;
+  if (limits.budget <= 0 || limits.work <= limits.budget) return;
+  raise_over_budget(L);
+}
+
+void bound_libraries(lua_State* L) {
+  replace(L, "string", "find", pattern_function<Search::find>);
+  replace(L, "string", "match", pattern_function<Search::match>);
+  replace(L, "string", "gmatch", pattern_function<Search::gmatch>);
+  replace(L, "string", "gsub", pattern_function<Search::gsub>);
+  replace(L, "string", "rep", rep);
+  replace(L, "os", "date", date);
+  replace(L, "table", "insert", shift<3>);
+  replace(L, "table", "remove", shift<2>);
+  replace(L, "table", "move", move);
+}
+
+}  // namespace ricochet

@@ -1,0 +1,43 @@
+#pragma once
+// What a script may use up: memory, and work counted in Lua instructions, wherever it is done.
+
+#include <lua.hpp>
+
+#include <cstddef>
+#include <string>
+
+namespace ricochet {
+
+struct Limits {
+  std::size_t used = 0, most = std::size_t{2} << 30;  ///< bytes of Lua's own memory
+  double work = 0;                                    ///< Lua instructions executed so far, and what else costs as much
+  double budget = 0;                                  ///< greatest work; 0: no limit
+  lua_State* state = nullptr;
+  std::string refused_at;                             ///< "file:line" of the last refusal of memory
+  bool over_budget = false;                           ///< that refusal was for the work of filling so much
+
+  void note_line();
+};
+
+// Work in instructions, as measured against a loop of Lua: one takes about 5 ns.
+inline constexpr double work_a_byte = 1 / 16.0;          // of new memory
+inline constexpr double work_a_pattern_step = 1 / 3.0;   // of a search
+inline constexpr double work_a_file = 1e4;               // written
+inline constexpr double work_a_node = 20;                // placed
+
+Limits& limits_of(lua_State* L);
+
+/// Allocates for Lua within the limits; what new memory costs to fill counts as work.
+void* allocate(void* limits, void* block, std::size_t old_size, std::size_t size);
+
+/// Counts work that no instruction stands for; raises Lua's error if the budget is used up.
+void spend(lua_State* L, double work);
+
+/// The hook that counts instructions and sees ^C.
+void watch(lua_State* L, lua_Debug*);
+inline constexpr int hook_period = 10000;
+
+/// Replaces functions of Lua's libraries that may run for ever without an instruction by those that cannot.
+void bound_libraries(lua_State* L);
+
+}  // namespace ricochet

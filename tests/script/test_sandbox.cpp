@@ -1,0 +1,195 @@
+// Scripts that mean harm: each is refused or bounded, and nothing outside the run's folder changes.
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <set>
+
+#include "core/rng.hpp"
+#include "script/pattern.hpp"
+#include "script/program.hpp"
+#include "script/state.hpp"
+
+using namespace ricochet;
+using namespace ricochet::test;
+
+namespace {
+
+const char* const budget = "used up its budget of 10000000 instructions";
+
+struct Hostile {
+  const char* name;
+  bool module;        ///< begins by requiring ricochet
+  const char* script;
+  int status;
+  const char* words;  ///< of the error; none if the script is harmless here
+};
+
+const std::vector<Hostile>& hostile_scripts() {
+  static const std::vector<Hostile> list{
+      {"loop", false, R"lua(while true do end)lua", 1, budget},
+      {"loop pcall", false, R"lua(while true do pcall(function() while true do end end) end)lua", 1, budget},
+      {"loop coroutine", false, R"lua(local function f() while true do end end
+while true do pcall(coroutine.wrap(f)) end)lua", 1, budget},
+      {"coroutines", false, R"lua(local function f() return coroutine.wrap(f)() end f())lua", 1, "C stack overflow"},
+      {"coroutine bomb", false, R"lua(local t = {} while true do t[#t+1] = coroutine.create(function() end) end)lua", 1, budget},
+      {"recursion", false, R"lua(local function f() return 1 + f() end f())lua", 1, budget},
+      {"recursion pcall", false, R"lua(local function f() return pcall(f) end print(f()))lua", 0, ""},
+      {"metatable recursion", false, R"lua(local t = setmetatable({}, {}) getmetatable(t).__index = function(_, k) return t[k] end print(t.x))lua", 1, "C stack overflow"},
+      {"tostring recursion", false, R"lua(local t = setmetatable({}, {__tostring = function(t) return tostring(t) end}) print(t))lua", 1, "C stack overflow"},
+      {"string bomb", false, R"lua(local s = "x" while true do s = s .. s end)lua", 1, budget},
+      {"table bomb", false, R"lua(local t = {} for i = 1, 1e12 do t[i] = {} end)lua", 1, budget},
+      {"rep", false, R"lua(local s = ("x"):rep(1e10))lua", 1, "resulting string too large"},
+      {"rep empty", false, R"lua(local s = (""):rep(1e18))lua", 0, ""},
+      {"rep sep", false, R"lua(local s = (""):rep(1e18, ""))lua", 0, ""},
+      {"pattern", false, R"lua(print(("a"):rep(3000):find((".-"):rep(20) .. "b")))lua", 1, budget},
+      {"pattern star", false, R"lua(print(("a"):rep(100000):find(("a*"):rep(10) .. "b")))lua", 1, budget},
+      {"pattern gsub", false, R"lua(print((("a"):rep(20000):gsub(".-.-.-b", ""))))lua", 1, budget},
+      {"pattern gmatch", false, R"lua(for w in ("a"):rep(20000):gmatch(".-.-.-b") do print(w) end)lua", 1, budget},
+      {"pattern balance", false, R"lua(print(("("):rep(1e6):find("%b()")))lua", 1, budget},
+      {"pattern backref", false, R"lua(print(("a"):rep(5000):find("(.*)(.*)%1%2b")))lua", 1, budget},
+      {"table insert len", false, R"lua(table.insert(setmetatable({}, {__len = function() return 1 << 60 end}), 1, 1))lua", 1, "cannot be shifted"},
+      {"table remove len", false, R"lua(table.remove(setmetatable({}, {__len = function() return 1 << 60 end}), 1))lua", 1, "cannot be shifted"},
+      {"table move", false, R"lua(local t = {} table.move(t, 1, 1e15, 1))lua", 1, "more than 50000000 elements"},
+      {"table move2", false, R"lua(local t = {} table.move(t, 1, 1e15, 2))lua", 1, "more than 50000000 elements"},
+      {"table concat", false, R"lua(table.concat(setmetatable({}, {__len = function() return 1 << 60 end, __index = function() return "" end})))lua", 1, budget},
+      {"table sort", false, R"lua(local t = {} for i = 1, 1e5 do t[i] = i % 7 end table.sort(t, function(a, b) return true end))lua", 1, "invalid order function"},
+      {"table unpack", false, R"lua(print(table.unpack({}, 1, 1e8)))lua", 1, "too many results"},
+      {"bytecode", false, R"lua(load("\27Lua")())lua", 1, "attempt to call a nil value"},
+      {"bytecode mode", false, R"lua(print(load("return 1", "x", "b")))lua", 1, "only text is accepted"},
+      {"gc", false, R"lua(setmetatable({}, {__gc = function() while true do end end}))lua", 1, "__gc is not for scripts"},
+      {"close", false, R"lua(local x <close> = setmetatable({}, {__close = function() while true do end end}) error("x"))lua", 1, budget},
+      {"string metatable", false, R"lua(getmetatable("").__index = function() end)lua", 1, "attempt to index a boolean value"},
+      {"string metatable2", false, R"lua(string.format = nil; local s = ("x"):format())lua", 1, "string has no 'format'"},
+      {"globals", false, R"lua(_G.print = nil; _ENV = nil; print(1))lua", 1, "upvalue '_ENV'"},
+      {"read dots", true, R"lua(print(ricochet.file.read("../../secret.txt")))lua", 1, "is no name below the run's folder"},
+      {"read absolute", true, R"lua(print(ricochet.file.read("/etc/passwd")))lua", 1, "is no name below the run's folder"},
+      {"read link", true, R"lua(print(ricochet.file.read("link.txt")))lua", 4, "leads out of the run's folder"},
+      {"write dots", true, R"lua(ricochet.file.write("../../evil.txt", "x"))lua", 1, "is no name below the run's folder"},
+      {"write link", true, R"lua(ricochet.file.write("link.txt", "x"))lua", 4, "leads out of the run's folder"},
+      {"write many", true, R"lua(for i = 1, 1e6 do ricochet.file.write("f" .. i, "x") end)lua", 1, budget},
+      {"write huge", true, R"lua(local s = ("x"):rep(1e9) for i = 1, 100 do ricochet.file.write("f" .. i, s) end)lua", 1, budget},
+      {"require dots", false, R"lua(require "..secret")lua", 1, "is no module name"},
+      {"require slash", false, R"lua(require "/etc/passwd")lua", 1, "is no module name"},
+      {"require link", false, R"lua(require "link")lua", 1, "a link that leads out of the script's folder"},
+      {"require core", false, R"lua(require "ricochet.core".plot {})lua", 1, "for the library alone"},
+      {"print flood", false, R"lua(local s = ("x"):rep(1e6) while true do print(s) end)lua", 1, "printed more than 64 MiB"},
+      {"error flood", false, R"lua(local s = ("x"):rep(1e8) error(s))lua", 1, budget},
+      {"error table", false, R"lua(error(setmetatable({}, {__tostring = function() while true do end end})))lua", 1, budget},
+      {"sweep huge", true, R"lua(local r = ricochet.range(1e7)
+ricochet.sweep { name = "s", over = { a = r, b = r, c = r }, scene = function() end }:run())lua", 1, budget},
+      {"sweep million", true, R"lua(ricochet.sweep { name = "s", over = { a = ricochet.range(1e6) }, scene = function(at) return ricochet.scene { projectile = ricochet.disk { nodes = 60, seed = at.a }, target = ricochet.wall { nodes = 150, width = 4 } } end }:run())lua", 1, budget},
+      {"parameters huge", true, R"lua(local t = {} for i = 1, 1e6 do t["p" .. i] = i end ricochet.parameters(t))lua", 1, budget},
+      {"outline huge", true, R"lua(local o = {} for i = 1, 3e6 do o[i] = { math.cos(i / 3e6 * 6.28), math.sin(i / 3e6 * 6.28) } end ricochet.body { outline = o, nodes = 100 })lua", 1, budget},
+      {"nodes huge", true, R"lua(ricochet.disk { nodes = 1e9 })lua", 1, "must be between 4 and 1e+07"},
+      {"nodes many", true, R"lua(ricochet.disk { nodes = 1e7 })lua", 1, budget},
+      {"bodies many", true, R"lua(for i = 1, 1e6 do ricochet.disk { nodes = 100000, seed = i } end)lua", 1, budget},
+      {"anchored loop", true, R"lua(ricochet.body { outline = {{0,0},{1,0},{0,1}}, nodes = 50, anchored = function() while true do end end })lua", 1, budget},
+      {"scene loop", true, R"lua(ricochet.sweep { name = "s", over = { a = {1} }, scene = function() while true do end end }:run())lua", 1, budget},
+      {"name dots", true, R"lua(ricochet.sweep { name = "../../evil", over = { a = {1} }, scene = function() end }:run())lua", 1, "must be letters, digits"},
+      {"deep text", false, R"lua(load(("("):rep(1e6))())lua", 1, "attempt to call a nil value"},
+      {"deep table", false, R"lua(load("return " .. ("{"):rep(1e5) .. ("}"):rep(1e5))())lua", 1, "attempt to call a nil value"},
+      {"os execute", false, R"lua(os.execute("touch evil"))lua", 1, "os has no 'execute'"},
+      {"io open", false, R"lua(io.open("evil", "w"))lua", 1, "unknown name 'io'"},
+      {"debug", false, R"lua(debug.sethook())lua", 1, "unknown name 'debug'"},
+      {"randomseed", false, R"lua(for i = 1, 1e12 do math.random() end)lua", 1, budget},
+      {"date", false, R"lua(print(os.date(("%c"):rep(1e7))))lua", 1, "longer than 1000 bytes"},
+      {"utf8", false, R"lua(print(utf8.len(("x"):rep(1e9))))lua", 1, budget},
+      {"xpcall handler", false, R"lua(xpcall(function() error("x") end, function() while true do end end))lua", 1, budget},
+      {"concat chain", false, R"lua(local t = {} for i = 1, 1e5 do t[i] = ("x"):rep(1e5) end table.concat(t))lua", 1, budget},
+      {"plot shell", true, R"lua(ricochet.plot { rows = {}, x = "`touch evil`", y = {"$(touch evil)"}, name = "p" })lua", 1, "'rows' must be rows"},
+      {"animate huge", true, R"lua(local s = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 } } ricochet.animate { scene = s, frames = 1e9, size = {1e5, 1e5} })lua", 1, "'frames' must be between"},
+  };
+  return list;
+}
+
+std::set<std::string> entries(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) names.insert(fs::relative(entry.path(), folder).string());
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("hostile scripts are refused or bounded, and touch nothing") {
+  REQUIRE(hostile_scripts().size() >= 40);
+  double slowest = 0;
+  std::string name;
+  int held = 0;
+  for (const Hostile& h : hostile_scripts()) {
+    const Workplace here;
+    here.write("secret.txt", "secret");
+    here.write("work/s.lua", (h.module ? "local ricochet = require \"ricochet\"\n" : "") + std::string(h.script));
+    fs::create_directories(here.path / "work/out/s");
+    for (const char* link : {"work/out/s/link.txt", "work/link.lua"}) fs::create_symlink(here.path / "secret.txt", here.path / link);
+    const auto before = entries(here.path);
+    const auto began = std::chrono::steady_clock::now();
+    const Ended ended = here.shell("cd work && timeout -s KILL 60 '" RICOCHET_PROGRAM "' run s.lua --budget 10000000 --resume");
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    if (seconds > slowest) slowest = seconds, name = h.name;
+    INFO(h.name << ": " << ended.err.substr(0, 1000));
+    const bool right = ended.status == h.status && ended.err.find(h.words) != std::string::npos && (h.status == 0 || ended.err.starts_with("error: "));
+    CHECK(right);
+    held += right;
+    // Below its own folder a script may write; nowhere else.
+    for (const std::string& entry : entries(here.path))
+      if (!before.count(entry) && entry != "out.txt" && entry != "err.txt") CHECK_THAT(entry, Catch::Matchers::StartsWith("work/out/s/"));
+    CHECK(here.read("secret.txt") == "secret");
+    CHECK(ended.out.find("secret") == std::string::npos);
+    CHECK(ended.err.find("secret") == std::string::npos);
+  }
+  fmt::print("{} of {} hostile scripts refused or bounded; the slowest took {:.1f} s ({})\n", held, hostile_scripts().size(), slowest, name);
+}
+
+TEST_CASE("without a budget what runs in the libraries is bounded, and the repl lives on") {
+  const Workplace here;
+  here.write("in.txt",
+             "(\"a\"):rep(3000):find((\".-\"):rep(20) .. \"b\")\n(\"\"):rep(1e18)\ntable.move({}, 1, 1e15, 2)\nsetmetatable({}, {__gc = print})\n"
+             "table.remove(setmetatable({}, {__len = function() return 1 << 60 end}), 1)\n(function() local function f() return 1 + f() end return f() end)()\n1 + 1\n");
+  const Ended ended = here.shell("timeout 60 '" RICOCHET_PROGRAM "' repl <in.txt");
+  CHECK(ended.status == 0);
+  for (const char* words : {"the pattern takes more than 100 million steps on this text of 3000 bytes", "more than 50000000 elements", "__gc is not for scripts", "cannot be shifted", "stack overflow"})
+    CHECK_THAT(ended.err, Catch::Matchers::Contains(words));
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("> 2\n"));
+}
+
+TEST_CASE("searches find what Lua's own do, so that their steps are those it would take") {
+  lua_State* L = luaL_newstate();
+  luaL_openlibs(L);
+  Random random(7, 7);
+  int found = 0, refused = 0, wrong = 0;
+  for (int trial = 0; trial < 200000; ++trial) {
+    const auto draw = [&](const char* letters, int most) {
+      const std::string_view from = letters;
+      std::string text;
+      for (int n = static_cast<int>(random.uniform(0, most + 1)); n > 0; --n) text += from[static_cast<std::size_t>(random.uniform(0, static_cast<double>(from.size())))];
+      return text;
+    };
+    const std::string text = draw("aab1( )x", 12);
+    std::string pattern = random.uniform() < 0.2 ? "^" : "";
+    for (int n = static_cast<int>(random.uniform(0, 6)); n >= 0; --n) {
+      const char* parts[] = {"a", "b", ".", "%a", "%d", "%s", "[ab]", "[^a]", "[%w(]", "[a-x]", "(", ")", "()", "(a", "%1", "%b()", "%f[%a]", "%f[^a]", "%(", "$", "x", "-", "]", "%D", "[]a]", "[a-]", "%", "["};
+      pattern += parts[static_cast<std::size_t>(random.uniform(0, static_cast<double>(std::size(parts)) - (random.uniform() < 0.98 ? 2 : 0)))];
+      pattern += draw("*+-?", 1);
+    }
+    const auto begin = static_cast<std::size_t>(random.uniform(0, 4));
+    lua_getglobal(L, "string"), lua_getfield(L, -1, "find");
+    lua_pushlstring(L, text.data(), text.size()), lua_pushlstring(L, pattern.data(), pattern.size()), lua_pushinteger(L, static_cast<lua_Integer>(begin) + 1);
+    const bool fine = lua_pcall(L, 3, 2, 0) == LUA_OK;
+    const PatternSearch search = search_pattern(text, pattern, begin, 1, true, 1e9);
+    bool same = true;
+    // Lua reads a pattern as it goes and may match, or fail, before it comes to what is wrong; a search that we refuse is left to Lua.
+    if (search.refused) ++refused;
+    else if (!fine) same = false;
+    else if (lua_isnil(L, -2)) same = !search.first;
+    else ++found, same = search.first && lua_tointeger(L, -2) == static_cast<lua_Integer>(search.first->begin) + 1 && lua_tointeger(L, -1) == static_cast<lua_Integer>(search.first->end);
+    INFO("'" << text << "' '" << pattern << "' from " << begin);
+    if (!same && wrong++ < 10) CHECK(same);
+    lua_settop(L, 0);
+  }
+  lua_close(L);
+  CHECK(wrong == 0);
+  CHECK(found > 20000);
+  CHECK(refused < 100000);
+}
