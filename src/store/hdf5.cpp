@@ -5,8 +5,18 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/hash.hpp"
+#include "store/files.hpp"
+
 namespace ricochet::hdf5 {
 namespace {
+
+constexpr std::string_view seal_words = "ricochet: HDF5 from byte 512 on; XXH3-128 of that: ";
+constexpr std::size_t seal_size = 512;
+constexpr const char* damage_remedy = "restore it from a copy, or remove it, or run again with --force or another --out";
+
+// More than any table or text of ours holds.
+constexpr hsize_t most_values = 1'000'000'000;
 
 // Errors come back as values; HDF5's own stack on stderr would hide the one sentence that matters.
 void quiet() {
@@ -31,7 +41,10 @@ Handle no_times() {
 
 hsize_t length_of(const Handle& set) {
   const Handle space(H5Dget_space(set), H5Sclose, "read a shape");
-  return static_cast<hsize_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
+  const hsize_t length = static_cast<hsize_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
+  // A file may claim any size for what it never stored.
+  if (length > most_values || length > 1000 * (H5Dget_storage_size(set) + 1)) throw FileError(fmt::format("a dataset claims {} values and stores {} bytes", length, H5Dget_storage_size(set)));
+  return length;
 }
 
 Handle open_set(hid_t parent, const char* name) { return {H5Dopen2(parent, name, H5P_DEFAULT), H5Dclose, "open a dataset"}; }
@@ -55,15 +68,25 @@ std::string image(const Handle& file) {
   if (size < 0) throw FileError("HDF5 cannot give a file's image");
   std::string bytes(static_cast<std::size_t>(size), '\0');
   if (H5Fget_file_image(file, bytes.data(), bytes.size()) < 0) throw FileError("HDF5 cannot give a file's image");
-  return bytes;
+  return seal_of(bytes) + bytes;
+}
+
+std::string seal_of(std::string_view bytes) {
+  std::string seal = std::string(seal_words) + hash_text(bytes) + "\n";
+  seal.resize(seal_size, '\n');
+  return seal;
 }
 
 Handle open_file(const std::filesystem::path& path) {
   quiet();
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw FileError(fmt::format("{} does not exist", path.string()));
+  const std::string bytes = read_file(path);
+  if (!bytes.starts_with(seal_words)) throw FileError(fmt::format("{} is no file of ricochet's (it begins without a seal), or its beginning is damaged; {}", path.string(), damage_remedy));
+  if (bytes.size() < seal_size || bytes.compare(0, seal_size, seal_of(std::string_view(bytes).substr(seal_size))) != 0)
+    throw FileError(fmt::format("{} is damaged: its bytes are not those that were written (the seal does not match); {}", path.string(), damage_remedy));
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (id < 0) throw FileError(fmt::format("{} is not a readable HDF5 file (damaged, or something else)", path.string()));
+  if (id < 0) throw FileError(fmt::format("{} is sealed, but HDF5 cannot open it; {}", path.string(), damage_remedy));
   return {id, H5Fclose, "open a file"};
 }
 
@@ -83,6 +106,8 @@ std::string text_attribute(hid_t object, const char* name) {
   const Handle attr(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "open an attribute");
   const Handle type(H5Aget_type(attr), H5Tclose, "read a type");
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) throw FileError("an attribute is not plain text");
+  const Handle space(H5Aget_space(attr), H5Sclose, "read a shape");
+  if (H5Sget_simple_extent_npoints(space) != 1) throw FileError("an attribute is not one text");
   std::string text(H5Tget_size(type), '\0');
   check(H5Aread(attr, type, text.data()), "read an attribute");
   return text.c_str();
@@ -145,6 +170,7 @@ std::vector<std::string> read_texts(hid_t parent, const char* name) {
   const Handle type(H5Dget_type(set), H5Tclose, "read a type");
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) throw FileError("a text column is not plain text");
   const std::size_t length = H5Tget_size(type), count = length_of(set);
+  if (length > 0 && count > most_values / length) throw FileError("a text column is larger than any of ours");
   std::string packed(count * length, '\0');
   if (count > 0) check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()), "read a dataset");
   std::vector<std::string> values;

@@ -35,9 +35,12 @@ class Handle {
 };
 
 Handle memory_file();
-/// The bytes of a file as it would lie on disk.
+/// The bytes of a file as it would lie on disk, sealed: HDF5 leaves the first 512 bytes to whoever writes it, and there stands the hash of
+/// all that follows, so that not one flipped bit goes unnoticed.
 std::string image(const Handle& file);
-/// Opens a file to read. Throws FileError that names it if it is no HDF5 file or is damaged.
+/// The seal of these bytes, which go behind it.
+std::string seal_of(std::string_view bytes);
+/// Opens a file to read. Throws FileError that names it if it is not ours, or is damaged: HDF5 sees only what was written.
 Handle open_file(const std::filesystem::path& path);
 
 Handle group(hid_t parent, const char* name);

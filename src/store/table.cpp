@@ -67,7 +67,7 @@ Table read_table(const std::filesystem::path& path) {
       if (column.values.size() != table.rows()) throw FileError("its columns differ in length");
     return table;
   } catch (const FileError& error) {
-    throw FileError(fmt::format("{} is damaged or no table of results ({}); restore it, or run again with --force", path.string(), error.what()));
+    throw FileError(fmt::format("{} is no table of results ({}); restore it from a copy, or run again with --force or another --out", path.string(), error.what()));
   }
 }
 
@@ -75,10 +75,14 @@ Provenance read_provenance(const std::filesystem::path& path) {
   const hdf5::Handle file = hdf5::open_file(path);
   Provenance provenance;
   if (H5Lexists(file, "provenance", H5P_DEFAULT) <= 0) return provenance;
-  const hdf5::Handle origin = hdf5::open_group(file, "provenance");
-  for (const std::string& name : hdf5::link_names(origin)) {
-    const auto text = hdf5::read_texts(origin, name.c_str());
-    provenance[name] = text.empty() ? "" : text.front();
+  try {
+    const hdf5::Handle origin = hdf5::open_group(file, "provenance");
+    for (const std::string& name : hdf5::link_names(origin)) {
+      const auto text = hdf5::read_texts(origin, name.c_str());
+      provenance[name] = text.empty() ? "" : text.front();
+    }
+  } catch (const FileError& error) {
+    throw FileError(fmt::format("{} has no readable provenance ({})", path.string(), error.what()));
   }
   return provenance;
 }

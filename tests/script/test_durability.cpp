@@ -4,11 +4,13 @@
 #include <csignal>
 #include <functional>
 #include <fmt/format.h>
+#include <map>
 #include <random>
 #include <thread>
 
 #include "core/hash.hpp"
 #include "impact/outcome.hpp"
+#include "store/files.hpp"
 #include "script/program.hpp"
 #include "store/table.hpp"
 
@@ -105,4 +107,106 @@ TEST_CASE("threads and batch size do not change a row") {
   REQUIRE(here.run("s.lua --quiet --out c").status == 0);
   CHECK(rows_hash(here.path / "a/s/results.h5") == rows_hash(here.path / "b/s/results.h5"));
   CHECK(rows_hash(here.path / "a/s/results.h5") == rows_hash(here.path / "c/s/results.h5"));
+}
+
+// 200 trials, some minutes: ricochet_tests "200 trials*".
+TEST_CASE("200 trials of kills, full disks, read-only folders and damaged files lose no stored row and repair nothing in silence", "[.slow]") {
+  const Workplace here;
+  here.write("s.lua", small_sweep);
+  REQUIRE(here.run("s.lua samples=40 --quiet --out calm").status == 0);
+  const std::string expected = rows_hash(here.path / "calm/s/results.h5");
+  const std::vector<std::string> command{"run", "s.lua", "samples=40", "--quiet", "--resume", "--batch", "1"};
+  const bool may_mount = geteuid() == 0 && here.shell("mkdir -p probe && mount -t tmpfs -o size=64k none probe && umount probe").status == 0;
+  std::mt19937 random(2);
+  std::map<std::string, int> counts;
+  const auto stored = [&] {
+    std::size_t rows = 0;
+    if (fs::exists(here.path / "out/s/results.h5")) rows += read_table(here.path / "out/s/results.h5").rows();
+    if (fs::exists(here.path / "out/s/parts"))
+      for (const auto& entry : fs::directory_iterator(here.path / "out/s/parts"))
+        if (entry.path().extension() == ".h5") rows += read_table(entry.path()).rows();
+    return rows;
+  };
+  const auto completes = [&](std::size_t before) {
+    CHECK(stored() >= before);
+    const Ended last = here.run("s.lua samples=40 --quiet --resume");
+    INFO(last.err);
+    CHECK(last.status == 0);
+    CHECK(stored() == 120);
+    CHECK(rows_hash(here.path / "out/s/results.h5") == expected);
+  };
+  const auto killed_at_random = [&](int signal) {
+    return run_and_kill(here, command, [&] { std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 500)); }, signal);
+  };
+  for (int trial = 0; trial < 200; ++trial) {
+    fs::remove_all(here.path / "out");
+    const int kind = trial % 20;
+    if (kind < 6) {
+      const int status = killed_at_random(SIGKILL);
+      counts[status == -SIGKILL ? "killed" : "killed too late"]++;
+      const std::size_t before = stored();
+      killed_at_random(SIGKILL);  // and again while it resumes
+      completes(before);
+    } else if (kind < 10) {
+      const int status = killed_at_random(SIGTERM);
+      INFO("status " << status);
+      CHECK((status == 130 || status == 0 || status == -SIGTERM));
+      counts[status == 130 ? "terminated" : status == 0 ? "terminated too late" : "terminated before it began"]++;
+      completes(stored());
+    } else if (kind < 12) {
+      if (!may_mount) continue;
+      const unsigned kilobytes = 8 + 4 * (random() % 80);
+      REQUIRE(here.shell(fmt::format("mkdir out && mount -t tmpfs -o size={}k none out", kilobytes)).status == 0);
+      const Ended full = here.run("s.lua samples=40 --quiet --resume --batch 1");
+      INFO(kilobytes << " kB: " << full.err);
+      CHECK((full.status == 4 || full.status == 0));
+      if (full.status == 4) CHECK_THAT(full.err, Catch::Matchers::Contains("No space left on device; free some space"));
+      counts[full.status == 4 ? "disk full" : "disk just large enough"]++;
+      REQUIRE(here.shell("mount -o remount,size=20m out").status == 0);
+      completes(stored());
+      here.shell("umount out");
+    } else if (kind < 13) {
+      if (!may_mount) continue;
+      REQUIRE(here.shell("mkdir out && mount -t tmpfs -o size=20m none out").status == 0);
+      killed_at_random(SIGKILL);
+      const std::size_t before = stored();
+      REQUIRE(here.shell("mount -o remount,ro out").status == 0);
+      const Ended locked = here.run("s.lua samples=40 --quiet --resume");
+      INFO(locked.err);
+      CHECK((locked.status == 4 || (locked.status == 0 && before == 120)));
+      CHECK(stored() == before);
+      counts["read-only"]++;
+      REQUIRE(here.shell("mount -o remount,rw out").status == 0);
+      completes(before);
+      here.shell("umount out");
+    } else {
+      // Damage to the whole sweep's file, or to a part of one that was killed.
+      const bool part = kind < 16;
+      if (part) killed_at_random(SIGKILL);
+      else REQUIRE(here.run("s.lua samples=40 --quiet --resume").status == 0);
+      std::vector<fs::path> files;
+      if (fs::exists(here.path / "out"))
+        for (const auto& entry : fs::recursive_directory_iterator(here.path / "out"))
+          if (entry.path().extension() == ".h5") files.push_back(entry.path());
+      if (files.empty()) {
+        counts["nothing to damage"]++;
+        continue;
+      }
+      const fs::path file = files[random() % files.size()];
+      const std::string whole = read_file(file);
+      std::string damaged = whole;
+      if (trial % 2) damaged.resize(random() % whole.size());
+      else damaged[random() % whole.size()] ^= static_cast<char>(1 << random() % 8);
+      write_atomically(file, damaged);
+      const Ended refused = here.run("s.lua samples=40 --quiet --resume");
+      INFO(file.string() << ": " << refused.err);
+      CHECK(refused.status == 4);
+      CHECK_THAT(refused.err, Catch::Matchers::Contains(file.filename().string()) && Catch::Matchers::Contains("restore it from a copy, or remove it"));
+      CHECK(read_file(file) == damaged);
+      counts[trial % 2 ? "truncated" : "bit flipped"]++;
+      write_atomically(file, whole);
+      completes(stored());
+    }
+  }
+  for (const auto& [what, count] : counts) fmt::print("{:24} {}\n", what, count);
 }

@@ -103,7 +103,7 @@ const std::vector<Mistake> mistakes{
      "error: s.lua:2: 'over' has no 'psi' (did you mean 'psi1'?)"},
     {"syntax error", "local d = = 3", "error: s.lua:2: unexpected symbol near '='"},
     {"a step and a theta", "local s = ricochet.scene { projectile = d, target = w,\n  step = 0.001, theta = 1 }", "error: s.lua:4: scene: 'theta': give step or theta, not both"},
-    {"a theta beyond the limit", "ricochet.scene { projectile = d, target = w,\n  theta = 3 }:run()", "error: s.lua:4: scene: 'theta': 3 is unstable: pefrl needs a theta below 2.989 here (node * works"},
+    {"a theta beyond the limit", "ricochet.scene { projectile = d, target = w,\n  theta = 3 }:run()", "error: s.lua:4: scene: 'theta': 3 is unstable: pefrl needs a theta below 2.989 here (node *"},
     {"misspelt keyword", "retrun ricochet", "error: s.lua:2: syntax error near 'ricochet' (did you mean 'return' for 'retrun'?)"},
     {"misspelt local", "loacl x = 3", "error: s.lua:2: syntax error near 'x' (did you mean 'local' for 'loacl'?)"},
     {"misspelt function", "local f = fucntion(x)\n  return x\nend", "error: s.lua:4: <eof> expected near 'end' (did you mean 'function' for 'fucntion' in line 2?)"},
@@ -237,7 +237,7 @@ TEST_CASE("mistakes outside the script name the file and the remedy") {
   CHECK(ended.status == 4);
   here.write("broken.h5", "not HDF5");
   ended = here.shell("ricochet info broken.h5");
-  CHECK(ended.first_line() == "error: broken.h5 is not a readable HDF5 file (damaged, or something else)");
+  CHECK(ended.first_line() == "error: broken.h5 is no file of ricochet's (it begins without a seal), or its beginning is damaged; restore it from a copy, or remove it, or run again with --force or another --out");
   CHECK(ended.status == 4);
   here.write("b.lua", std::string("\x1bLua", 4));
   CHECK(here.run("b.lua").first_line() == "error: b.lua: bytecode is not accepted; give the script's text");

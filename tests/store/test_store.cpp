@@ -59,10 +59,26 @@ TEST_CASE("a damaged file is refused by name, never repaired in silence") {
   const Folder folder;
   write_table(folder.path / "t.h5", example(), {});
   const std::string whole = read_file(folder.path / "t.h5");
-  for (std::size_t size : {std::size_t{0}, std::size_t{100}, whole.size() / 2}) {
-    write_atomically(folder.path / "cut.h5", whole.substr(0, size));
-    CHECK_THROWS_WITH(read_table(folder.path / "cut.h5"), Catch::Matchers::Contains("cut.h5"));
+  const auto refused = [&](const std::string& bytes) {
+    write_atomically(folder.path / "cut.h5", bytes);
+    try {
+      read_table(folder.path / "cut.h5");
+    } catch (const FileError& error) {
+      const std::string text = error.what();
+      return text.find("cut.h5") != std::string::npos && text.find("--force") != std::string::npos;
+    }
+    return false;
+  };
+  for (std::size_t size : {std::size_t{0}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) CHECK(refused(whole.substr(0, size)));
+  CHECK(refused(whole + "x"));
+  int noticed = 0, flips = 0;
+  for (std::size_t at = 0; at < whole.size(); at += 5, ++flips) {
+    std::string flipped = whole;
+    flipped[at] = static_cast<char>(flipped[at] ^ (1 << (at % 8)));
+    noticed += refused(flipped);
   }
+  CHECK(flips > 1000);
+  CHECK(noticed == flips);
   CHECK_THROWS_AS(read_table(folder.path / "absent.h5"), FileError);
 }
 
