@@ -182,7 +182,11 @@ TEST_CASE("200 trials of kills, full disks, read-only folders and damaged files 
     } else {
       // Damage to the whole sweep's file, or to a part of one that was killed.
       const bool part = kind < 16;
-      if (part) killed_at_random(SIGKILL);
+      const auto first_part = [&] {
+        for (int i = 0; i < 3000 && (!fs::exists(here.path / "out/s/parts") || fs::is_empty(here.path / "out/s/parts")); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      };
+      if (part) run_and_kill(here, command, first_part, SIGKILL);
       else REQUIRE(here.run("s.lua samples=40 --quiet --resume").status == 0);
       std::vector<fs::path> files;
       if (fs::exists(here.path / "out"))
