@@ -7,8 +7,8 @@
 
 #include "core/hash.hpp"
 #include "force/lane.hpp"
+#include "hard/random_scene.hpp"
 #include "hard/table.hpp"
-#include "impact/accuracy.hpp"
 #include "impact/sweep.hpp"
 #include "scenes.hpp"
 #include "script/program.hpp"
@@ -147,4 +147,18 @@ TEST_CASE("hard 24: the paper's hard wall, rough, grazing, 100 lattices", "[.slo
     of.all(0, rows.tunnelled, fmt::format("samples that tunnelled, {}", method));
     of.at_most(1e-4, rows.closure, fmt::format("largest energy closure, {}", method));
   }
+}
+
+TEST_CASE("hard matrix: random scenes of every kind end in a right result, or say truly why not") {
+  Case of(25, "random scenes of every kind (more by ./workbench test --matrix)");
+  constexpr int count = 40;
+  int right = 0;
+  for (int seed = 1; seed <= count; ++seed) {
+    const RandomScene random = random_scene(static_cast<std::uint64_t>(seed));
+    const Verdict verdict = judged(random, 2e4);
+    INFO(seed << ": " << verdict.wrong.value_or("") << "\n" << random.text);
+    CHECK_FALSE(verdict.wrong);
+    right += !verdict.wrong;
+  }
+  of.all(count, right, "scenes that end right, or with a status that is true and advice that helps");
 }
