@@ -1,0 +1,1 @@
+print(os.date(("%c"):rep(1e7)))

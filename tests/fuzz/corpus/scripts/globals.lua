@@ -1,0 +1,1 @@
+_G.print = nil; _ENV = nil; print(1)

@@ -1,0 +1,2 @@
+local ricochet = require "ricochet"
+ricochet.sweep { name = "../../evil", over = { a = {1} }, scene = function() end }:run()

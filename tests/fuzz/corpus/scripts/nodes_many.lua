@@ -1,0 +1,2 @@
+local ricochet = require "ricochet"
+ricochet.disk { nodes = 1e7 }

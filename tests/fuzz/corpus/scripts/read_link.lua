@@ -1,0 +1,2 @@
+local ricochet = require "ricochet"
+print(ricochet.file.read("link.txt"))

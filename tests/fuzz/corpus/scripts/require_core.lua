@@ -1,0 +1,1 @@
+require "ricochet.core".plot {}

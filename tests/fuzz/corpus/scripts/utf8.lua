@@ -1,0 +1,1 @@
+print(utf8.len(("x"):rep(1e9)))

@@ -1,0 +1,2 @@
+local ricochet = require "ricochet"
+ricochet.file.write("../../evil.txt", "x")

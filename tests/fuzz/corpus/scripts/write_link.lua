@@ -1,0 +1,2 @@
+local ricochet = require "ricochet"
+ricochet.file.write("link.txt", "x")

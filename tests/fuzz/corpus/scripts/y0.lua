@@ -1,0 +1,1 @@
+ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 120, width = 4 }, launch = { psi1 = 1, speed = 0.1 }, method = "verlet", step = 0.001 }

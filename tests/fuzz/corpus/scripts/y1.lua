@@ -1,0 +1,1 @@
+local p = ricochet.parameters { samples = { 4, int = true, min = 1, doc = "x" }, mode = { "a", choices = { "a", "b" } } }

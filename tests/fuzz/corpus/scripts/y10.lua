@@ -1,0 +1,1 @@
+for w in ("k = v"):gmatch("(%w+) = (%w+)") do print(w) end error { code = 2 }

@@ -1,0 +1,1 @@
+ricochet.sweep { name = "s", over = { a = ricochet.range(2), b = { 1, 2 } }, scene = function(at) return ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 120, width = 4 } } end }:run()

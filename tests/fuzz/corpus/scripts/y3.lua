@@ -1,0 +1,1 @@
+ricochet.body { outline = { {0, 0}, {1, 0}, {1, 1}, {0, 1} }, nodes = 50, anchored = function(x, y) return y < 0.1 end, stiffness = function(x, y) return 1 + x end }

@@ -1,0 +1,1 @@
+ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 120, width = 4 }, effects = { ricochet.gravity { g = 1e-3 }, ricochet.plastic { strain = 0.01 } } }:run()

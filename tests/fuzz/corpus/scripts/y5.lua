@@ -1,0 +1,1 @@
+ricochet.file.write("a.txt", ricochet.file.read("b.txt"))

@@ -1,0 +1,1 @@
+print(ricochet.elasticity { body = ricochet.body { outline = {{0,0},{2,0},{2,6},{0,6}}, nodes = 60 } })
