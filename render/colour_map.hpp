@@ -1,12 +1,26 @@
 #pragma once
 #include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 namespace ricochet::render {
 
-using Colour = std::array<float, 3>;
+using Colour = std::array<std::uint8_t, 4>;  ///< red, green, blue, alpha
 
-/// Dark blue over grey to yellow for a value from 0 to 1: anchors of cividis, made to read alike with and without colour
-/// blindness [Nunez, Anderton & Renslow 2018, PLoS ONE 13, e0199239], joined linearly.
-Colour cividis(double value);
+/// Colours for values from 0 to 1, that people with any colour vision can put in order.
+struct ColourMap {
+  const char *name, *doc;
+  std::vector<std::array<std::uint8_t, 3>> anchors;  ///< equally spaced, joined linearly
+};
+
+std::span<const ColourMap> colour_maps();
+const ColourMap& colour_map_named(const char* name);
+
+/// The colour of a value, which is held within 0 ... 1.
+Colour colour_of(const ColourMap& map, double value);
+
+/// Colours for up to eight kinds of thing, which the colour-blind can tell apart [Okabe & Ito 2008].
+Colour kind_colour(int kind);
 
 }  // namespace ricochet::render

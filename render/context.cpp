@@ -1,117 +1,272 @@
 #include "render/context.hpp"
 
-#include <GL/osmesa.h>
-#include <GL/glext.h>
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <string>
 
 #include "core/error.hpp"
-
-#ifdef __SANITIZE_ADDRESS__
-// Mesa 22.3 itself loses some hundred bytes a context, destroyed properly or not: not ours to report.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; }
-#endif
+#include "render/osmesa.hpp"
 
 namespace ricochet::render {
 namespace {
 
-constexpr int samples = 2;  // along each side of a pixel
-
-const char* vertex_shader = R"(#version 330 core
+// Places are in pixels of the painting, y down.
+const char* mesh_vertex_shader = R"(#version 330 core
 layout(location = 0) in vec2 place;
-layout(location = 1) in vec3 colour;
-flat out vec3 shade;
-void main() { gl_Position = vec4(place, 0.0, 1.0); shade = colour; })";
+layout(location = 1) in float of_material;
+layout(location = 2) in vec3 of_springs;
+layout(location = 3) in vec3 heights;
+uniform vec2 size;
+out float value;
+out vec3 corner;
+flat out vec3 spring;
+flat out vec3 height;
+void main() {
+  gl_Position = vec4(2.0 * place.x / size.x - 1.0, 1.0 - 2.0 * place.y / size.y, 0.0, 1.0);
+  value = of_material, spring = of_springs, height = heights;
+  corner = vec3(gl_VertexID % 3 == 0, gl_VertexID % 3 == 1, gl_VertexID % 3 == 2);
+})";
 
-const char* fragment_shader = R"(#version 330 core
-flat in vec3 shade;
+// The distance from a side is the height of the corner opposite to it times that corner's weight: a spring is drawn by half from either side.
+const char* mesh_fragment_shader = R"(#version 330 core
+in float value;
+in vec3 corner;
+flat in vec3 spring;
+flat in vec3 height;
+uniform sampler2D colours;
+uniform bool material_coloured, springs_coloured;
+uniform vec4 body, ink;
+uniform float half_width;
 out vec4 pixel;
-void main() { pixel = vec4(shade, 1.0); })";
+vec3 coloured(float v) { return texture(colours, vec2(clamp(v, 0.0, 1.0) * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb; }
+void main() {
+  vec3 colour = material_coloured ? coloured(value) : body.rgb;
+  if (half_width > 0.0) {
+    vec3 cover = clamp(half_width + 0.5 - corner * height, 0.0, 1.0) * step(0.0, spring);
+    if (springs_coloured) {
+      for (int i = 0; i < 3; ++i) if (cover[i] > 0.0) colour = mix(colour, coloured(spring[i]), cover[i]);
+    } else {
+      colour = mix(colour, ink.rgb, max(cover.x, max(cover.y, cover.z)) * ink.a);
+    }
+  }
+  pixel = vec4(colour, 1.0);
+})";
 
-template <class Function>
-Function gl(const char* name) {
-  const auto function = reinterpret_cast<Function>(OSMesaGetProcAddress(name));
-  if (!function) throw Error(fmt::format("OSMesa lacks {}", name));
-  return function;
-}
+const char* shape_vertex_shader = R"(#version 330 core
+layout(location = 0) in vec2 place;
+layout(location = 1) in vec4 ink;
+layout(location = 2) in vec4 stroke;
+uniform vec2 size;
+out vec4 colour;
+out vec2 at;
+flat out vec2 shape;
+void main() {
+  gl_Position = vec4(2.0 * place.x / size.x - 1.0, 1.0 - 2.0 * place.y / size.y, 0.0, 1.0);
+  colour = ink, at = stroke.xy, shape = stroke.zw;
+})";
+
+const char* shape_fragment_shader = R"(#version 330 core
+in vec4 colour;
+in vec2 at;
+flat in vec2 shape;
+uniform sampler2D atlas;
+out vec4 pixel;
+void main() {
+  float cover = 1.0;
+  if (shape.x < 0.0) cover = texelFetch(atlas, ivec2(at), 0).r;
+  else if (shape.x > 0.0) cover = clamp(shape.x + 0.5 - length(vec2(at.x, max(0.0, max(-at.y, at.y - shape.y)))), 0.0, 1.0);
+  pixel = vec4(colour.rgb, colour.a * cover);
+})";
+
+// The functions of OpenGL that are used here.
+struct Gl {
+#define RICOCHET_GL(name) decltype(&gl##name) name = gl<decltype(&gl##name)>("gl" #name)
+  RICOCHET_GL(CreateShader);
+  RICOCHET_GL(ShaderSource);
+  RICOCHET_GL(CompileShader);
+  RICOCHET_GL(CreateProgram);
+  RICOCHET_GL(AttachShader);
+  RICOCHET_GL(LinkProgram);
+  RICOCHET_GL(GetProgramiv);
+  RICOCHET_GL(UseProgram);
+  RICOCHET_GL(GetUniformLocation);
+  RICOCHET_GL(Uniform1i);
+  RICOCHET_GL(Uniform1f);
+  RICOCHET_GL(Uniform2f);
+  RICOCHET_GL(Uniform4f);
+  RICOCHET_GL(GenVertexArrays);
+  RICOCHET_GL(BindVertexArray);
+  RICOCHET_GL(GenBuffers);
+  RICOCHET_GL(BindBuffer);
+  RICOCHET_GL(BufferData);
+  RICOCHET_GL(VertexAttribPointer);
+  RICOCHET_GL(EnableVertexAttribArray);
+  RICOCHET_GL(ActiveTexture);
+  RICOCHET_GL(GenFramebuffers);
+  RICOCHET_GL(BindFramebuffer);
+  RICOCHET_GL(GenRenderbuffers);
+  RICOCHET_GL(BindRenderbuffer);
+  RICOCHET_GL(RenderbufferStorageMultisample);
+  RICOCHET_GL(FramebufferRenderbuffer);
+  RICOCHET_GL(CheckFramebufferStatus);
+  RICOCHET_GL(BlitFramebuffer);
+  RICOCHET_GL(GenTextures);
+  RICOCHET_GL(BindTexture);
+  RICOCHET_GL(TexImage2D);
+  RICOCHET_GL(TexParameteri);
+  RICOCHET_GL(PixelStorei);
+  RICOCHET_GL(Viewport);
+  RICOCHET_GL(Scissor);
+  RICOCHET_GL(Enable);
+  RICOCHET_GL(Disable);
+  RICOCHET_GL(BlendFunc);
+  RICOCHET_GL(ClearColor);
+  RICOCHET_GL(Clear);
+  RICOCHET_GL(DrawArrays);
+  RICOCHET_GL(Finish);
+#undef RICOCHET_GL
+};
 
 }  // namespace
 
+void check_size(int width, int height) {
+  if (width < least_size || height < least_size || width > most_width || height > most_height)
+    throw FieldError("size", fmt::format("a picture has {} x {} to {} x {} pixels, not {} x {}", least_size, least_size, most_width, most_height, width, height));
+}
+
 struct Context::Implementation {
-  int width, height;
+  int width, height, scale, samples;
   OSMesaContext context = nullptr;
-  std::vector<std::uint8_t> pixels;  // RGBA at the samples' resolution
-  GLuint program = 0, buffer = 0, array = 0;
+  std::vector<std::uint8_t> pixels;  // RGBA
+  std::unique_ptr<Gl> gl;
+  GLuint mesh_program = 0, shape_program = 0, mesh_array = 0, shape_array = 0, mesh_buffer = 0, shape_buffer = 0, colours = 0, atlas = 0, frame = 0;
+  int atlas_version = -1;
+
   ~Implementation() {
-    if (context) OSMesaDestroyContext(context);
+    if (context) osmesa<decltype(&OSMesaDestroyContext)>("OSMesaDestroyContext")(context);
   }
+  void make_current() {
+    if (!osmesa<decltype(&OSMesaMakeCurrent)>("OSMesaMakeCurrent")(context, pixels.data(), GL_UNSIGNED_BYTE, width, height))
+      throw Error(fmt::format("OSMesa cannot make a picture of {} x {} pixels", width, height));
+  }
+  GLuint program(const char* vertex, const char* fragment) const {
+    const GLuint linked = gl->CreateProgram();
+    for (const auto& [kind, text] : {std::pair{GL_VERTEX_SHADER, vertex}, std::pair{GL_FRAGMENT_SHADER, fragment}}) {
+      const GLuint shader = gl->CreateShader(static_cast<GLenum>(kind));
+      gl->ShaderSource(shader, 1, &text, nullptr), gl->CompileShader(shader);
+      gl->AttachShader(linked, shader);
+    }
+    gl->LinkProgram(linked);
+    GLint good = 0;
+    gl->GetProgramiv(linked, GL_LINK_STATUS, &good);
+    if (!good) throw Error("OSMesa cannot link the shaders");
+    return linked;
+  }
+  // Attributes of 32-bit floats, or of four bytes from 0 to 1, one after another in a vertex.
+  void arrays(GLuint& array, GLuint& buffer, std::size_t stride, const std::vector<std::array<int, 3>>& attributes) const {  // {count, bytes?, offset}
+    gl->GenVertexArrays(1, &array), gl->BindVertexArray(array);
+    gl->GenBuffers(1, &buffer), gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
+    for (GLuint i = 0; i < attributes.size(); ++i) {
+      const auto& [count, bytes, offset] = attributes[i];
+      gl->VertexAttribPointer(i, count, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, bytes ? GL_TRUE : GL_FALSE, static_cast<GLsizei>(stride), reinterpret_cast<const void*>(static_cast<std::intptr_t>(offset)));
+      gl->EnableVertexAttribArray(i);
+    }
+  }
+  void texture(GLuint& name, GLenum unit, GLint filter) const {
+    gl->ActiveTexture(unit), gl->GenTextures(1, &name), gl->BindTexture(GL_TEXTURE_2D, name);
+    for (const GLenum which : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl->TexParameteri(GL_TEXTURE_2D, which, filter);
+    for (const GLenum which : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) gl->TexParameteri(GL_TEXTURE_2D, which, GL_CLAMP_TO_EDGE);
+  }
+  template <class Vertex>
+  void draw_all(GLuint array, GLuint buffer, const std::vector<Vertex>& vertices) const {
+    if (vertices.empty()) return;
+    gl->BindVertexArray(array), gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(), GL_STREAM_DRAW);
+    gl->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
+  }
+  void draw_shapes(const std::vector<ShapeVertex>& shapes) const {
+    if (shapes.empty()) return;
+    gl->UseProgram(shape_program);
+    gl->Enable(GL_BLEND), gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    draw_all(shape_array, shape_buffer, shapes);
+    gl->Disable(GL_BLEND);
+  }
+  void set(GLuint of, const char* name, const Colour& c) const { gl->Uniform4f(gl->GetUniformLocation(of, name), c[0] / 255.0f, c[1] / 255.0f, c[2] / 255.0f, c[3] / 255.0f); }
 };
 
-Context::Context(int width, int height) : implementation_(std::make_unique<Implementation>()) {
-  if (width < 16 || height < 16 || width > 7680 || height > 4320)
-    throw FieldError("size", fmt::format("a picture has 16 x 16 to 7680 x 4320 pixels, not {} x {}", width, height));
+Context::Context(int width, int height, Smoothing smoothing) : implementation_(std::make_unique<Implementation>()) {
+  check_size(width, height);
   Implementation& i = *implementation_;
-  i.width = width, i.height = height;
+  i.width = width, i.height = height, i.scale = smoothing == Smoothing::supersample ? 2 : 1, i.samples = smoothing == Smoothing::multisample ? 4 : 0;
   const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 0, OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3,
                             OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
-  i.context = OSMesaCreateContextAttribs(attributes, nullptr);
-  i.pixels.resize(static_cast<std::size_t>(samples * width) * static_cast<std::size_t>(samples * height) * 4);
-  if (!i.context || !OSMesaMakeCurrent(i.context, i.pixels.data(), GL_UNSIGNED_BYTE, samples * width, samples * height))
-    throw Error(fmt::format("OSMesa cannot make a picture of {} x {} pixels", width, height));
-  OSMesaPixelStore(OSMESA_Y_UP, 0);
-
-  const auto create_shader = gl<PFNGLCREATESHADERPROC>("glCreateShader");
-  const auto shader_source = gl<PFNGLSHADERSOURCEPROC>("glShaderSource");
-  const auto compile = gl<PFNGLCOMPILESHADERPROC>("glCompileShader");
-  const auto attach = gl<PFNGLATTACHSHADERPROC>("glAttachShader");
-  i.program = gl<PFNGLCREATEPROGRAMPROC>("glCreateProgram")();
-  for (const auto& [kind, text] : {std::pair{GL_VERTEX_SHADER, vertex_shader}, std::pair{GL_FRAGMENT_SHADER, fragment_shader}}) {
-    const GLuint shader = create_shader(static_cast<GLenum>(kind));
-    shader_source(shader, 1, &text, nullptr);
-    compile(shader);
-    attach(i.program, shader);
-  }
-  gl<PFNGLLINKPROGRAMPROC>("glLinkProgram")(i.program);
-  GLint linked = 0;
-  gl<PFNGLGETPROGRAMIVPROC>("glGetProgramiv")(i.program, GL_LINK_STATUS, &linked);
-  if (!linked) throw Error("OSMesa cannot link the shaders");
-  gl<PFNGLGENVERTEXARRAYSPROC>("glGenVertexArrays")(1, &i.array);
-  gl<PFNGLBINDVERTEXARRAYPROC>("glBindVertexArray")(i.array);
-  gl<PFNGLGENBUFFERSPROC>("glGenBuffers")(1, &i.buffer);
-  gl<PFNGLBINDBUFFERPROC>("glBindBuffer")(GL_ARRAY_BUFFER, i.buffer);
-  const auto pointer = gl<PFNGLVERTEXATTRIBPOINTERPROC>("glVertexAttribPointer");
-  const auto enable = gl<PFNGLENABLEVERTEXATTRIBARRAYPROC>("glEnableVertexAttribArray");
-  pointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
-  pointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(2 * sizeof(float)));
-  enable(0), enable(1);
+  i.context = osmesa<decltype(&OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs")(attributes, nullptr);
+  if (!i.context) throw Error("OSMesa cannot make a context of OpenGL 3.3");
+  i.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
+  i.make_current();
+  osmesa<decltype(&OSMesaPixelStore)>("OSMesaPixelStore")(OSMESA_Y_UP, 0);
+  i.gl = std::make_unique<Gl>();
+  i.mesh_program = i.program(mesh_vertex_shader, mesh_fragment_shader), i.shape_program = i.program(shape_vertex_shader, shape_fragment_shader);
+  i.arrays(i.mesh_array, i.mesh_buffer, sizeof(MeshVertex), {{2, 0, offsetof(MeshVertex, x)}, {1, 0, offsetof(MeshVertex, value)}, {3, 0, offsetof(MeshVertex, spring)}, {3, 0, offsetof(MeshVertex, height)}});
+  i.arrays(i.shape_array, i.shape_buffer, sizeof(ShapeVertex), {{2, 0, offsetof(ShapeVertex, x)}, {4, 1, offsetof(ShapeVertex, colour)}, {4, 0, offsetof(ShapeVertex, u)}});
+  i.texture(i.colours, GL_TEXTURE0, GL_LINEAR), i.texture(i.atlas, GL_TEXTURE1, GL_NEAREST);
+  if (i.scale == 1 && i.samples == 0) return;
+  GLuint buffer = 0;
+  i.gl->GenFramebuffers(1, &i.frame), i.gl->BindFramebuffer(GL_FRAMEBUFFER, i.frame);
+  i.gl->GenRenderbuffers(1, &buffer), i.gl->BindRenderbuffer(GL_RENDERBUFFER, buffer);
+  i.gl->RenderbufferStorageMultisample(GL_RENDERBUFFER, i.samples, GL_RGBA8, i.scale * width, i.scale * height);
+  i.gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
+  if (i.gl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw FieldError("smoothing", fmt::format("OSMesa cannot smooth a picture of {} x {} pixels this way; choose lines", width, height));
 }
 
 Context::~Context() = default;
 
-Image Context::draw(const std::vector<Vertex>& triangles, float red, float green, float blue) {
-  Implementation& i = *implementation_;
-  OSMesaMakeCurrent(i.context, i.pixels.data(), GL_UNSIGNED_BYTE, samples * i.width, samples * i.height);
-  glViewport(0, 0, samples * i.width, samples * i.height);
-  glClearColor(red, green, blue, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-  gl<PFNGLUSEPROGRAMPROC>("glUseProgram")(i.program);
-  gl<PFNGLBUFFERDATAPROC>("glBufferData")(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(Vertex)), triangles.data(), GL_STREAM_DRAW);
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));
-  glFinish();
+int Context::scale() const { return implementation_->scale; }
 
-  Image image{i.width, i.height, std::vector<std::uint8_t>(static_cast<std::size_t>(i.width) * i.height * 3)};
-  const std::size_t row = static_cast<std::size_t>(samples * i.width) * 4;
-  for (int y = 0; y < i.height; ++y)
-    for (int x = 0; x < i.width; ++x)
-      for (int c = 0; c < 3; ++c) {
-        int sum = 0;
-        for (int sy = 0; sy < samples; ++sy)
-          for (int sx = 0; sx < samples; ++sx) sum += i.pixels[(samples * y + sy) * row + (samples * x + sx) * 4 + c];
-        image.rgb[(static_cast<std::size_t>(y) * i.width + x) * 3 + c] = static_cast<std::uint8_t>((sum + samples * samples / 2) / (samples * samples));
-      }
-  return image;
+Image Context::draw(const Painting& painting, const Font& font) {
+  Implementation& i = *implementation_;
+  i.make_current();
+  const Gl& gl = *i.gl;
+  const int width = i.scale * i.width, height = i.scale * i.height;
+  gl.BindFramebuffer(GL_FRAMEBUFFER, i.frame);
+  gl.Viewport(0, 0, width, height);
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.ClearColor(1, 1, 1, 1), gl.Clear(GL_COLOR_BUFFER_BIT);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.ActiveTexture(GL_TEXTURE0);
+  if (!painting.colours.empty()) gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, static_cast<GLsizei>(painting.colours.size()), 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, painting.colours.data());
+  gl.ActiveTexture(GL_TEXTURE1);
+  if (i.atlas_version != font.version()) {
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, Font::side, Font::side, 0, GL_RED, GL_UNSIGNED_BYTE, font.atlas().data());
+    i.atlas_version = font.version();
+  }
+  for (const GLuint program : {i.mesh_program, i.shape_program}) {
+    gl.UseProgram(program);
+    gl.Uniform2f(gl.GetUniformLocation(program, "size"), static_cast<float>(width), static_cast<float>(height));
+  }
+  gl.Uniform1i(gl.GetUniformLocation(i.shape_program, "atlas"), 1);
+  gl.UseProgram(i.mesh_program);
+  gl.Uniform1i(gl.GetUniformLocation(i.mesh_program, "colours"), 0);
+  gl.Uniform1i(gl.GetUniformLocation(i.mesh_program, "material_coloured"), painting.material_coloured);
+  gl.Uniform1i(gl.GetUniformLocation(i.mesh_program, "springs_coloured"), painting.springs_coloured);
+  gl.Uniform1f(gl.GetUniformLocation(i.mesh_program, "half_width"), static_cast<float>(painting.half_width));
+  i.set(i.mesh_program, "body", painting.body), i.set(i.mesh_program, "ink", painting.ink);
+  for (const Panel& panel : painting.panels) {
+    gl.Enable(GL_SCISSOR_TEST), gl.Scissor(panel.x, height - panel.y - panel.height, panel.width, panel.height);
+    gl.UseProgram(i.mesh_program);
+    i.draw_all(i.mesh_array, i.mesh_buffer, panel.mesh);
+    i.draw_shapes(panel.above);
+  }
+  gl.Disable(GL_SCISSOR_TEST);
+  i.draw_shapes(painting.over);
+  if (i.frame) {
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, i.frame), gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    gl.BlitFramebuffer(0, 0, width, height, 0, 0, i.width, i.height, GL_COLOR_BUFFER_BIT, i.scale > 1 ? GL_LINEAR : GL_NEAREST);
+  }
+  gl.Finish();
+  return {i.width, i.height, i.pixels};
 }
 
 }  // namespace ricochet::render

@@ -1,68 +1,259 @@
 #include "render/picture.hpp"
 
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
-
-#include "render/colour_map.hpp"
 
 namespace ricochet::render {
 namespace {
 
-constexpr Colour background{1.0f, 1.0f, 1.0f}, body{0.93f, 0.93f, 0.94f}, rim{0.05f, 0.05f, 0.08f};
+constexpr Colour black{20, 20, 30, 255}, rim_colour{25, 25, 38, 255}, ghost_colour{110, 110, 120, 200}, hatch_colour{90, 90, 100, 255};
 
-/// Turns points of the plane into clip space and strokes into triangles.
-class Canvas {
- public:
-  Canvas(int width, int height, const View& view) {
-    const Vec2 extent = view.high - view.low;
-    pixel_ = std::max(extent.x() / width, extent.y() / height);
-    half_ = Vec2(width, height) * pixel_ / 2;
-    centre_ = (view.low + view.high) / 2;
+/// How the plane lies in a box of the painting.
+struct View {
+  Vec2 centre = Vec2::Zero();  // [R]
+  double scale = 1;            // [pixels/R]
+  Box box{};
+
+  Vec2 operator()(const Vec2& p) const {
+    const Vec2 d = scale * (p - centre);
+    return {box.x + box.width / 2 + d.x(), box.y + box.height / 2 - d.y()};
   }
-
-  void triangle(const Vec2& a, const Vec2& b, const Vec2& c, const Colour& colour) {
-    for (const Vec2& p : {a, b, c}) vertex(p, colour);
-  }
-
-  void line(const Vec2& a, const Vec2& b, double pixels, const Colour& colour) {
-    const Vec2 along = b - a;
-    if (along.squaredNorm() == 0) return;
-    const Vec2 side = perpendicular(along.normalized()) * (pixels * pixel_ / 2);
-    triangle(a - side, b - side, b + side, colour);
-    triangle(a - side, b + side, a + side, colour);
-  }
-
-  const std::vector<Vertex>& vertices() const { return vertices_; }
-
- private:
-  void vertex(const Vec2& p, const Colour& colour) {
-    const Vec2 q = (p - centre_).cwiseQuotient(half_);
-    vertices_.push_back({static_cast<float>(q.x()), static_cast<float>(q.y()), colour[0], colour[1], colour[2]});
-  }
-
-  double pixel_;
-  Vec2 half_, centre_;
-  std::vector<Vertex> vertices_;
 };
+
+// Everything to be drawn at one place, and what it is drawn with.
+struct Brush {
+  const Show& show;
+  Scale scale;
+  int text;     // size [pixels]
+  double unit;  // width of a thin stroke [pixels]
+};
+
+double fit_scale(const Show& show, const Box& box, const std::vector<Tile>& tiles, double margin) {
+  if (show.camera != "fit") return box.width / (std::isnan(show.width) ? (show.camera == "follow" ? 5.0 : 2.5) : show.width);
+  double scale = 1e300;  // the same for all tiles: what is larger shall look larger
+  for (const Tile& tile : tiles) {
+    const Vec2 extent = (tile.subject->survey.high - tile.subject->survey.low).cwiseMax(1e-9);
+    scale = std::min({scale, std::max(1.0, box.width - 2 * margin) / extent.x(), std::max(1.0, box.height - 2 * margin) / extent.y()});
+  }
+  return scale;
+}
+
+Vec2 view_centre(const Show& show, const Tile& tile) {
+  const Survey& survey = tile.subject->survey;
+  if (show.camera == "fit") return (survey.low + survey.high) / 2;
+  const Vec2 projectile = motion_of(tile.subject->mesh, *tile.frame, 0).centre;
+  if (show.camera == "follow") return projectile;
+  double top = -1e300;
+  for (const int node : tile.subject->mesh.rims[1]) top = std::max(top, tile.subject->mesh.rest[node].y());
+  return {projectile.x(), top};
+}
+
+void draw_material(Panel& panel, const Brush& brush, const Tile& tile, const Points& pixels) {
+  const Subject& subject = *tile.subject;
+  const FrameMesh& mesh = subject.mesh;
+  const Quantity* quantity = coloured_quantity(brush.show);
+  const bool by_material = quantity && brush.show.material == quantity->name, by_springs = quantity && !by_material;
+  std::vector<float> value(mesh.rest.size(), 0.0f), spring(mesh.springs.size(), 0.0f);
+  if (by_material) {
+    const std::vector<double> values = subject.fields.of_material(quantity->name, *tile.frame);
+    for (std::size_t i = 0; i < values.size(); ++i) value[i] = static_cast<float>(brush.scale(values[i]));
+  }
+  if (by_springs) {
+    const std::vector<double> values = subject.fields.of_springs(quantity->name, *tile.frame);
+    for (std::size_t s = 0; s < values.size(); ++s) spring[s] = std::isnan(values[s]) ? -1.0f : static_cast<float>(brush.scale(values[s]));
+  } else {
+    for (std::size_t s = 0; s < tile.frame->elongation.size(); ++s)
+      if (std::isnan(tile.frame->elongation[s])) spring[s] = -1;
+  }
+  panel.mesh.reserve(3 * mesh.triangles.size());
+  const auto& sides = subject.fields.sides();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& corners = mesh.triangles[t];
+    const std::array<Vec2, 3> p{pixels[corners[0]], pixels[corners[1]], pixels[corners[2]]};
+    const double area = std::abs(cross(p[1] - p[0], p[2] - p[0]));
+    MeshVertex vertex{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int s = sides[t][c];
+      vertex.spring[c] = s < 0 ? 0.0f : spring[s];
+      vertex.height[c] = static_cast<float>(area / std::max(1e-9, (p[(c + 2) % 3] - p[(c + 1) % 3]).norm()));
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      vertex.x = static_cast<float>(p[c].x()), vertex.y = static_cast<float>(p[c].y()), vertex.value = value[corners[c]];
+      panel.mesh.push_back(vertex);
+    }
+  }
+}
+
+// Springs alone, as strokes: where no material is filled.
+void draw_bare_springs(Canvas& canvas, const Brush& brush, const Tile& tile, const Points& pixels, const std::vector<Colour>& colours) {
+  const FrameMesh& mesh = tile.subject->mesh;
+  const Quantity* quantity = coloured_quantity(brush.show);
+  const std::vector<double> values = tile.subject->fields.of_springs(quantity ? quantity->name : "energy", *tile.frame);
+  std::vector<std::size_t> order;
+  for (std::size_t s = 0; s < values.size(); ++s)
+    if (!std::isnan(values[s])) order.push_back(s);
+  // The strongest last, so that they lie on top.
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return std::abs(values[a]) < std::abs(values[b]); });
+  for (const std::size_t s : order) {
+    const double part = quantity ? brush.scale(values[s]) : 0;
+    const Colour colour = quantity ? colours[static_cast<std::size_t>(part * static_cast<double>(colours.size() - 1))] : Colour{90, 90, 105, 255};
+    canvas.line(pixels[mesh.springs[s][0]], pixels[mesh.springs[s][1]], (quantity ? 1.6 : 1.0) * brush.unit, colour);
+  }
+}
+
+// Strokes away from a held rim, as in a drawing of a clamped beam.
+void draw_anchors(Canvas& canvas, const Brush& brush, const FrameMesh& mesh, const Points& pixels) {
+  const double spacing = 0.7 * brush.text, length = 0.55 * brush.text;
+  for (const std::vector<int>& rim : mesh.rims) {
+    double due = spacing / 2;
+    for (std::size_t k = 0; k < rim.size(); ++k) {
+      const int a = rim[k], b = rim[(k + 1) % rim.size()];
+      if (!mesh.anchored[a] || !mesh.anchored[b]) continue;
+      const double extent = (pixels[b] - pixels[a]).norm();
+      if (!(extent > 0)) continue;
+      const Vec2 along = (pixels[b] - pixels[a]) / extent, out(-along.y(), along.x());  // pixels run down: the outside of a counter-clockwise chain
+      for (; due < extent; due += spacing) canvas.line(pixels[a] + due * along, pixels[a] + due * along + length * (out - 0.7 * along).normalized(), brush.unit, hatch_colour);
+      due -= extent;
+    }
+  }
+}
+
+Points chain(const std::vector<int>& rim, const Points& pixels) {
+  Points points;
+  for (const int node : rim) points.push_back(pixels[node]);
+  return points;
+}
+
+void draw_projectile_marks(Canvas& canvas, const Brush& brush, const Tile& tile, const View& view) {
+  const Show& show = brush.show;
+  const FrameMesh& mesh = tile.subject->mesh;
+  const Survey& survey = tile.subject->survey;
+  const Motion motion = motion_of(mesh, *tile.frame, 0);
+  if (show.trail) {
+    Points path;
+    for (std::size_t k = 0; k <= tile.index && k < survey.trail.size(); ++k) path.push_back(view(survey.trail[k]));
+    canvas.polyline(path, 1.6 * brush.unit, kind_colour(3));
+    canvas.disc(view(motion.centre), 2.4 * brush.unit, kind_colour(3));
+  }
+  if (show.spin) {
+    double radius = 0;
+    for (const int node : mesh.rims[0]) radius = std::max(radius, (mesh.rest[node] - motion.rest_centre).norm());
+    const Vec2 end = motion.centre + 0.8 * radius * (Eigen::Rotation2Dd(motion.angle) * Vec2(0, 1));
+    canvas.line(view(motion.centre), view(end), 2.5 * brush.unit, black), canvas.disc(view(motion.centre), 3 * brush.unit, black);
+  }
+  if (show.velocity && survey.most_speed > 0) {
+    const Vec2 from = view(motion.centre), step = 4.5 * brush.text / survey.most_speed * motion.velocity;
+    canvas.arrow(from, from + Vec2(step.x(), -step.y()), 3 * brush.unit, kind_colour(0));
+  }
+}
+
+void draw_forces(Canvas& canvas, const Brush& brush, const Tile& tile, const Points& pixels) {
+  const double most = tile.subject->survey.most_force;
+  if (!(most > 0)) return;
+  for (int i = 0; i < tile.subject->mesh.projectile_nodes; ++i) {
+    const Vec2 force = tile.frame->contact_force[static_cast<std::size_t>(i)].cast<double>();
+    if (force.norm() < 0.02 * most) continue;
+    const Vec2 step = 4.0 * brush.text / most * force;
+    canvas.arrow(pixels[i], pixels[i] + Vec2(step.x(), -step.y()), 1.6 * brush.unit, kind_colour(5));
+  }
+}
+
+Panel draw_tile(const Brush& brush, Font& font, const Tile& tile, const View& view, const Box& cut, const std::vector<Colour>& colours) {
+  const Show& show = brush.show;
+  const FrameMesh& mesh = tile.subject->mesh;
+  Points pixels;
+  for (const Vec2& p : shown_places(show, mesh, *tile.frame)) pixels.push_back(view(p));
+  Panel panel{static_cast<int>(cut.x), static_cast<int>(cut.y), static_cast<int>(cut.width), static_cast<int>(cut.height), {}, {}};
+  Canvas above(font);
+  if (show.material != "none") draw_material(panel, brush, tile, pixels);
+  else if (show.springs != "none") draw_bare_springs(above, brush, tile, pixels, colours);
+  if (show.anchors) draw_anchors(above, brush, mesh, pixels);
+  if (show.rims)
+    for (const auto& rim : mesh.rims) above.polyline(chain(rim, pixels), 1.8 * brush.unit, rim_colour, true);
+  if (show.ghost)
+    for (int body : {0, 1}) {
+      const Motion motion = motion_of(mesh, *tile.frame, body);
+      Points rigid;
+      for (const int node : mesh.rims[static_cast<std::size_t>(body)]) rigid.push_back(view(motion.moved(mesh.rest[node])));
+      above.polyline(rigid, brush.unit, ghost_colour, true);
+    }
+  if (show.forces) draw_forces(above, brush, tile, pixels);
+  if (show.velocity || show.spin || show.trail) draw_projectile_marks(above, brush, tile, view);
+  panel.above = above.take();
+  return panel;
+}
+
+const ColourMap& map_of(const Show& show, const Quantity& quantity) {
+  return colour_map_named(show.colours != "auto" ? show.colours.c_str() : quantity.is_signed ? "puor" : "ylgnbu");
+}
 
 }  // namespace
 
-Image draw(Context& context, int width, int height, const Mesh& mesh, const Frame& frame, const View& view) {
-  Canvas canvas(width, height, view);
-  const double unit = std::max(1.0, height / 720.0);
-  for (const auto& t : mesh.triangles) canvas.triangle(frame.points[t[0]], frame.points[t[1]], frame.points[t[2]], body);
-  // Bright springs last, so that the stressed ones lie on top.
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < mesh.edges.size(); ++i)
-    if (!std::isnan(frame.edge_values[i])) order.push_back(i);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return frame.edge_values[a] < frame.edge_values[b]; });
-  for (const std::size_t i : order) {
-    const double value = frame.edge_values[i];
-    canvas.line(frame.points[mesh.edges[i][0]], frame.points[mesh.edges[i][1]], unit * (1.0 + 1.5 * std::min(1.0, value)), cividis(value));
+std::string clock_text(const std::vector<Tile>& tiles) {
+  std::string text = fmt::format("t = {} R/c", number_text(tiles[0].frame->time, 0.01));
+  const double psi1 = tiles[0].subject->mesh.psi1;
+  for (const Tile& tile : tiles)
+    if (tile.subject->mesh.psi1 != psi1) return text;
+  return std::isnan(psi1) ? text : text + fmt::format("    Ψ_1 = {}", number_text(psi1));
+}
+
+Painting paint(const Show& show, const Layout& layout, Font& font, const std::vector<Tile>& tiles, const std::string& clock) {
+  Painting painting;
+  const int columns = layout.columns, rows = (static_cast<int>(tiles.size()) + columns - 1) / columns;
+  const double shortest = std::min<double>(layout.height, layout.width / 1.5);
+  const int text = std::max(layout.height < 300 ? 9 : 11, static_cast<int>(std::lround(shortest / 36.0 * (rows > 1 || columns > 2 ? 0.85 : 1.0))));
+  std::vector<const Survey*> surveys;
+  for (const Tile& tile : tiles) surveys.push_back(&tile.subject->survey);
+  const Brush brush{show, common_scale(show, surveys), text, std::max(1.0, shortest / 720.0)};
+
+  const Quantity* quantity = coloured_quantity(show);
+  painting.material_coloured = quantity && show.material == quantity->name, painting.springs_coloured = quantity && !painting.material_coloured;
+  if (quantity)
+    for (int i = 0; i < 256; ++i) painting.colours.push_back(colour_of(map_of(show, *quantity), i / 255.0));
+
+  Canvas over(font);
+  const double line = std::round(1.5 * text), pad = std::round(0.6 * text);
+  double top = pad;
+  if (!show.title.empty()) over.text({layout.width / 2.0, top + 1.05 * text}, show.title, static_cast<int>(std::lround(1.15 * text)), black, Align::centre, false), top += 1.2 * line;
+  const bool bar = quantity && show.colour_bar;
+  const int power = bar ? power_of(std::max(std::abs(brush.scale.low), std::abs(brush.scale.high))) : 0;
+  const double right = bar ? std::round(5.2 * text) : pad;
+  if (!clock.empty() || bar) {
+    if (!clock.empty()) over.text({pad, top + text}, clock, text, black);
+    if (bar) over.text({layout.width - pad, top + text}, label_of(*quantity, power), text, black, Align::right);
+    top += line;
   }
-  for (const auto& chain : mesh.rims)
-    for (std::size_t i = 0; i < chain.size(); ++i) canvas.line(frame.points[chain[i]], frame.points[chain[(i + 1) % chain.size()]], 2 * unit, rim);
-  return context.draw(canvas.vertices(), background[0], background[1], background[2]);
+  if (bar) draw_colour_bar(over, {std::round(layout.width - 4.6 * text), top + pad, 0, layout.height - top - 3.0 * pad}, text, brush.scale, painting.colours, power);
+
+  const bool captions = std::any_of(tiles.begin(), tiles.end(), [](const Tile& tile) { return !tile.caption.empty(); });
+  const double caption = captions ? line : 0, ledger = show.ledger ? 2.9 * text : 0;
+  const Box all{0, top, layout.width - right, layout.height - top};
+  const double plot = plotted_quantity(show) ? std::max(7.5 * text, 0.26 * all.height / rows) : 0;
+  for (std::size_t k = 0; k < tiles.size(); ++k) {
+    const Tile& tile = tiles[k];
+    const Box cell{std::round(all.x + all.width * static_cast<double>(static_cast<int>(k) % columns) / columns), std::round(all.y + all.height * static_cast<double>(static_cast<int>(k) / columns) / rows),
+                   std::floor(all.width / columns), std::floor(all.height / rows)};
+    const Box scene{cell.x, cell.y + caption, cell.width, std::max(1.0, cell.height - caption - ledger - plot)};
+    View view{view_centre(show, tile), 1, scene};
+    view.scale = fit_scale(show, scene, tiles, show.anchors ? text : pad);
+    // Bodies under a camera that sees a part are cut at the border of their cell; others fit anyway.
+    painting.panels.push_back(draw_tile(brush, font, tile, view, scene, painting.colours));
+    if (k == 0) {
+      // Where springs would cover everything they are paler.
+      const double spacing = view.scale * tile.subject->fields.mean_spring_length();
+      painting.half_width = show.springs == "none" || show.material == "none" ? 0 : (painting.springs_coloured ? 0.8 : 0.45) * brush.unit;
+      painting.ink[3] = static_cast<std::uint8_t>(90 * std::min(1.0, spacing / (7 * brush.unit)));
+    }
+    if (captions) over.text({cell.x + cell.width / 2, cell.y + text}, tile.caption, text, black, Align::centre);
+    if (show.ledger) draw_ledger(over, {cell.x + 2 * pad, cell.y + cell.height - plot - ledger, cell.width - 4 * pad, ledger}, text, tile);
+    if (plotted_quantity(show)) draw_plot(over, {cell.x + 2 * pad, cell.y + cell.height - plot, cell.width - 4 * pad, plot - 0.3 * text}, text, tile, *plotted_quantity(show));
+  }
+  painting.over = over.take();
+  return painting;
 }
 
 }  // namespace ricochet::render

@@ -1,30 +1,59 @@
 #pragma once
-// Draws plain frames: points, triangles, edges and their values. Knows nothing of the engine.
+// Frames to paintings: where everything goes, and the layers that were asked for. Knows nothing of the engine.
 
-#include <array>
+#include <string>
+#include <vector>
 
-#include "core/vec2.hpp"
-#include "render/context.hpp"
+#include "render/survey.hpp"
 
 namespace ricochet::render {
 
-struct Frame {
-  Points points;
-  std::vector<double> edge_values;  ///< [edge] 0 ... 1, coloured from dark to bright; NaN: not drawn
+/// One impact that is shown: its mesh, and what was seen of the whole sequence.
+struct Subject {
+  FrameMesh mesh;
+  Fields fields{mesh};
+  Survey survey{};
+  std::string title{};
+
+  explicit Subject(FrameMesh of) : mesh(std::move(of)) {}
+  Subject(const Subject&) = delete;
+  Subject& operator=(const Subject&) = delete;
+  void see(const Show& show, const Frame& frame) { survey.see(show, mesh, fields, frame); }
 };
 
-/// What stays the same over a sequence.
-struct Mesh {
-  std::vector<std::array<int, 2>> edges;
-  std::vector<std::array<int, 3>> triangles;
-  std::vector<std::vector<int>> rims;  ///< closed chains of points
+/// A subject at a moment, in its place in the grid.
+struct Tile {
+  const Subject* subject;
+  const Frame* frame;
+  std::size_t index;     ///< of the frame in the surveyed sequence
+  std::string caption;   ///< above it
 };
 
-/// The part of the plane that is shown, widened to the picture's shape.
-struct View {
-  Vec2 low, high;
+struct Layout {
+  int width, height;     ///< of the painting [pixels]
+  int columns = 1;
 };
 
-Image draw(Context& context, int width, int height, const Mesh& mesh, const Frame& frame, const View& view);
+/// Paints tiles row by row. `clock` stands in the upper left corner.
+Painting paint(const Show& show, const Layout& layout, Font& font, const std::vector<Tile>& tiles, const std::string& clock);
+
+/// "t = 1.25 R/c", and Psi1 if all tiles have the same.
+std::string clock_text(const std::vector<Tile>& tiles);
+/// A number with four digits at most, and a true minus.
+std::string number_text(double value, double step = 0);
+
+/// A rectangle of the painting. [pixels]
+struct Box {
+  double x = 0, y = 0, width = 0, height = 0;
+};
+
+// Parts that are drawn beside the bodies (overlays.cpp).
+void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours, double power);
+void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile);
+void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const Quantity& quantity);
+/// The power of ten that an axis up to `most` is best given in; 0 for numbers of common size.
+int power_of(double most);
+/// "name [unit]", with the power of ten.
+std::string label_of(const Quantity& quantity, int power);
 
 }  // namespace ricochet::render

@@ -6,7 +6,12 @@
 
 namespace ricochet::render {
 
+using Texts = std::map<std::string, std::string>;
+
 /// A PNG file's bytes, with text chunks. Equal pictures and texts give equal bytes.
-std::string png(const Image& image, const std::map<std::string, std::string>& texts);
+std::string png(const Image& image, const Texts& texts);
+
+/// The text chunks of a PNG file of ours; none if it is no whole PNG file.
+Texts png_texts(const std::string& bytes);
 
 }  // namespace ricochet::render

@@ -12,8 +12,10 @@ namespace ricochet {
 
 /// What an observer sees of one impact at the end of a step. Positions [R] and velocities [c] by node of either lattice.
 struct Snapshot {
-  double time;  ///< since the rims came within reach of each other [R/c]
+  double time = 0;  ///< since the rims came within reach of each other [R/c]
+  std::int64_t step = 0;
   Points projectile, target, projectile_velocity, target_velocity;
+  Points projectile_force, target_force;  ///< of contact [m0 c^2/R]
   Ledger energy;
   /// [projectile, target][spring] what effects have left of each; empty without effects that change springs.
   std::array<std::vector<SpringRest<double>>, 2> springs{};

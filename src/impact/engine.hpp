@@ -196,7 +196,13 @@ class Engine {
   Snapshot snapshot(int lane) {
     go_to_step_end();
     const Motions motions = motions_of(end_);
-    Snapshot shot{runs_[lane].time(), {}, {}, {}, {}, ledger(lane, motions, energies_of(end_, motions))};
+    Snapshot shot;
+    shot.time = runs_[lane].time(), shot.step = runs_[lane].steps;
+    shot.energy = ledger(lane, motions, energies_of(end_, motions));
+    Bodies pushed = end_;
+    contact_.add_forces_to_copies(lane, pushed[0], pushed[1]);
+    for (int i = 0; i < body_[0].lattice->nodes(); ++i) shot.projectile_force.push_back(pushed[0].force.at(i, lane));
+    for (int i = 0; i < body_[1].lattice->nodes(); ++i) shot.target_force.push_back(pushed[1].force.at(i, lane));
     for (int i = 0; i < body_[0].lattice->nodes(); ++i)
       shot.projectile.push_back(end_[0].position.at(i, lane)), shot.projectile_velocity.push_back(end_[0].velocity.at(i, lane));
     for (int i = 0; i < body_[1].lattice->nodes(); ++i)

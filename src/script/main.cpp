@@ -8,6 +8,7 @@
 #include "core/spelling.hpp"
 #include "force/catalogue.hpp"
 #include "force/lane.hpp"
+#include "script/render_command.hpp"
 #include "script/specification.hpp"
 #include "script/state.hpp"
 #include "store/trajectory.hpp"
@@ -142,6 +143,18 @@ int program(int count, char** words) {
   CLI::App* repl_command = app.add_subcommand("repl", "Type Lua");
   CLI::App* info_command = app.add_subcommand("info", "What a results.h5 holds and where it came from");
   info_command->add_option("FILE", file, "an HDF5 file of ours")->required();
+  RenderOptions drawing;
+  CLI::App* render_command = app.add_subcommand("render", "Draw a recorded impact: ricochet render FILE.h5 [name=value ...], with the names of the show table");
+  render_command->add_option("FILE", drawing.file, "an HDF5 file of ricochet.record")->required();
+  render_command->add_option("name=value", drawing.settings, "what the pictures show: material=speed ledger=true ...; see show in ricochet reference");
+  render_command->add_option("--size", drawing.size, "width and height in pixels (default: 1280x720)");
+  render_command->add_option("--out", drawing.out, "folder of the frames (default: FILE_frames, unless only a film is asked for)");
+  render_command->add_option("--film", drawing.film, "an .mp4 file; needs ffmpeg");
+  render_command->add_option("--rate", drawing.rate, "frames a second of the film (default: 30)")->check(CLI::Range(1.0, 240.0));
+  render_command->add_option("--threads", drawing.threads, "threads that encode; all cores unless given")->check(CLI::Range(1, 1024));
+  render_command->add_flag("--resume", drawing.resume, "keep the frames that are drawn already");
+  render_command->add_flag("--force", drawing.force, "replace what is there");
+  render_command->add_flag("--quiet", drawing.quiet, "print nothing");
   bool stubs = false;
   CLI::App* reference_command = app.add_subcommand("reference", "Print the reference of the Lua module");
   reference_command->add_flag("--stubs", stubs, "as definitions for the Lua language server");
@@ -155,7 +168,7 @@ int program(int count, char** words) {
     std::cout << version_text() << '\n';
     return 0;
   } catch (const CLI::ParseError& error) {
-    const std::vector<std::string> commands{"run", "accuracy", "effects", "repl", "info", "reference"};
+    const std::vector<std::string> commands{"run", "accuracy", "effects", "repl", "info", "render", "reference"};
     std::string hint;
     const std::vector<std::string> options_known{"--threads", "--batch", "--out", "--budget", "--resume", "--force", "--check", "--traceback", "--quiet", "--unsafe", "--help"};
     for (int i = 1; i < count && *run_command; ++i) {
@@ -193,6 +206,11 @@ int program(int count, char** words) {
   }
   if (*repl_command) return repl();
   if (*info_command) return info(file);
+  if (*render_command) {
+    if (drawing.resume && drawing.force) throw Error("--resume keeps earlier frames and --force replaces them; give one of them", Exit::usage);
+    render_file(drawing);
+    return 0;
+  }
   if (*reference_command) std::cout << (stubs ? editor_stubs() : reference_page());
   return 0;
 }

@@ -3,8 +3,10 @@
 
 #include <lua.hpp>
 
+#include <filesystem>
 #include <memory>
 
+#include "impact/outcome.hpp"
 #include "impact/scene.hpp"
 #include "script/reader.hpp"
 
@@ -64,6 +66,9 @@ std::vector<Scene> with_quietly_chosen_steps(Session& session, const std::vector
 Scene with_chosen_step(Session& session, const Scene& scene);
 
 Row row_of(const Scene& scene, const Outcome& outcome, double seconds);
+
+/// A path below the run's own folder. Throws Error if the name, or a link, leads out of it.
+std::filesystem::path below_folder(lua_State* L, const std::string& name);
 
 /// Pushes a table with every column of the row.
 void push_row(lua_State* L, const Row& row);

@@ -1,27 +1,20 @@
-// ricochet.animate, ricochet.record, ricochet.lammps, gnuplot for ricochet.plot, ricochet.file.
+// ricochet.animate, ricochet.still, ricochet.contact_sheet, ricochet.record, ricochet.lammps.
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>
 
-#include "core/hash.hpp"
-#include "force/springs.hpp"
 #include "impact/batch.hpp"
+#include "impact/film.hpp"
 #include "impact/lammps.hpp"
-#include "impact/launch.hpp"
-#include "render/picture.hpp"
-#include "render/png.hpp"
+#include "script/filming.hpp"
 #include "script/objects.hpp"
 #include "script/state.hpp"
 #include "store/files.hpp"
 #include "store/trajectory.hpp"
-
-extern char** environ;
 
 namespace ricochet {
 
@@ -29,113 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Both lattices of a scene as one mesh: the projectile's nodes, then the target's.
-struct Joined {
-  std::shared_ptr<const Lattice> projectile, target;
-  render::Mesh mesh;
-  std::vector<double> length, stiffness;  // [edge]
-};
-
-Joined join(const Scene& scene) {
-  Joined joined{build_lattice(*scene.projectile), build_lattice(*scene.target), {}, {}, {}};
-  int offset = 0;
-  for (const auto& [lattice, body] : {std::pair{joined.projectile, scene.projectile}, std::pair{joined.target, scene.target}}) {
-    for (int i = 0; i < lattice->nodes(); ++i)
-      for (int s = lattice->first[i]; s < lattice->first[i + 1]; ++s) {
-        const Spring spring = lattice->spring[s];
-        joined.mesh.edges.push_back({i + offset, spring.other + offset});
-        joined.length.push_back(spring.length), joined.stiffness.push_back(spring.stiffness * body->numbers.stiffness);
-      }
-    for (const Triangle& t : lattice->triangles) joined.mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-    std::vector<int> rim;
-    for (const int node : lattice->rim) rim.push_back(node + offset);
-    joined.mesh.rims.push_back(rim);
-    offset += lattice->nodes();
-  }
-  return joined;
-}
-
-Points all_points(const Points& projectile, const Points& target) {
-  Points points = projectile;
-  points.insert(points.end(), target.begin(), target.end());
-  return points;
-}
-
-// Energy of each spring, by the law of its body and what effects have left of it; NaN if it is broken. `shot`: nullptr before the impact.
-std::vector<double> spring_energies(const Joined& joined, const Points& points, const Snapshot* shot) {
-  std::vector<double> energies;
-  const std::size_t of_projectile = joined.projectile->spring.size();
-  for (std::size_t e = 0; e < joined.mesh.edges.size(); ++e) {
-    SpringRest<double> rest{(points[joined.mesh.edges[e][1]] - points[joined.mesh.edges[e][0]]).norm() - joined.length[e], 1};
-    const bool first = e < of_projectile;
-    if (shot && !shot->springs[first ? 0 : 1].empty()) rest = shot->springs[first ? 0 : 1][first ? e : e - of_projectile];
-    const double energy = joined.stiffness[e] * with_spring_law(first ? *joined.projectile : *joined.target, [&](const auto& law) { return law.energy(rest.elastic); });
-    energies.push_back(rest.share > 0 ? energy : not_given);
-  }
-  return energies;
-}
-
-/// What a sequence of frames covers.
-struct Sequence {
-  double from, until, brightest;
-  render::View view;
-  Outcome outcome;
-};
-
-Points before_touch(const Joined& joined, const Start& start, double time) {
-  Pose pose = start.pose;
-  pose.centre += time * start.velocity, pose.angle += time * start.spin;
-  return posed(joined.projectile->points, joined.projectile->centre(), pose);
-}
-
-// A first run without pictures: how long the impact lasts, the strongest springs, the space it takes.
-Sequence survey(const Scene& scene, const Joined& joined, double from, double duration) {
-  const Start start = launch(scene, *joined.projectile, *joined.target);
-  if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to show");
-  Sequence sequence{from, std::isnan(duration) ? not_given : from + duration, 0, {}, {}};
-  render::View& view = sequence.view;
-  view.low = view.high = joined.target->points.front();
-  const auto include = [&](const Points& points) {
-    for (const Vec2& p : points)
-      if (p.allFinite()) view.low = view.low.cwiseMin(p), view.high = view.high.cwiseMax(p);
-  };
-  include(joined.target->points), include(before_touch(joined, start, from));
-  const auto look = [&](const Snapshot& shot) {
-    std::vector<double> energies = spring_energies(joined, all_points(shot.projectile, shot.target), &shot);
-    for (double& energy : energies)
-      if (std::isnan(energy)) energy = 0;
-    // The one spring in a thousand that is strongest does not darken all others.
-    const auto high = energies.begin() + static_cast<std::ptrdiff_t>(energies.size() * 999 / 1000);
-    std::nth_element(energies.begin(), high, energies.end());
-    sequence.brightest = std::max(sequence.brightest, *high);
-    include(shot.projectile);
-  };
-  // Every quarter of R/c; past `until` nothing is shown.
-  const double until = std::isnan(duration) ? std::numeric_limits<double>::infinity() : sequence.until;
-  const auto sampled = equally_spaced(0, 0.25, std::numeric_limits<std::int64_t>::max(), start.step);
-  const Observer observer{std::isnan(duration) ? 0 : until, [&, sampled](double time) mutable { return time <= until && sampled(time); }, look};
-  sequence.outcome = run_scene(*joined.projectile, *joined.target, scene, stop_requested, &observer);
-  if (stop_requested) throw Error("interrupted", Exit::interrupted);
-  if (std::isnan(sequence.until)) sequence.until = sequence.outcome.time;
-  const Vec2 margin = 0.03 * (view.high - view.low);
-  view.low -= margin, view.high += margin;
-  return sequence;
-}
-
-fs::path below_folder(lua_State* L, const std::string& name) {
-  const Session& session = session_of(L);
-  const fs::path path(name);
-  bool plain = !name.empty() && path.is_relative() && name.find('\\') == std::string::npos && name.find('\0') == std::string::npos;
-  for (const fs::path& part : path) plain = plain && part != ".." && part != ".";
-  if (!plain) throw at_line(L, fmt::format("'{}' is no name below the run's folder; give a relative name without '..'", name));
-  // A link inside the folder must not lead out of it.
-  const fs::path whole = session.own_folder() / path;
-  std::error_code error;
-  const fs::path real = fs::weakly_canonical(whole, error), root = fs::weakly_canonical(session.own_folder(), error);
-  if (error || std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end())
-    throw FileError(fmt::format("'{}' leads out of the run's folder {}", name, session.own_folder().string()));
-  return whole;
-}
+// Frames over which a picture of single moments is surveyed.
+constexpr int survey_frames = 60;
 
 std::string text_field(lua_State* L, const char* name, const char* initial) {
   lua_getfield(L, 1, name);
@@ -151,207 +39,283 @@ double number_field(lua_State* L, const char* name, double initial) {
   return value;
 }
 
-// With --check: looks at the start, pushes a row of an impact that has not run, and returns true.
-bool only_checked(lua_State* L, const Joined& joined, const Scene& scene) {
-  if (!session_of(L).options.check) return false;
-  check_start(*joined.projectile, *joined.target, scene);
-  push_row(L, row_of(scene, Outcome{}, 0));
-  return true;
+/// A scene that is filmed: what it is, its lattices and, once it has run, its course.
+struct Take {
+  Scene scene;
+  CallSite site;  ///< of the scene in the script
+  std::shared_ptr<const Lattice> projectile, target;
+  Course course{};
+  std::string title{};
+};
+
+// Mistakes in fields of a scene stand in the scene's own table, the others at this call.
+template <class Work>
+auto at_scene(const Session& session, const CallSite& call, const Take& take, Work work) {
+  try {
+    return work();
+  } catch (const FieldError& error) {
+    static const std::set<std::string> own{"frames", "scene"};
+    throw_at(session, own.count(error.field) ? call : take.site, error);
+  }
 }
 
-// The time between frames; a frame falls on the end of a step, so it cannot be shorter than one.
-double frame_spacing(double duration, int frames, double step) {
-  const double spacing = duration / std::max(1, frames - 1);
-  if (frames > 1 && spacing < step)
-    throw FieldError("frames", fmt::format("{} frames in {:.4g} R/c are closer than the time step {:.3g} R/c; ask for {} or fewer, or give the scene a smaller step",
-                                           frames, duration, step, static_cast<std::int64_t>(duration / step) + 1));
-  return spacing;
+std::vector<Take> takes_of(lua_State* L) {
+  Session& session = session_of(L);
+  std::vector<Take> takes;
+  const auto add = [&](int index) {
+    const SceneObject& object = scene_at(L, index);
+    takes.push_back({object.scene, object.site, nullptr, nullptr});
+  };
+  if (lua_getfield(L, 1, "scene") != LUA_TNIL) add(-1);
+  lua_pop(L, 1);
+  if (lua_getfield(L, 1, "scenes") == LUA_TTABLE) {
+    if (!takes.empty()) throw_at(session, call_site(L), FieldError("scenes", "give scene, or scenes for several side by side"));
+    for (lua_Integer i = 1; i <= luaL_len(L, -1); ++i) lua_geti(L, -1, i), add(-1), lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  if (takes.empty()) throw_at(session, call_site(L), FieldError("scene", "is missing: what is to be drawn (or scenes, for several)"));
+  if (lua_getfield(L, 1, "titles") == LUA_TTABLE) {
+    if (luaL_len(L, -1) != static_cast<lua_Integer>(takes.size())) throw_at(session, call_site(L), FieldError("titles", fmt::format("has {} texts for {} scenes", luaL_len(L, -1), takes.size())));
+    for (std::size_t i = 0; i < takes.size(); ++i) lua_geti(L, -1, static_cast<lua_Integer>(i) + 1), takes[i].title = lua_tostring(L, -1), lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  const CallSite call = call_site(L);
+  for (Take& take : takes)
+    at_scene(session, call, take, [&] {
+      take.scene = with_chosen_step(session, take.scene);
+      take.projectile = build_lattice(*take.scene.projectile), take.target = build_lattice(*take.scene.target);
+      if (session.options.check) check_start(*take.projectile, *take.target, take.scene);
+    });
+  return takes;
 }
 
-// Mistakes in fields of this call stand at this call, the others in the scene's own table.
-[[noreturn]] void throw_at_call_or_scene(lua_State* L, const SceneObject& object, const FieldError& error) {
-  static const std::set<std::string> own{"size", "frames", "scene"};
-  throw_at(session_of(L), own.count(error.field) ? call_site(L) : object.site, error);
+Shooting shooting_of(lua_State* L) {
+  Session& session = session_of(L);
+  Shooting shooting;
+  if (lua_getfield(L, 1, "show") == LUA_TTABLE) read_members(L, lua_gettop(L), shooting.show);
+  lua_pop(L, 1);
+  if (lua_getfield(L, 1, "size") == LUA_TTABLE) {
+    if (luaL_len(L, -1) != 2) throw_at(session, call_site(L), FieldError("size", "takes a width and a height"));
+    int* const axes[] = {&shooting.width, &shooting.height};
+    for (int axis : {0, 1}) {
+      lua_geti(L, -1, axis + 1);
+      const double pixels = lua_tonumber(L, -1);
+      *axes[axis] = std::abs(pixels) <= 1e9 ? static_cast<int>(pixels) : 0;
+      lua_pop(L, 1);
+    }
+  }
+  lua_pop(L, 1);
+  try {
+    shooting.show.check();
+    render::check_size(shooting.width, shooting.height);
+  } catch (const FieldError& error) {
+    throw_at(session, call_site(L), error);
+  }
+  shooting.origin = session.provenance().at("script_hash");
+  shooting.threads = session.options.threads;
+  return shooting;
+}
+
+// Runs every scene once; frames can then be placed in its course.
+void follow(lua_State* L, std::vector<Take>& takes) {
+  Session& session = session_of(L);
+  const CallSite call = call_site(L);
+  for (Take& take : takes) {
+    at_scene(session, call, take, [&] { take.course = follow_course(*take.projectile, *take.target, take.scene, stop_requested); });
+    if (stop_requested) throw Error("interrupted before the first picture", Exit::interrupted);
+    const Outcome& outcome = take.course.outcome;
+    session.count(outcome.status == Status::finished, name_of(outcome.status) + ": " + outcome.reason);
+    if (outcome.status != Status::finished) session.warn(fmt::format("an impact that is drawn ended {}: {}", name_of(outcome.status), outcome.reason));
+  }
+}
+
+Source source_of(const Take& take, std::vector<double> times) {
+  Source source;
+  source.subject = std::make_shared<render::Subject>(frame_mesh(take.scene, *take.projectile, *take.target));
+  source.subject->title = take.title, source.hash = take.scene.hash();
+  source.play = [&take, times = std::move(times)](const std::atomic<bool>& stop, const std::function<void(Frame)>& use) { film_scene(*take.projectile, *take.target, take.scene, times, stop, use); };
+  return source;
+}
+
+// The row of a scene, or a list of rows of scenes.
+int push_rows(lua_State* L, const std::vector<Take>& takes) {
+  lua_getfield(L, 1, "scenes");
+  const bool list = !lua_isnil(L, -1);
+  if (list) lua_createtable(L, static_cast<int>(takes.size()), 0);
+  for (std::size_t i = 0; i < takes.size(); ++i) {
+    push_row(L, row_of(takes[i].scene, takes[i].course.outcome, 0));
+    if (list) lua_seti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
+  return 1;
+}
+
+// A path for what this call makes, which no other call of the script has made.
+fs::path claimed(lua_State* L, const char* field, const std::string& name) {
+  Session& session = session_of(L);
+  const fs::path path = below_folder(L, name);
+  if (!session.first_picture_named(path.string())) throw_at(session, call_site(L), FieldError(field, fmt::format("'{}' was drawn by an earlier call of this script; give this one another name", name)));
+  session.claim(session.own_folder());
+  make_folder(path.parent_path());
+  return path;
+}
+
+// Where the frames of all scenes lie: the same times for all, up to the end of the longest impact.
+std::vector<double> times_of(lua_State* L, const std::vector<Take>& takes, double from, int frames) {
+  Course course = takes[0].course;
+  double until = 0;
+  for (const Take& take : takes) {
+    until = std::max(until, take.course.outcome.time), course.step = std::max(course.step, take.course.step);
+    course.first_touch = std::min(course.first_touch, take.course.first_touch), course.last_touch = std::max(course.last_touch, take.course.last_touch);
+  }
+  const double duration = number_field(L, "duration", not_given);
+  return frame_times(course, from, std::isnan(duration) ? until : from + duration, frames, number_field(L, "slow_motion", 1));
 }
 
 int animate(lua_State* L) {
   check_table(L, 1, function_named("animate"));
   Session& session = session_of(L);
-  lua_getfield(L, 1, "scene");
-  const SceneObject& object = scene_at(L, -1);
-  Scene scene = object.scene;
-  const int frames = static_cast<int>(number_field(L, "frames", 120));
-  int size[2] = {1280, 720};
-  if (lua_getfield(L, 1, "size") == LUA_TTABLE) {
-    if (luaL_len(L, -1) != 2) throw_at(session, call_site(L), FieldError("size", "takes a width and a height"));
-    for (int axis : {0, 1}) {
-      lua_geti(L, -1, axis + 1);
-      const double pixels = lua_tonumber(L, -1);
-      size[axis] = pixels >= 1 && pixels <= 1e5 ? static_cast<int>(pixels) : 0;
-      lua_pop(L, 1);
-    }
-  }
+  const Shooting shooting = shooting_of(L);
+  std::vector<Take> takes = takes_of(L);
+  if (session.options.check) return push_rows(L, takes);
+  Sequence sequence;
+  const std::string film = text_field(L, "film", ""), out = text_field(L, "out", film.empty() ? "frames" : "");
+  if (!film.empty() && !film.ends_with(".mp4")) throw_at(session, call_site(L), FieldError("film", fmt::format("'{}' must end in .mp4", film)));
+  if (!out.empty()) sequence.folder = claimed(L, "out", out), make_folder(sequence.folder);
+  if (!film.empty()) sequence.film = claimed(L, "film", film);
+  sequence.rate = number_field(L, "rate", 30), sequence.go_on = session.options.resume;
+  follow(L, takes);
+  const CallSite call = call_site(L);
+  const std::vector<double> times = at_scene(session, call, takes[0], [&] { return times_of(L, takes, number_field(L, "from", -1), static_cast<int>(number_field(L, "frames", 240))); });
+  std::vector<Source> sources;
+  for (const Take& take : takes) sources.push_back(source_of(take, times));
   try {
-    scene = with_chosen_step(session, scene);
-    render::Context context(size[0], size[1]);
-    const Joined joined = join(scene);
-    if (only_checked(L, joined, scene)) return 1;
-    const fs::path folder = below_folder(L, text_field(L, "out", "frames"));
-    session.claim(session.own_folder());
-    make_folder(folder);
-    const Sequence sequence = survey(scene, joined, number_field(L, "from", -1), number_field(L, "duration", not_given));
-    const Provenance provenance = session.provenance();
-    const Start start = launch(scene, *joined.projectile, *joined.target);
-    const double spacing = frame_spacing(sequence.until - sequence.from, frames, start.step);
-    int drawn = 0;
-    const auto draw = [&](double time, const Points& projectile, const Points& target, const Snapshot* shot = nullptr) {
-      render::Frame frame{all_points(projectile, target), {}};
-      frame.edge_values = spring_energies(joined, frame.points, shot);
-      for (double& value : frame.edge_values) value = std::sqrt(value / std::max(sequence.brightest, 1e-300));
-      const std::map<std::string, std::string> texts{{"Software", "ricochet " + provenance.at("version")},
-                                                     {"ricochet.script", provenance.at("script_hash")},
-                                                     {"ricochet.scene", scene.hash()},
-                                                     {"ricochet.time", fmt::format("{:.6g} R/c", time)}};
-      write_atomically(folder / fmt::format("{:06}.png", drawn++), render::png(render::draw(context, size[0], size[1], joined.mesh, frame, sequence.view), texts));
-    };
-    // Frames before the touch are free flight; the others are the observer's, which begins at 0.
-    while (drawn < frames && sequence.from + drawn * spacing < 0) draw(sequence.from + drawn * spacing, before_touch(joined, start, sequence.from + drawn * spacing), joined.target->points);
-    const double first = sequence.from + drawn * spacing;
-    const Observer observer{sequence.until, equally_spaced(first, spacing, frames - drawn, start.step),
-                            [&](const Snapshot& shot) { draw(shot.time, shot.projectile, shot.target, &shot); }};
-    run_scene(*joined.projectile, *joined.target, scene, stop_requested, &observer);
-    if (stop_requested) throw Error(fmt::format("interrupted: {} of {} frames are in {}", drawn, frames, folder.string()), Exit::interrupted);
-    // Frames of an earlier, longer sequence would pass for the end of this one.
-    for (int stale = drawn; fs::remove(folder / fmt::format("{:06}.png", stale)); ++stale) {
-    }
-    session.print(fmt::format("{} frames in {}\n", drawn, folder.string()));
-    session.count(sequence.outcome.status == Status::finished, name_of(sequence.outcome.status) + ": " + sequence.outcome.reason);
-    push_row(L, row_of(scene, sequence.outcome, 0));
-    return 1;
+    const int count = shoot_sequence(shooting, sources, sequence);
+    if (!out.empty()) session.print(fmt::format("{} frames in {}\n", count, sequence.folder.string()));
+    if (!film.empty()) session.print(fmt::format("film: {}, {:.3g} s\n", sequence.film.string(), count / sequence.rate));
   } catch (const FieldError& error) {
-    throw_at_call_or_scene(L, object, error);
+    throw_at(session, call, error);
   }
+  return push_rows(L, takes);
+}
+
+// The scenes with frames over the whole impact, for colours and curves, and at the moments of each (which rise).
+std::vector<Source> surveyed_sources(const std::vector<Take>& takes, const std::vector<std::vector<double>>& moments, std::vector<std::vector<std::size_t>>& places) {
+  std::vector<Source> sources;
+  for (std::size_t i = 0; i < takes.size(); ++i) {
+    const Course& course = takes[i].course;
+    const double until = std::max(course.outcome.time, moments[i].back()), from = std::min(-1.0, moments[i].front());
+    const int count = std::max(2, std::min(survey_frames, static_cast<int>((until - from) / (2 * course.step))));
+    std::vector<double> times;
+    for (const double t : frame_times(course, from, until, count, 1))  // a moment takes the place of what is too close to it
+      if (std::none_of(moments[i].begin(), moments[i].end(), [&](double m) { return std::abs(m - t) < 1.5 * course.step; })) times.push_back(t);
+    times.insert(times.end(), moments[i].begin(), moments[i].end());
+    std::sort(times.begin(), times.end());
+    places.emplace_back();
+    for (const double m : moments[i]) places.back().push_back(static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), m) - times.begin()));
+    sources.push_back(source_of(takes[i], std::move(times)));
+  }
+  return sources;
+}
+
+int still(lua_State* L) {
+  check_table(L, 1, function_named("still"));
+  Session& session = session_of(L);
+  const Shooting shooting = shooting_of(L);
+  std::vector<Take> takes = takes_of(L);
+  if (session.options.check) return push_rows(L, takes);
+  const fs::path path = claimed(L, "out", text_field(L, "out", "still") + ".png");
+  follow(L, takes);
+  const double at = number_field(L, "at", not_given);
+  std::vector<std::vector<double>> moments;
+  for (const Take& take : takes) moments.push_back({std::isnan(at) ? take.course.deepest : at});
+  std::vector<std::vector<std::size_t>> places;
+  const std::vector<Source> sources = surveyed_sources(takes, moments, places);
+  std::vector<Pick> picks;
+  for (std::size_t i = 0; i < takes.size(); ++i) picks.push_back({i, places[i][0], takes[i].title});
+  shoot_still(shooting, sources, picks, static_cast<int>(picks.size()), path);
+  session.print(fmt::format("picture: {}\n", path.string()));
+  return push_rows(L, takes);
+}
+
+int contact_sheet(lua_State* L) {
+  check_table(L, 1, function_named("contact_sheet"));
+  Session& session = session_of(L);
+  const Shooting shooting = shooting_of(L);
+  std::vector<Take> takes = takes_of(L);
+  if (session.options.check) return push_rows(L, takes);
+  const fs::path path = claimed(L, "out", text_field(L, "out", "contact_sheet") + ".png");
+  follow(L, takes);
+  std::vector<double> times;
+  if (lua_getfield(L, 1, "times") == LUA_TTABLE)
+    for (lua_Integer i = 1; i <= luaL_len(L, -1); ++i) lua_geti(L, -1, i), times.push_back(lua_tonumber(L, -1)), lua_pop(L, 1);
+  lua_pop(L, 1);
+  std::sort(times.begin(), times.end());
+  const int count = static_cast<int>(number_field(L, "moments", 4));
+  std::vector<std::vector<double>> moments;
+  for (const Take& take : takes) {
+    std::vector<double> of = times;
+    // From the touch to the parting, and a little more.
+    for (int k = 0; times.empty() && k < count; ++k)
+      of.push_back(count == 1 ? take.course.deepest : take.course.first_touch + (take.course.last_touch - take.course.first_touch) * k / (count - 1));
+    moments.push_back(of);
+  }
+  std::vector<std::vector<std::size_t>> places;
+  const std::vector<Source> sources = surveyed_sources(takes, moments, places);
+  std::vector<Pick> picks;
+  for (std::size_t i = 0; i < takes.size(); ++i)
+    for (std::size_t k = 0; k < moments[i].size(); ++k)
+      picks.push_back({i, places[i][k], fmt::format("{}{}t = {} R/c", takes[i].title, takes[i].title.empty() ? "" : ", ", render::number_text(moments[i][k], 0.1))});
+  const int per_row = moments[0].size() > 1 ? static_cast<int>(moments[0].size()) : static_cast<int>(takes.size());
+  const int columns = static_cast<int>(number_field(L, "columns", takes.size() == 1 ? std::ceil(std::sqrt(per_row)) : per_row));
+  shoot_still(shooting, sources, picks, std::min(columns, static_cast<int>(picks.size())), path);
+  session.print(fmt::format("contact sheet: {}\n", path.string()));
+  return push_rows(L, takes);
 }
 
 int record(lua_State* L) {
   check_table(L, 1, function_named("record"));
   Session& session = session_of(L);
-  lua_getfield(L, 1, "scene");
-  const SceneObject& object = scene_at(L, -1);
-  Scene scene = object.scene;
-  const int frames = static_cast<int>(number_field(L, "frames", 120));
-  try {
-    scene = with_chosen_step(session, scene);
-    const Joined joined = join(scene);
-    if (only_checked(L, joined, scene)) return 1;
-    const fs::path path = below_folder(L, text_field(L, "out", "trajectory") + ".h5");
-    session.claim(session.own_folder());
-    double duration = number_field(L, "duration", not_given);
-    Outcome outcome = run_scene(*joined.projectile, *joined.target, scene, stop_requested);
-    if (std::isnan(duration)) duration = outcome.time;
-    Trajectory trajectory({joined.projectile->nodes(), joined.projectile->nodes() + joined.target->nodes(), joined.projectile->mass, joined.target->mass,
-                           joined.mesh.edges, joined.mesh.triangles});
-    const std::vector<Field> observables{{"projectile_translation", "number", "m0 c^2", "energy of the projectile's centre of mass"},
-                                         {"projectile_rotation", "number", "m0 c^2", "energy of the projectile's spin"},
-                                         {"projectile_vibration", "number", "m0 c^2", "energy of the projectile's vibration"},
-                                         {"target_translation", "number", "m0 c^2", "energy of the target's centre of mass (0 if anchored)"},
-                                         {"target_rotation", "number", "m0 c^2", "energy of the target's spin (0 if anchored)"},
-                                         {"target_vibration", "number", "m0 c^2", "energy of the target's vibration"},
-                                         {"contact", "number", "m0 c^2", "contact energy"},
-                                         {"total", "number", "m0 c^2", "total energy"}};
-    const Start start = launch(scene, *joined.projectile, *joined.target);
-    if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to record");
-    const auto due = equally_spaced(0, frame_spacing(duration, frames, start.step), frames, start.step);
-    const Observer observer{duration, due, [&](const Snapshot& shot) {
-      trajectory.add(shot.time, shot.time / start.step, all_points(shot.projectile, shot.target), all_points(shot.projectile_velocity, shot.target_velocity),
-                     {shot.energy.projectile_translation, shot.energy.projectile_rotation, shot.energy.projectile_vibration, shot.energy.target_translation,
-                      shot.energy.target_rotation, shot.energy.target_vibration, shot.energy.contact, shot.energy.total()});
-    }};
-    run_scene(*joined.projectile, *joined.target, scene, stop_requested, &observer);
-    if (stop_requested) throw Error("interrupted", Exit::interrupted);
+  std::vector<Take> takes = takes_of(L);
+  const Take& take = takes[0];
+  if (session.options.check) return push_rows(L, takes);
+  const fs::path path = claimed(L, "out", text_field(L, "out", "trajectory") + ".h5");
+  follow(L, takes);
+  const CallSite call = call_site(L);
+  at_scene(session, call, take, [&] {
+    const auto times = times_of(L, takes, number_field(L, "from", 0), static_cast<int>(number_field(L, "frames", 120)));
+    Trajectory trajectory(frame_mesh(take.scene, *take.projectile, *take.target));
+    if (!film_scene(*take.projectile, *take.target, take.scene, times, stop_requested, [&](Frame frame) { trajectory.add(std::move(frame)); })) throw Error("interrupted", Exit::interrupted);
     Provenance provenance = session.provenance();
-    provenance["scene"] = scene.text();
-    make_folder(path.parent_path());
-    trajectory.write(path, observables, provenance);
-    session.print(fmt::format("{} frames in {}\n", trajectory.frames(), path.string()));
-    session.count(outcome.status == Status::finished, name_of(outcome.status) + ": " + outcome.reason);
-    push_row(L, row_of(scene, outcome, 0));
-    return 1;
-  } catch (const FieldError& error) {
-    throw_at_call_or_scene(L, object, error);
-  }
+    provenance["scene"] = take.scene.text(), provenance["scene_hash"] = take.scene.hash();
+    trajectory.write(path, provenance);
+    session.print(fmt::format("{} frames in {}\n", trajectory.frames().size(), path.string()));
+  });
+  return push_rows(L, takes);
 }
 
 // Writes OUT.data and OUT.in for LAMMPS.
 int lammps(lua_State* L) {
   check_table(L, 1, function_named("lammps"));
   Session& session = session_of(L);
-  lua_getfield(L, 1, "scene");
-  const SceneObject& object = scene_at(L, -1);
-  try {
-    const Scene scene = with_chosen_step(session, object.scene);
+  const std::vector<Take> takes = takes_of(L);
+  const Take& take = takes[0];
+  if (session.options.check) return 0;
+  at_scene(session, call_site(L), take, [&] {
     const fs::path data = below_folder(L, text_field(L, "out", "impact") + ".data");
-    const Joined joined = join(scene);
-    if (session.options.check) return 0;
-    const LammpsFiles files = lammps_files(scene, *joined.projectile, *joined.target, data.stem().string());
+    const LammpsFiles files = lammps_files(take.scene, *take.projectile, *take.target, data.stem().string());
     session.claim(session.own_folder());
     make_folder(data.parent_path());
     write_atomically(data, files.data);
     write_atomically(fs::path(data).replace_extension(".in"), files.input);
     session.print(fmt::format("LAMMPS files: {}, beside it .in\n", data.string()));
-    return 0;
-  } catch (const FieldError& error) {
-    throw_at_call_or_scene(L, object, error);
-  }
-}
-
-// gnuplot(name, text): writes NAME.gp into the run's folder and lets gnuplot draw NAME.svg and NAME.png.
-int gnuplot(lua_State* L) {
-  Session& session = session_of(L);
-  const std::string name = luaL_checkstring(L, 1);
-  const fs::path script = below_folder(L, name + ".gp");
-  session.claim(session.own_folder());
-  write_atomically(script, luaL_checkstring(L, 2));
-  const std::string file = script.filename().string();
-  const char* arguments[] = {"gnuplot", file.c_str(), nullptr};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, script.parent_path().c_str());
-  pid_t child = 0;
-  const int failed = posix_spawnp(&child, "gnuplot", &actions, nullptr, const_cast<char**>(arguments), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed) throw FileError("gnuplot is not installed; apt-get install gnuplot-nox");
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw FileError(fmt::format("gnuplot could not draw {} (its message stands above)", script.string()));
-  session.print(fmt::format("plot: {}\n", fs::path(script).replace_extension(".png").string()));
+  });
   return 0;
-}
-
-int file_write(lua_State* L) {
-  Session& session = session_of(L);
-  const fs::path path = below_folder(L, luaL_checkstring(L, 1));
-  std::size_t length = 0;
-  const char* text = luaL_checklstring(L, 2, &length);
-  if (session.options.check) return 0;
-  spend(L, work_a_file + static_cast<double>(length) / 8);
-  session.claim(session.own_folder());
-  make_folder(path.parent_path());
-  write_atomically(path, {text, length});
-  return 0;
-}
-
-int file_read(lua_State* L) {
-  const std::string text = read_file(below_folder(L, luaL_checkstring(L, 1)));
-  lua_pushlstring(L, text.data(), text.size());
-  return 1;
 }
 
 }  // namespace
 
 void add_pictures(lua_State* L) {
-  const luaL_Reg list[] = {{"animate", guarded<animate>}, {"record", guarded<record>}, {"lammps", guarded<lammps>}, {"gnuplot", guarded<gnuplot>}, {"file_write", guarded<file_write>}, {"file_read", guarded<file_read>}};
+  const luaL_Reg list[] = {{"animate", guarded<animate>}, {"still", guarded<still>}, {"contact_sheet", guarded<contact_sheet>}, {"record", guarded<record>}, {"lammps", guarded<lammps>}};
   for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
 }
 

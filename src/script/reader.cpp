@@ -82,7 +82,17 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
   }
   if (type == "rows") return is_rows(L, index) ? "" : must_be("rows (from sweep:run())");
   if (!lua_istable(L, index))
-    return must_be(type == "effects" ? "a list of effects, e.g. { ricochet.gravity { g = 1e-4 } }" : type == "points" ? "a list of points { {x, y}, ... }" : type == "strings" ? "a list of strings { \"...\", ... }" : type == "numbers" ? "a list of numbers { ... }" : "a table");
+    return must_be(type == "scenes" ? "a list of scenes { ricochet.scene {...}, ... }" : type == "effects" ? "a list of effects, e.g. { ricochet.gravity { g = 1e-4 } }" : type == "points" ? "a list of points { {x, y}, ... }" : type == "strings" ? "a list of strings { \"...\", ... }" : type == "numbers" ? "a list of numbers { ... }" : "a table");
+  if (type == "scenes") {
+    const lua_Integer n = luaL_len(L, index);
+    for (lua_Integer i = 1; i <= n; ++i) {
+      lua_geti(L, index, i);
+      const std::string found = is_userdata(L, -1, "scene") ? "" : shown(L, -1);
+      lua_pop(L, 1);
+      if (!found.empty()) return fmt::format("'{}' must be a list of scenes (from ricochet.scene); element {} is {}", field.name, i, found);
+    }
+    return n == 0 ? fmt::format("'{}' must not be empty", field.name) : "";
+  }
   if (type == "effects") {
     for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
       if (lua_type(L, -2) == LUA_TNUMBER && is_userdata(L, -1, "effect")) continue;
@@ -119,6 +129,9 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
   return "";
 }
 
+// A table of named fields inside another, specified like a function of its own.
+bool is_table_type(const std::string& type) { return type == "launch" || type == "contact" || type == "show"; }
+
 bool has_field(const std::vector<Field>& fields, const std::string& name) {
   return std::any_of(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
 }
@@ -126,10 +139,10 @@ bool has_field(const std::vector<Field>& fields, const std::string& name) {
 // Where an unknown field belongs: in a table inside this one, or in the scene around it; else the nearest spelling.
 std::string belongs_elsewhere(const std::string& name, const std::vector<Field>& fields, const std::vector<std::string>& path, const std::string& nearest) {
   for (const Field& field : fields)
-    if ((field.type == "launch" || field.type == "contact") && has_field(function_named(field.type).fields, name))
+    if (is_table_type(field.type) && has_field(function_named(field.type).fields, name))
       return fmt::format(" (it belongs in {} = {{ {} = ... }})", field.name, name);
   if (nearest.empty() && has_field(fields, "over")) return fmt::format(" (what varies belongs in over = {{ {} = {{ ... }} }})", name);
-  if (!path.empty() && has_field(function_named("scene").fields, name)) return " (it belongs in the scene itself, beside this table)";
+  if (!path.empty() && path.back() != "show" && has_field(function_named("scene").fields, name)) return " (it belongs in the scene itself, beside this table)";
   return nearest;
 }
 
@@ -161,7 +174,7 @@ void collect(lua_State* L, int index, const std::vector<Field>& fields, const st
       if (field.initial.empty() && !field.optional) mistakes.push_back({path, fmt::format("{}'{}' is missing: {}", where, field.name, field.doc)});
     } else if (const std::string mistake = mistake_in(L, lua_gettop(L), field); !mistake.empty()) {
       mistakes.push_back({below(field.name), where + mistake});
-    } else if (field.type == "launch" || field.type == "contact") {
+    } else if (is_table_type(field.type)) {
       collect(L, -1, function_named(field.type).fields, below(field.name), mistakes, valid);
     }
     lua_pop(L, 1);
@@ -270,7 +283,7 @@ Error unknown_name(lua_State* L, const std::string& what, const std::string& nam
 void throw_at(const Session& session, const CallSite& site, const FieldError& error) {
   Mistake mistake{{error.field}, fmt::format("'{}': {}", error.field, error.what())};
   const auto text = session.sources.find(site.file);
-  for (const char* table : {"launch", "contact"})
+  for (const char* table : {"launch", "contact", "show"})
     if (text != session.sources.end() && find_field(text->second, site.line, site.function, {table, error.field})) mistake.path = {table, error.field};
   throw Error(report(session, site, {mistake}));
 }

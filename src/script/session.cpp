@@ -33,7 +33,7 @@ extern "C" void on_signal(int) {
 extern "C" void on_alarm(int) { _exit(130); }
 
 bool is_product(const fs::path& entry) {
-  static const std::set<std::string> names{"results.h5", "results.csv", "run.log", "parts"}, kinds{".svg", ".png", ".gp", ".h5", ".xdmf", ".new"};
+  static const std::set<std::string> names{"results.h5", "results.csv", "run.log", "parts"}, kinds{".svg", ".png", ".gp", ".h5", ".xdmf", ".mp4", ".new"};
   if (names.count(entry.filename().string()) || kinds.count(entry.extension().string())) return true;
   // A folder of frames holds nothing but frames.
   if (!fs::is_directory(entry)) return false;

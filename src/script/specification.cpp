@@ -9,6 +9,7 @@
 #include "impact/outcome.hpp"
 #include "impact/scene.hpp"
 #include "lattice/lattice.hpp"
+#include "render/show.hpp"
 
 namespace ricochet {
 namespace {
@@ -43,7 +44,11 @@ std::vector<Field> body_fields(const std::string& nodes, bool anchors) {
 
 std::vector<Function> make() {
   const Field scene{"scene", "scene", "", "what happens"};
-  const Field frames{"frames", "integer", "", "how many, equally spaced in time", {1, 1e6}, "120"};
+  const Field frames{"frames", "integer", "", "how many", {1, 1e6}, "240"};
+  const Field slow_motion{"slow_motion", "number", "", "so many times denser frames while the bodies touch; 1: equally spaced in time", {1, 1000}, "1"};
+  const std::vector<Field> one_or_more{{"scene", "scene", "", "what happens", any_number, "", true}, {"scenes", "scenes", "", "several instead, side by side, with common colours and times", any_number, "", true},
+                                       {"titles", "strings", "", "above each scene", any_number, "", true}};
+  const std::vector<Field> look{{"size", "numbers", "pixels", "width and height of the picture", any_number, "{1280, 720}"}, {"show", "show", "", "what the picture shows, and how", any_number, "{}"}};
   const Field duration{"duration", "number", "R/c", "time covered, from `from` on; the whole impact unless given", positive, "", true};
   const Field from{"from", "number", "R/c", "first time; before 0 the projectile is in free flight", {-1e6, 0}, "-1"};
   std::vector<Function> list;
@@ -105,13 +110,28 @@ std::vector<Function> make() {
                    {"title", "string", "", "above the plot", any_number, "", true},
                    {"xlabel", "string", "", "instead of the column's name and unit", any_number, "", true}},
                   "nothing", "ricochet.plot { rows = rows, x = \"psi1\", y = { \"e\", \"mu\" }, name = \"angles\" }"});
-  list.push_back({"animate", "Draws an impact as a sequence of PNG files, springs coloured by their energy, without a display. Returns the impact's row.",
-                  {scene, frames, from, duration,
-                   {"size", "numbers", "pixels", "width and height", any_number, "{1280, 720}"},
-                   {"out", "string", "", "folder of the frames, below the run's folder", any_number, "frames"}},
-                  "table", "ricochet.animate { scene = scene, frames = 120, size = {960, 540} }"});
-  list.push_back({"record", "Stores an impact as H5MD (OUT.h5, for MDAnalysis) and OUT.xdmf (for ParaView). Returns the impact's row.",
-                  {scene, frames, {"out", "string", "", "file name without extension, below the run's folder", any_number, "trajectory"}, duration}, "table",
+  list.push_back({"animate",
+                  "Draws an impact as a sequence of PNG files, and as a film, without a display, while it runs. Colours and scales are those of the whole sequence. "
+                  "Stopped and run again with --resume it goes on. Returns the impact's row, or a list of rows if `scenes` was given.",
+                  one_or_more + std::vector<Field>{frames, from, duration, slow_motion} + look +
+                      std::vector<Field>{{"out", "string", "", "folder of the frames, below the run's folder; \"frames\" unless only a film is asked for", any_number, "", true},
+                                         {"film", "string", "", "name of an .mp4 file, below the run's folder; needs ffmpeg", any_number, "", true},
+                                         {"rate", "number", "1/s", "frames a second of the film", {1, 240}, "30"}},
+                  "table", "ricochet.animate { scene = scene, frames = 120, size = {960, 540}, show = { material = \"speed\", ledger = true } }"});
+  list.push_back({"show", "The `show` table of animate, still and contact_sheet: layers by name. What is not switched on is not computed. `ricochet render FILE.h5 name=value` takes the same.",
+                  fields_of<render::Show>(), "", ""});
+  list.push_back({"still", "Draws one moment of an impact as OUT.png. Colours and scales are those of the whole impact. Returns the row, or a list of rows if `scenes` was given.",
+                  one_or_more + std::vector<Field>{{"at", "number", "R/c", "when, since the rims came within reach; where the projectile lies deepest unless given", {-1e6, 1e6}, "", true}} + look +
+                      std::vector<Field>{{"out", "string", "", "file name without extension, below the run's folder", any_number, "still"}},
+                  "table", "ricochet.still { scene = scene, at = 3, show = { camera = \"contact\" } }"});
+  list.push_back({"contact_sheet", "Draws a grid of moments of one or several impacts as OUT.png: a row for each scene. Returns the row, or a list of rows if `scenes` was given.",
+                  one_or_more + std::vector<Field>{{"moments", "integer", "", "how many of each impact, from its touch to its parting", {1, 100}, "4"},
+                                                   {"times", "numbers", "R/c", "the moments, instead", any_number, "", true},
+                                                   {"columns", "integer", "", "pictures in a row of the grid; all moments of a scene unless given", {1, 100}, "", true}} + look +
+                      std::vector<Field>{{"out", "string", "", "file name without extension, below the run's folder", any_number, "contact_sheet"}},
+                  "table", "ricochet.contact_sheet { scenes = { soft, hard }, titles = { \"soft\", \"hard\" }, moments = 3 }"});
+  list.push_back({"record", "Stores an impact as H5MD (OUT.h5, for MDAnalysis and `ricochet render`) and OUT.xdmf (for ParaView). Returns the impact's row.",
+                  {scene, changed(frames, "120"), changed(from, "0"), duration, slow_motion, {"out", "string", "", "file name without extension, below the run's folder", any_number, "trajectory"}}, "table",
                   "ricochet.record { scene = scene, frames = 200 }"});
   list.push_back({"lammps", "Exports a scene without effects for LAMMPS: OUT.data and the input script OUT.in, with every spring as a bond of bond_style class2, which carries the quartic term. "
                             "LAMMPS repels node from node, not from segment.",
@@ -169,7 +189,8 @@ std::string lua_type(const std::string& type) {
   if (type == "function") return "function";
   if (type == "effects") return "ricochet.effect[]";
   if (type == "body" || type == "effect" || type == "scene" || type == "sweep" || type == "rows" || type == "summary" || type == "plan") return "ricochet." + type;
-  if (type == "launch" || type == "contact") return "ricochet." + type + "_fields";
+  if (type == "scenes") return "ricochet.scene[]";
+  if (type == "launch" || type == "contact" || type == "show") return "ricochet." + type + "_fields";
   return type;
 }
 

@@ -53,6 +53,14 @@ void check(herr_t status, const char* doing) {
   if (status < 0) throw FileError(std::string("HDF5 cannot ") + doing);
 }
 
+template <class Number>
+std::vector<Number> read_all(hid_t parent, const char* name, hid_t type) {
+  const Handle set = open_set(parent, name);
+  std::vector<Number> values(length_of(set));
+  if (!values.empty()) check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read a dataset");
+  return values;
+}
+
 }  // namespace
 
 Handle memory_file() {
@@ -158,12 +166,8 @@ bool holds_text(hid_t parent, const char* name) {
   return H5Tget_class(type) == H5T_STRING;
 }
 
-std::vector<double> read_numbers(hid_t parent, const char* name) {
-  const Handle set = open_set(parent, name);
-  std::vector<double> values(length_of(set));
-  if (!values.empty()) check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read a dataset");
-  return values;
-}
+std::vector<double> read_numbers(hid_t parent, const char* name) { return read_all<double>(parent, name, H5T_NATIVE_DOUBLE); }
+std::vector<float> read_floats(hid_t parent, const char* name) { return read_all<float>(parent, name, H5T_NATIVE_FLOAT); }
 
 std::vector<std::string> read_texts(hid_t parent, const char* name) {
   const Handle set = open_set(parent, name);

@@ -52,7 +52,9 @@ std::vector<std::string> attribute_names(hid_t object);
 /// One-dimensional datasets. Text is stored with a fixed length, padded with zeros.
 Handle numbers(hid_t parent, const char* name, std::span<const double> values);
 Handle texts(hid_t parent, const char* name, std::span<const std::string> values);
+/// The values of a dataset of numbers of any shape, in its order.
 std::vector<double> read_numbers(hid_t parent, const char* name);
+std::vector<float> read_floats(hid_t parent, const char* name);
 std::vector<std::string> read_texts(hid_t parent, const char* name);
 bool holds_text(hid_t parent, const char* name);
 std::vector<std::string> link_names(hid_t group);

@@ -91,7 +91,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   write_atomically(path, file);
-  for (const auto& read : {+[](const std::filesystem::path& p) { read_table(p); }, +[](const std::filesystem::path& p) { read_provenance(p); }, +[](const std::filesystem::path& p) { is_trajectory(p); }}) try {
+  for (const auto& read : {+[](const std::filesystem::path& p) { read_table(p); }, +[](const std::filesystem::path& p) { read_provenance(p); }, +[](const std::filesystem::path& p) { is_trajectory(p); }, +[](const std::filesystem::path& p) { read_trajectory(p); }}) try {
       read(path);
     } catch (const FileError&) {  // refused: as it should be
     }

@@ -76,11 +76,7 @@ class Contact {
         const double repulsion = xi * push.energy;
         on_node = push.node == node ? on_node + repulsion : repulsion, node = push.node;  // pairs of a node stand together
         if (xi * on_node > stiffest_[lane]) stiffest_[lane] = xi * on_node, stiffest_node_[lane] = {push.direction, push.node};
-        Moving<W>& a = push.direction == 0 ? projectile : target;
-        Moving<W>& b = push.direction == 0 ? target : projectile;
-        a.force.add(push.node, lane, push.force);
-        b.force.add(push.from, lane, -(1 - push.along) * push.force);
-        b.force.add(push.to, lane, -push.along * push.force);
+        push_apart(push, lane, projectile, target);
       });
     }
     if (grip()) hold(*grip(), projectile, target);
@@ -114,6 +110,14 @@ class Contact {
           sum[lane] += adhesion()->energy(closest(nodes.at(push.node, lane), chain.at(push.from, lane), chain.at(push.to, lane)).distance);
         });
     return sum;
+  }
+
+  /// Adds the forces of contact, friction included, to a lane of copies of the bodies, after energy() at their positions; nothing else changes.
+  void add_forces_to_copies(int lane, Moving<W>& projectile, Moving<W>& target) const {
+    each(lane, projectile.position, target.position, [&](const Push& push) { push_apart(push, lane, projectile, target); });
+    if (!grip()) return;
+    Grip<W> copy = *grip();
+    hold(copy, projectile, target);
   }
 
   struct FrictionEnergies {
@@ -171,6 +175,14 @@ class Contact {
   }
 
  private:
+  static void push_apart(const Push& push, int lane, Moving<W>& projectile, Moving<W>& target) {
+    Moving<W>& a = push.direction == 0 ? projectile : target;
+    Moving<W>& b = push.direction == 0 ? target : projectile;
+    a.force.add(push.node, lane, push.force);
+    b.force.add(push.from, lane, -(1 - push.along) * push.force);
+    b.force.add(push.to, lane, -push.along * push.force);
+  }
+
   const Adhesion* adhesion() const { return effects ? adhesion_ : nullptr; }
   const Grip<W>* grip() const { return effects && grip_ ? &*grip_ : nullptr; }
   Grip<W>* grip() { return effects && grip_ ? &*grip_ : nullptr; }

@@ -1,0 +1,145 @@
+#include "render/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <unordered_map>
+
+namespace ricochet::render {
+namespace {
+
+Vec2 at(const std::vector<Eigen::Vector2f>& values, int node) { return values[static_cast<std::size_t>(node)].cast<double>(); }
+
+double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) { return std::abs(cross(b - a, c - a)); }
+
+std::array<int, 2> nodes_of(const FrameMesh& mesh, int body) { return body == 0 ? std::array{0, mesh.projectile_nodes} : std::array{mesh.projectile_nodes, mesh.nodes()}; }
+
+}  // namespace
+
+Motion motion_of(const FrameMesh& mesh, const Frame& frame, int body) {
+  const auto [first, last] = nodes_of(mesh, body);
+  Motion motion;
+  bool held = false;
+  for (int i = first; i < last; ++i) {
+    motion.rest_centre += mesh.rest[i], motion.centre += at(frame.position, i), motion.velocity += at(frame.velocity, i);
+    held = held || mesh.anchored[i];
+  }
+  const double count = last - first;
+  motion.rest_centre /= count, motion.centre /= count, motion.velocity /= count;
+  if (held) {
+    motion.centre = motion.rest_centre, motion.velocity.setZero();
+    return motion;
+  }
+  double along = 0, across = 0, moment = 0, inertia = 0;
+  for (int i = first; i < last; ++i) {
+    const Vec2 then = mesh.rest[i] - motion.rest_centre, now = at(frame.position, i) - motion.centre;
+    along += then.dot(now), across += cross(then, now);
+    moment += cross(now, at(frame.velocity, i) - motion.velocity), inertia += then.squaredNorm();
+  }
+  motion.angle = std::atan2(across, along);
+  motion.spin = moment / inertia;
+  return motion;
+}
+
+double plotted_value(const std::string& name, const FrameMesh& mesh, const Frame& frame) {
+  if (name == "force_n" || name == "force_t") {
+    Vec2 sum = Vec2::Zero();
+    for (int i = 0; i < mesh.projectile_nodes; ++i) sum += at(frame.contact_force, i);
+    return name == "force_n" ? sum.y() : sum.x();
+  }
+  if (name == "vibration") return frame.energy[2] + frame.energy[5];
+  const Motion motion = motion_of(mesh, frame, 0);
+  if (name == "vn") return motion.velocity.y();
+  if (name == "vt") return motion.velocity.x();
+  if (name == "omega") return motion.spin;
+  if (name == "height") return motion.centre.y();
+  throw std::logic_error("no plot shows " + name);
+}
+
+Fields::Fields(const FrameMesh& mesh) : mesh_(mesh), shared_by_(mesh.springs.size(), 0.0), rest_area_(mesh.rest.size(), 0.0) {
+  const auto key = [](int a, int b) { return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b)); };
+  std::unordered_map<std::uint64_t, int> spring;
+  for (std::size_t s = 0; s < mesh.springs.size(); ++s) {
+    spring[key(mesh.springs[s][0], mesh.springs[s][1])] = static_cast<int>(s);
+    mean_length_ += mesh.length[s] / static_cast<double>(mesh.springs.size());
+  }
+  for (const auto& t : mesh.triangles) {
+    std::array<int, 3> sides{};
+    for (int corner = 0; corner < 3; ++corner) {
+      const auto found = spring.find(key(t[(corner + 1) % 3], t[(corner + 2) % 3]));
+      sides[corner] = found == spring.end() ? -1 : found->second;
+      if (sides[corner] >= 0) ++shared_by_[sides[corner]];
+      rest_area_[t[corner]] += twice_area(mesh.rest[t[0]], mesh.rest[t[1]], mesh.rest[t[2]]) / 2;
+    }
+    sides_.push_back(sides);
+  }
+}
+
+double Fields::elongation(const Frame& frame, std::size_t spring, double distance) const {
+  return frame.elongation.empty() ? distance - mesh_.length[spring] : frame.elongation[spring];
+}
+
+// T = ka x + kb x^3, V = ka x^2 / 2 + kb x^4 / 4   [Hayakawa & Kuninaka 2003, eq. interaction]
+std::vector<double> Fields::of_springs(const std::string& name, const Frame& frame) const {
+  std::vector<double> values(mesh_.springs.size());
+  for (std::size_t s = 0; s < values.size(); ++s) {
+    const auto& ends = mesh_.springs[s];
+    const double x = elongation(frame, s, (at(frame.position, ends[1]) - at(frame.position, ends[0])).norm());
+    const double ka = mesh_.stiffness[s], quartic = mesh_.quartic[static_cast<std::size_t>(mesh_.body_of(ends[0]))];
+    values[s] = name == "tension" ? ka * x * (1 + quartic * x * x) : name == "energy" ? ka * x * x * (0.5 + 0.25 * quartic * x * x) : x / mesh_.length[s];
+  }
+  return values;
+}
+
+std::vector<double> Fields::stress(const Frame& frame, bool pressure) const {
+  const std::vector<double> tension = of_springs("tension", frame);
+  struct Tensor {
+    double xx = 0, xy = 0, yy = 0, area = 0;
+  };
+  std::vector<Tensor> sums(mesh_.rest.size());
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const auto& corners = mesh_.triangles[t];
+    Tensor tensor;
+    for (const int s : sides_[t]) {
+      if (s < 0 || std::isnan(tension[s])) continue;
+      const Vec2 r = at(frame.position, mesh_.springs[s][1]) - at(frame.position, mesh_.springs[s][0]);
+      const double length = r.norm(), weight = length > 0 ? tension[s] / (length * shared_by_[s]) : 0;
+      tensor.xx += weight * r.x() * r.x(), tensor.xy += weight * r.x() * r.y(), tensor.yy += weight * r.y() * r.y();
+    }
+    tensor.area = twice_area(at(frame.position, corners[0]), at(frame.position, corners[1]), at(frame.position, corners[2])) / 2;
+    for (const int i : corners) sums[i].xx += tensor.xx, sums[i].xy += tensor.xy, sums[i].yy += tensor.yy, sums[i].area += tensor.area;
+  }
+  std::vector<double> values;
+  for (const Tensor& s : sums) {
+    const double xx = s.xx / s.area, yy = s.yy / s.area, xy = s.xy / s.area;
+    values.push_back(s.area == 0 ? 0 : pressure ? -(xx + yy) / 2 : std::sqrt(std::max(0.0, xx * xx - xx * yy + yy * yy + 3 * xy * xy)));
+  }
+  return values;
+}
+
+std::vector<double> Fields::of_material(const std::string& name, const Frame& frame) const {
+  if (name == "pressure" || name == "von_mises") return stress(frame, name == "pressure");
+  std::vector<double> values(mesh_.rest.size(), 0.0);
+  if (name == "energy_density" || name == "stretch") {
+    const bool energy = name == "energy_density";
+    const std::vector<double> springs = of_springs(energy ? "energy" : "stretch", frame);
+    std::vector<double> weight(mesh_.rest.size(), 0.0);
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (const int s : sides_[t]) {
+        if (s < 0 || std::isnan(springs[s])) continue;
+        for (const int i : mesh_.triangles[t]) values[i] += springs[s] / (energy ? shared_by_[s] : 1), weight[i] += 1;
+      }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double over = energy ? rest_area_[i] : weight[i];
+      if (over > 0) values[i] /= over;
+    }
+    return values;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Eigen::Vector2f& v = frame.velocity[i];
+    values[i] = name == "velocity_x" ? v.x() : name == "velocity_y" ? v.y() : std::hypot(v.x(), v.y());
+  }
+  return values;
+}
+
+}  // namespace ricochet::render

@@ -1,0 +1,53 @@
+#pragma once
+// Quantities of a frame that pictures show.
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "core/frame.hpp"
+
+namespace ricochet::render {
+
+/// The rigid motion of a body that lies nearest to a frame, and its velocity.
+struct Motion {
+  Vec2 centre = Vec2::Zero(), rest_centre = Vec2::Zero(), velocity = Vec2::Zero();
+  double angle = 0;  ///< turned by since rest, -pi ... pi
+  double spin = 0;   ///< [c/R]
+
+  Vec2 moved(const Vec2& rest) const { return centre + Eigen::Rotation2Dd(angle) * (rest - rest_centre); }
+};
+
+/// A held body does not move.
+Motion motion_of(const FrameMesh& mesh, const Frame& frame, int body);
+
+/// A plot's quantity, by its name in plot_quantities().
+double plotted_value(const std::string& name, const FrameMesh& mesh, const Frame& frame);
+
+/// Quantities of material and springs; what only depends on the mesh is found once.
+class Fields {
+ public:
+  explicit Fields(const FrameMesh& mesh);
+
+  /// A quantity of material_quantities() at every node: the mean over the triangles around it. [node]
+  /// Stress of a triangle: sum over its springs of T r n n / (triangles that share the spring), over its area: Cauchy's.   [here: the virial]
+  std::vector<double> of_material(const std::string& name, const Frame& frame) const;
+  /// A quantity of spring_quantities(); NaN for broken springs. [spring]
+  std::vector<double> of_springs(const std::string& name, const Frame& frame) const;
+
+  /// The spring opposite to each corner of a triangle, -1 if there is none. [triangle]
+  const std::vector<std::array<int, 3>>& sides() const { return sides_; }
+  double mean_spring_length() const { return mean_length_; }
+
+ private:
+  double elongation(const Frame& frame, std::size_t spring, double distance) const;
+  std::vector<double> stress(const Frame& frame, bool pressure) const;
+
+  const FrameMesh& mesh_;
+  std::vector<std::array<int, 3>> sides_;
+  std::vector<double> shared_by_;  // [spring] how many triangles have it
+  std::vector<double> rest_area_;  // [node] of the triangles around
+  double mean_length_ = 0;
+};
+
+}  // namespace ricochet::render

@@ -1,0 +1,44 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ricochet::render {
+
+/// DejaVu Sans, from Debian's fonts-dejavu-core. Throws FileError naming the package if it is not there.
+/// Glyphs are drawn once (FreeType) and kept in an atlas, a square of coverages from 0 to 255.
+class Font {
+ public:
+  explicit Font(const char* path = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf");
+  ~Font();
+  Font(const Font&) = delete;
+  Font& operator=(const Font&) = delete;
+
+  /// A glyph's place in the atlas, where it lies from the pen (right and up), and how far the pen goes on. [pixels]
+  struct Glyph {
+    int x = 0, y = 0, width = 0, height = 0, left = 0, top = 0;
+    double advance = 0;
+  };
+
+  /// The glyph of a character of `size` pixels an em. What the font lacks is its box for missing ones.
+  const Glyph& glyph(char32_t character, int size);
+
+  static constexpr int side = 2048;                             ///< of the atlas
+  const std::vector<std::uint8_t>& atlas() const { return atlas_; }
+  int version() const { return version_; }                      ///< changes with the atlas
+
+ private:
+  struct Face;
+  std::unique_ptr<Face> face_;
+  std::map<std::pair<int, char32_t>, Glyph> glyphs_;
+  std::vector<std::uint8_t> atlas_;
+  int pen_x_ = 0, pen_y_ = 0, row_height_ = 0, version_ = 0;
+};
+
+/// The characters of UTF-8 text; a broken sequence becomes U+FFFD.
+std::u32string characters(const std::string& utf8);
+
+}  // namespace ricochet::render

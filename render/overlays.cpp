@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/picture.hpp"
+
+namespace ricochet::render {
+namespace {
+
+constexpr Colour black{20, 20, 30, 255}, grey{120, 120, 130, 255}, faint{205, 205, 210, 255};
+
+// The round step that gives `count` ticks or a few more.
+double round_step(double extent, int count) {
+  const double rough = extent / count, decade = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const double step : {1.0, 2.0, 2.5, 5.0})
+    if (rough <= step * decade) return step * decade;
+  return 10 * decade;
+}
+
+std::vector<double> ticks(double low, double high, int count) {
+  const double step = round_step(high - low, count);
+  std::vector<double> list;
+  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) list.push_back(k * step);
+  return list;
+}
+
+}  // namespace
+
+std::string number_text(double value, double step) {
+  if (std::abs(value) < 1e-12 * std::max(1.0, step)) value = 0;
+  std::string text = step > 0 ? fmt::format("{:.{}f}", value, std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)) + (std::abs(step / std::pow(10.0, std::floor(std::log10(step) + 1e-9)) - 2.5) < 1e-6))) : fmt::format("{:.4g}", value);
+  if (text[0] == '-') text.replace(0, 1, "−");
+  return text;
+}
+
+int power_of(double most) {
+  if (!(most > 0)) return 0;
+  const int power = static_cast<int>(std::floor(std::log10(most) + 1e-9));
+  return power >= -2 && power < 4 ? 0 : power;
+}
+
+std::string label_of(const Quantity& quantity, int power) {
+  const std::string factor = power == 0 ? "" : fmt::format("10^{{{}}}", number_text(power));
+  if (factor.empty() && quantity.unit.empty()) return quantity.label;
+  return fmt::format("{} [{}{}{}]", quantity.label, factor, factor.empty() || quantity.unit.empty() ? "" : " ", quantity.unit);
+}
+
+void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours, double power) {
+  const double width = std::round(0.9 * size);
+  const double share = box.height / static_cast<double>(colours.size());
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    const double low = std::round(box.y + box.height - share * static_cast<double>(i + 1)), high = std::round(box.y + box.height - share * static_cast<double>(i));
+    canvas.rectangle({box.x, low}, {width, high - low}, colours[i]);
+  }
+  canvas.polyline({{box.x, box.y}, {box.x + width, box.y}, {box.x + width, box.y + box.height}, {box.x, box.y + box.height}}, 1, grey, true);
+  const double factor = std::pow(10.0, power);
+  const std::vector<double> marks = ticks(scale.low / factor, scale.high / factor, box.height > 12 * size ? 5 : 3);
+  double last = 1e300;
+  for (const double mark : marks) {
+    const double y = box.y + box.height * (1 - scale(mark * factor));
+    if (last - y < 1.1 * size) continue;
+    last = y;
+    canvas.line({box.x + width, y}, {box.x + width + 0.3 * size, y}, 1, grey);
+    canvas.text({box.x + width + 0.45 * size, y + 0.36 * size}, number_text(mark, marks.size() > 1 ? marks[1] - marks[0] : 0), size, black);
+  }
+}
+
+void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile) {
+  const std::array<double, 8>& e = tile.frame->energy;
+  const Vec2 v = motion_of(tile.subject->mesh, *tile.frame, 0).velocity;
+  const double normal = v.squaredNorm() > 0 ? e[0] * v.y() * v.y() / v.squaredNorm() : 0;
+  const double known = e[0] + e[1] + e[2] + e[3] + e[4] + e[5] + e[6];
+  struct Part {
+    const char* name;
+    double energy;
+  };
+  const std::vector<Part> parts{{"normal", normal}, {"tangential", e[0] - normal}, {"spin", e[1]}, {"vibration", e[2]}, {"target", e[3] + e[4] + e[5]}, {"contact", e[6]}, {"effects", e[7] - known}};
+  const double most = tile.subject->survey.most_energy;
+  double x = box.x;
+  const double bar = std::round(0.9 * size), y = box.y + 1.45 * size;
+  canvas.rectangle({box.x, y}, {box.width, bar}, {240, 240, 242, 255});
+  double text = box.x;
+  const bool effects = std::abs(parts.back().energy) > 1e-4 * most;
+  double legend = 0;
+  for (const Part& part : parts) legend += 1.9 * size + canvas.text_width(part.name, size);
+  int small = size;
+  if (legend > box.width) small = std::max(7, static_cast<int>(size * box.width / legend));
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (k + 1 == parts.size() && !effects) break;
+    const Colour colour = kind_colour(static_cast<int>(k));
+    const double width = most > 0 ? std::max(0.0, parts[k].energy) / most * box.width : 0;
+    if (width > 0) canvas.rectangle({x, y}, {width, bar}, colour);
+    x += width;
+    canvas.rectangle({text, std::round(box.y + 0.35 * size)}, {std::round(0.7 * small), std::round(0.7 * small)}, colour);
+    canvas.text({text + 1.0 * small, box.y + 0.35 * size + 0.7 * small}, parts[k].name, small, black);
+    text += 1.9 * small + canvas.text_width(parts[k].name, small);
+  }
+  canvas.polyline({{box.x, y}, {box.x + box.width, y}, {box.x + box.width, y + bar}, {box.x, y + bar}}, 1, grey, true);
+}
+
+void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const Quantity& quantity) {
+  const Survey& survey = tile.subject->survey;
+  const auto [least, most] = std::minmax_element(survey.series.begin(), survey.series.end());
+  double low = std::min(0.0, *least), high = std::max(0.0, *most);
+  if (high == low) high = low + 1;
+  const double room = 0.06 * (high - low);
+  high += room, low -= low < 0 ? room : 0;
+  const double first = survey.times.front(), last = survey.times.back() > first ? survey.times.back() : first + 1;
+  const int power = power_of(std::max(high, -low));
+  const double factor = std::pow(10.0, power);
+  const Box in{box.x + 3.4 * size, box.y + 1.3 * size, box.width - 4.2 * size, box.height - 2.8 * size};
+  const auto x = [&](double t) { return in.x + in.width * (t - first) / (last - first); };
+  const auto y = [&](double v) { return in.y + in.height * (1 - (v - low) / (high - low)); };
+  const auto marks = ticks(low / factor, high / factor, in.height > 5 * size ? 4 : 3);
+  for (const double mark : marks) {
+    canvas.line({in.x, y(mark * factor)}, {in.x + in.width, y(mark * factor)}, 1, mark == 0 ? grey : faint);
+    canvas.text({in.x - 0.4 * size, y(mark * factor) + 0.36 * size}, number_text(mark, marks.size() > 1 ? marks[1] - marks[0] : 0), size, black, Align::right);
+  }
+  const auto hours = ticks(first, last, in.width > 30 * size ? 6 : 3);
+  for (const double t : hours) {
+    canvas.line({x(t), in.y + in.height}, {x(t), in.y + in.height + 0.3 * size}, 1, grey);
+    if (t + 0.12 * (last - first) < last) canvas.text({x(t), in.y + in.height + 1.3 * size}, number_text(t, hours.size() > 1 ? hours[1] - hours[0] : 0), size, black, Align::centre);
+  }
+  canvas.text({in.x + in.width, in.y + in.height + 1.3 * size}, "t [R/c]", size, black, Align::right);
+  canvas.text({box.x, box.y + 0.8 * size}, label_of(quantity, power), size, black);
+  canvas.line({in.x, in.y}, {in.x, in.y + in.height}, 1, grey), canvas.line({in.x, in.y + in.height}, {in.x + in.width, in.y + in.height}, 1, grey);
+  Points curve;
+  for (std::size_t k = 0; k <= tile.index && k < survey.series.size(); ++k) curve.push_back({x(survey.times[k]), y(survey.series[k])});
+  canvas.polyline(curve, std::max(1.2, 0.12 * size), kind_colour(0));
+  if (!curve.empty()) canvas.disc(curve.back(), 0.25 * size, kind_colour(5));
+}
+
+}  // namespace ricochet::render

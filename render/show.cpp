@@ -1,0 +1,115 @@
+#include "render/show.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace ricochet::render {
+namespace {
+
+std::vector<std::string> names_of(std::span<const Quantity> quantities, std::vector<std::string> first) {
+  for (const Quantity& q : quantities) first.push_back(q.name);
+  return first;
+}
+
+std::string docs_of(std::span<const Quantity> quantities) {
+  std::string text;
+  for (const Quantity& q : quantities) text += fmt::format("; {}: {}{}", q.name, q.doc, q.unit.empty() ? "" : " [" + q.unit + "]");
+  return text;
+}
+
+const Quantity* named(std::span<const Quantity> quantities, const std::string& name) {
+  for (const Quantity& q : quantities)
+    if (q.name == name) return &q;
+  return nullptr;
+}
+
+}  // namespace
+
+std::span<const Quantity> material_quantities() {
+  static const std::vector<Quantity> list{
+      {"energy_density", "strain energy density", "m_0c^2/R^2", "energy of the springs per area at rest", false},
+      {"speed", "speed", "c", "of the nodes", false},
+      {"velocity_x", "velocity along x", "c", "of the nodes", true},
+      {"velocity_y", "velocity along y", "c", "of the nodes", true},
+      {"pressure", "pressure", "m_0c^2/R^2", "minus the mean of the principal stresses", true},
+      {"von_mises", "von Mises stress", "m_0c^2/R^2", "of the stress in the plane", false},
+      {"stretch", "stretch", "", "mean relative elongation of the springs around", true},
+  };
+  return list;
+}
+
+std::span<const Quantity> spring_quantities() {
+  static const std::vector<Quantity> list{
+      {"energy", "energy of a spring", "m_0c^2", "of each spring", false},
+      {"tension", "tension of a spring", "m_0c^2/R", "of each spring, positive if it pulls", true},
+  };
+  return list;
+}
+
+std::span<const Quantity> plot_quantities() {
+  static const std::vector<Quantity> list{
+      {"vn", "v_n", "c", "normal velocity of the projectile", true},
+      {"vt", "v_t", "c", "tangential velocity of the projectile", true},
+      {"omega", "ω", "c/R", "spin of the projectile", true},
+      {"height", "y", "R", "height of the projectile's centre", true},
+      {"force_n", "F_n", "m_0c^2/R", "normal force of contact on the projectile", true},
+      {"force_t", "F_t", "m_0c^2/R", "tangential force of contact on the projectile", true},
+      {"vibration", "E_{vib}", "m_0c^2", "energy of the vibration of both bodies", false},
+  };
+  return list;
+}
+
+const Quantity* coloured_quantity(const Show& show) {
+  if (const Quantity* q = named(material_quantities(), show.material)) return q;
+  return named(spring_quantities(), show.springs);
+}
+
+const Quantity* plotted_quantity(const Show& show) { return named(plot_quantities(), show.plot); }
+
+Smoothing Show::how_smooth() const { return smoothing == "supersample" ? Smoothing::supersample : smoothing == "multisample" ? Smoothing::multisample : Smoothing::lines; }
+
+const std::vector<Member<Show>>& Show::fields() {
+  const auto flag = [](const char* name, bool on, const char* doc) { return Field{name, "boolean", "", doc, any_number, on ? "true" : "false"}; };
+  const auto choice = [](const char* name, const char* initial, std::string doc, std::vector<std::string> choices) { return Field{name, "string", "", std::move(doc), any_number, initial, false, std::move(choices)}; };
+  static const std::vector<Member<Show>> list{
+      {{"title", "string", "", "above the picture", any_number, "", true}, &Show::title},
+      {choice("material", "energy_density", "what colours the bodies: none (nothing is filled), plain" + docs_of(material_quantities()), names_of(material_quantities(), {"none", "plain"})), &Show::material},
+      {choice("springs", "plain", "how springs are drawn: none, plain (thin and dark), or coloured where the material is none or plain" + docs_of(spring_quantities()), names_of(spring_quantities(), {"none", "plain"})), &Show::springs},
+      {flag("rims", true, "outlines of the bodies"), &Show::rims},
+      {flag("anchors", true, "hatching where a rim is held"), &Show::anchors},
+      {flag("forces", false, "forces of contact on the projectile's nodes, as arrows"), &Show::forces},
+      {flag("velocity", false, "velocity of the projectile's centre of mass, as an arrow"), &Show::velocity},
+      {flag("spin", false, "the projectile's turn since the start: a radius that turns with it"), &Show::spin},
+      {flag("trail", false, "the path of the projectile's centre"), &Show::trail},
+      {flag("ghost", false, "outlines of the bodies as if they were rigid"), &Show::ghost},
+      {{"magnify", "number", "", "factor of the deformation, the difference from a rigid motion", {0, 1e6}, "1"}, &Show::magnify},
+      {flag("colour_bar", true, "what the colours mean, with unit"), &Show::colour_bar},
+      {flag("clock", true, "time and Psi1"), &Show::clock},
+      {flag("ledger", false, "where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, vibration, target, contact"), &Show::ledger},
+      {choice("plot", "none", "a plot that grows with time" + docs_of(plot_quantities()), names_of(plot_quantities(), {"none"})), &Show::plot},
+      {choice("colours", "auto", "of the colour bar; auto: ylgnbu, or puor for a quantity of both signs", {"auto", "ylgnbu", "puor", "cividis"}), &Show::colours},
+      {choice("scale", "auto", "of the colour bar; auto: sqrt for energies, else linear", {"auto", "linear", "sqrt"}), &Show::scale},
+      {{"low", "number", "", "lower end of the colour bar; from the whole sequence unless given", any_number, "", true}, &Show::low},
+      {{"high", "number", "", "upper end of the colour bar; from the whole sequence unless given: all but the strongest thousandth", any_number, "", true}, &Show::high},
+      {choice("camera", "fit", "fit: all of the sequence; follow: the projectile in the middle; contact: the place of impact, close", {"fit", "follow", "contact"}), &Show::camera},
+      {{"width", "number", "R", "width of what the cameras follow and contact see; 5 and 2.5 unless given", positive, "", true}, &Show::width},
+      {choice("smoothing", "lines", "lines: strokes are smooth by themselves; multisample: four samples at every edge; supersample: four times the pixels, slow", {"lines", "multisample", "supersample"}), &Show::smoothing},
+  };
+  return list;
+}
+
+void Show::check() const {
+  const bool spring_field = named(spring_quantities(), springs) != nullptr, material_field = named(material_quantities(), material) != nullptr;
+  if (spring_field && material_field) throw FieldError("springs", fmt::format("'{}' colours the springs and '{}' the material, and there is one colour bar; make one of them plain or none", springs, material));
+  const Quantity* q = coloured_quantity(*this);
+  if (!q && (!std::isnan(low) || !std::isnan(high))) throw FieldError(std::isnan(low) ? "high" : "low", "nothing is coloured by a quantity");
+  if (low >= high) throw FieldError("high", fmt::format("must be above low = {:g}", low));
+  if (q && !q->is_signed && low < 0) throw FieldError("low", fmt::format("'{}' is never below 0", q->name));
+  if (q && q->is_signed && scale == "sqrt") throw FieldError("scale", fmt::format("'{}' has both signs; use linear", q->name));
+  if (camera == "fit" && !std::isnan(width)) throw FieldError("width", "goes with camera = \"follow\" or \"contact\"; fit shows all");
+}
+
+}  // namespace ricochet::render

@@ -1,0 +1,35 @@
+#pragma once
+#include <vector>
+
+#include "core/frame.hpp"
+#include "render/fields.hpp"
+#include "render/show.hpp"
+
+namespace ricochet::render {
+
+/// What must be known of a whole sequence before its first picture is drawn, so that nothing jumps from one to the next.
+struct Survey {
+  Vec2 low = Vec2::Constant(1e300), high = Vec2::Constant(-1e300);  ///< of all that is shown [R]
+  double value_low = 0, value_high = 0;  ///< of the coloured quantity, but for the outermost thousandth
+  double most_energy = 0, most_force = 0, most_speed = 0;
+  Points trail;                  ///< [frame] the projectile's centre
+  std::vector<double> times, series;  ///< [frame] the plotted quantity
+
+  void see(const Show& show, const FrameMesh& mesh, const Fields& fields, const Frame& frame);
+};
+
+/// Where every node is drawn: its place, or with the deformation magnified.
+Points shown_places(const Show& show, const FrameMesh& mesh, const Frame& frame);
+
+/// Values to colours.
+struct Scale {
+  double low = 0, high = 1;
+  bool root = false;
+
+  double operator()(double value) const;  ///< 0 ... 1 within the limits
+};
+
+/// The limits of all surveyed sequences together, or those that the script gave.
+Scale common_scale(const Show& show, const std::vector<const Survey*>& surveys);
+
+}  // namespace ricochet::render

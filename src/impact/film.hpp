@@ -1,0 +1,37 @@
+#pragma once
+// An impact as frames (core/frame.hpp), for pictures and trajectory files.
+
+#include <atomic>
+#include <functional>
+#include <vector>
+
+#include "core/frame.hpp"
+#include "impact/outcome.hpp"
+#include "impact/scene.hpp"
+
+namespace ricochet {
+
+/// Both lattices of a scene as one mesh.
+FrameMesh frame_mesh(const Scene& scene, const Lattice& projectile, const Lattice& target);
+
+/// What one has to know of an impact to choose the times of its frames. Times since the rims came within reach. [R/c]
+struct Course {
+  Outcome outcome;
+  double step = 0;
+  double first_touch = 0, last_touch = 0;  ///< within 0.1
+  double deepest = 0;                      ///< when the projectile's centre lies lowest
+};
+
+/// Runs a scene once without frames. Throws FieldError "scene" if the projectile passes by.
+Course follow_course(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop);
+
+/// `count` times from `from` to `until` [R/c]: equally spaced, but `slow_motion` times denser while the bodies touch.
+/// Throws FieldError "frames" if they are closer than a time step.
+std::vector<double> frame_times(const Course& course, double from, double until, int count, double slow_motion);
+
+/// Runs a scene and hands over its frames at rising times, each at the step that ends nearest. Frames before 0 are free flight.
+/// It goes on past the end of the impact if the times do. Returns false if `stop` ended it.
+bool film_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::vector<double>& times, const std::atomic<bool>& stop,
+                const std::function<void(Frame)>& use);
+
+}  // namespace ricochet

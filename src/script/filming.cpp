@@ -1,0 +1,179 @@
+#include "script/filming.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <thread>
+
+#include "core/bounded_queue.hpp"
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "render/studio.hpp"
+#include "script/version.hpp"
+#include "store/files.hpp"
+
+namespace ricochet {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t frames_ahead = 4;
+
+void stop_if_asked(const char* what, std::size_t done) {
+  if (stop_requested) throw Error(fmt::format("interrupted: {} {}; --resume goes on from there", done, what), Exit::interrupted);
+}
+
+void survey(const Shooting& shooting, const std::vector<Source>& sources) {
+  for (const Source& source : sources) {
+    source.subject->survey = {};
+    source.play(stop_requested, [&](const Frame& frame) { source.subject->see(shooting.show, frame); });
+    stop_if_asked("pictures are drawn", 0);
+    if (source.subject->survey.times.empty()) throw Error("there is not one frame to draw");
+  }
+}
+
+/// Plays a source in a thread of its own, some frames ahead of whoever takes them.
+class Player {
+ public:
+  explicit Player(const Source& source) : thread_([this, &source] {
+    try {
+      source.play(halt_, [&](Frame frame) {
+        if (stop_requested || !queue_.push(std::move(frame))) halt_ = true;
+      });
+    } catch (...) {
+      error_ = std::current_exception();
+    }
+    queue_.close();
+  }) {}
+  ~Player() { queue_.close(); }
+
+  /// The next frame. Throws what the source has thrown.
+  std::optional<Frame> next() {
+    auto frame = queue_.pop();
+    if (!frame && error_) std::rethrow_exception(error_);
+    return frame;
+  }
+
+ private:
+  BoundedQueue<Frame> queue_{frames_ahead};
+  std::atomic<bool> halt_ = false;
+  std::exception_ptr error_;
+  std::jthread thread_;
+};
+
+std::string hashes_of(const std::vector<Source>& sources) {
+  std::string text;
+  for (const Source& source : sources) text += (text.empty() ? "" : " ") + source.hash;
+  return text;
+}
+
+render::Texts texts_of(const Shooting& shooting, const std::vector<Source>& sources, const std::string& which, double time) {
+  std::string titles;
+  for (const Source& source : sources) titles += source.subject->title + "\n";
+  const std::string scenes = hashes_of(sources);
+  return {{"Software", fmt::format("ricochet {} (commit {})", version_number, version_commit)},
+          {"ricochet.script", shooting.origin},
+          {"ricochet.scene", scenes},
+          {"ricochet.time", fmt::format("{:.6g} R/c", time)},
+          {"ricochet.picture", hash_text(text_of(shooting) + titles + scenes + which)}};
+}
+
+bool is_drawn(const fs::path& path, const render::Texts& texts) {
+  std::error_code error;
+  return fs::exists(path, error) && render::png_texts(read_file(path)) == texts;
+}
+
+}  // namespace
+
+std::string text_of(const Shooting& shooting) {
+  std::string text = fmt::format("{} x {}\n", shooting.width, shooting.height);
+  for (const auto& member : render::Show::fields())
+    std::visit([&](auto place) { text += fmt::format("{} = {}\n", member.field.name, shooting.show.*place); }, member.place);
+  return text;
+}
+
+int shoot_sequence(const Shooting& shooting, const std::vector<Source>& sources, const Sequence& sequence) {
+  render::Context context(shooting.width, shooting.height, shooting.show.how_smooth());
+  render::Font font;
+  std::optional<render::Film> film;
+  std::exception_ptr no_film;
+  try {
+    if (!sequence.film.empty()) film.emplace(sequence.film, shooting.width, shooting.height, sequence.rate);
+  } catch (const FileError&) {
+    if (sequence.folder.empty()) throw;
+    no_film = std::current_exception();  // the pictures were asked for: they come first
+  }
+  survey(shooting, sources);
+  std::size_t count = sources[0].subject->survey.times.size();
+  std::string all_times;
+  for (const Source& source : sources) {
+    count = std::min(count, source.subject->survey.times.size());
+    all_times += fmt::format(" of {:.9g} ... {:.9g}", source.subject->survey.times.front(), source.subject->survey.times.back());
+  }
+
+  const render::Layout layout{shooting.width * context.scale(), shooting.height * context.scale(), static_cast<int>(sources.size())};
+  const int encoders = shooting.threads > 0 ? shooting.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  render::Studio studio(encoders, [](const fs::path& path, const std::string& bytes) { write_atomically(path, bytes); }, film ? &*film : nullptr);
+  std::vector<std::unique_ptr<Player>> players;
+  for (const Source& source : sources) players.push_back(std::make_unique<Player>(source));
+  for (std::size_t k = 0; k < count; ++k) {
+    std::vector<Frame> frames;
+    std::vector<render::Tile> tiles;
+    for (const auto& player : players) {
+      auto frame = player->next();
+      stop_if_asked("pictures are drawn", k);
+      if (!frame) throw Error("a sequence ended before its survey did");  // the same run ends in the same way
+      frames.push_back(std::move(*frame));
+    }
+    for (std::size_t i = 0; i < sources.size(); ++i) tiles.push_back({sources[i].subject.get(), &frames[i], k, sources[i].subject->title});
+    const render::Texts texts = texts_of(shooting, sources, fmt::format("{} of {}{}", k, count, all_times), frames[0].time);
+    const fs::path file = sequence.folder.empty() ? fs::path() : sequence.folder / fmt::format("{:06}.png", k);
+    const bool drawn = !file.empty() && sequence.go_on && is_drawn(file, texts);
+    if (drawn && !film) continue;
+    const std::string clock = shooting.show.clock ? render::clock_text(tiles) : "";
+    studio.take(context.draw(render::paint(shooting.show, layout, font, tiles, clock), font), drawn ? fs::path() : file, texts);
+  }
+  studio.finish();
+  if (film) film->finish();
+  // Pictures of an earlier, longer sequence would pass for the end of this one.
+  if (!sequence.folder.empty())
+    for (std::size_t stale = count; fs::remove(sequence.folder / fmt::format("{:06}.png", stale)); ++stale) {
+    }
+  if (no_film) std::rethrow_exception(no_film);
+  return static_cast<int>(count);
+}
+
+void shoot_still(const Shooting& shooting, const std::vector<Source>& sources, const std::vector<Pick>& picks, int columns, const fs::path& path) {
+  render::Context context(shooting.width, shooting.height, shooting.show.how_smooth());
+  render::Font font;
+  survey(shooting, sources);
+  // Picked frames only are kept.
+  std::vector<std::map<std::size_t, Frame>> kept(sources.size());
+  for (const Pick& pick : picks) kept[pick.source][pick.frame] = {};
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    std::size_t k = 0;
+    sources[i].play(stop_requested, [&](Frame frame) {
+      if (const auto wanted = kept[i].find(k++); wanted != kept[i].end()) wanted->second = std::move(frame);
+    });
+    stop_if_asked("pictures are drawn", 0);
+  }
+  std::vector<render::Tile> tiles;
+  std::string which;
+  for (const Pick& pick : picks) {
+    const Frame& frame = kept[pick.source].at(pick.frame);
+    if (frame.position.empty()) throw Error(fmt::format("the impact of scene {} ended before the moment that was to be shown", pick.source + 1), Exit::numerical);
+    tiles.push_back({sources[pick.source].subject.get(), &frame, pick.frame, pick.caption});
+    which += fmt::format("{} {} {}\n", pick.source, frame.time, pick.caption);
+  }
+  std::string clock = render::clock_text(tiles);
+  if (tiles.size() > 1) {  // each has its own time above it
+    const std::size_t psi1 = clock.find("Ψ");
+    clock = psi1 == std::string::npos ? "" : clock.substr(psi1);
+  }
+  const render::Layout layout{shooting.width * context.scale(), shooting.height * context.scale(), columns};
+  const render::Image image = context.draw(render::paint(shooting.show, layout, font, tiles, shooting.show.clock ? clock : ""), font);
+  write_atomically(path, render::png(image, texts_of(shooting, sources, which, tiles[0].frame->time)));
+}
+
+}  // namespace ricochet
