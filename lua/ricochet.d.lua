@@ -231,23 +231,83 @@ function ricochet.sweep(t) end
 function ricochet.plot(t) end
 
 ---@class ricochet.animate_fields
----@field scene ricochet.scene what happens
----@field frames? integer how many, equally spaced in time (default 120)
+---@field scene? ricochet.scene what happens
+---@field scenes? ricochet.scene[] several instead, side by side, with common colours and times
+---@field titles? string[] above each scene
+---@field frames? integer how many (default 240)
 ---@field from? number first time; before 0 the projectile is in free flight [R/c] (default -1)
 ---@field duration? number time covered, from `from` on; the whole impact unless given [R/c]
----@field size? number[] width and height [pixels] (default {1280, 720})
----@field out? string folder of the frames, below the run's folder (default frames)
---- Draws an impact as a sequence of PNG files, springs coloured by their energy, without a display. Returns the impact's row.
+---@field slow_motion? number so many times denser frames while the bodies touch; 1: equally spaced in time (default 1)
+---@field size? number[] width and height of the picture [pixels] (default {1280, 720})
+---@field show? ricochet.show_fields what the picture shows, and how (default {})
+---@field out? string folder of the frames, below the run's folder; "frames" unless only a film is asked for
+---@field film? string name of an .mp4 file, below the run's folder; needs ffmpeg
+---@field rate? number frames a second of the film [1/s] (default 30)
+--- Draws an impact as a sequence of PNG files, and as a film, without a display, while it runs. Colours and scales are those of the whole sequence. Stopped and run again with --resume it goes on. Returns the impact's row, or a list of rows if `scenes` was given.
 ---@param t ricochet.animate_fields
 ---@return table
 function ricochet.animate(t) end
 
+---@class ricochet.show_fields
+---@field title? string above the picture
+---@field material? "none"|"plain"|"energy_density"|"speed"|"velocity_x"|"velocity_y"|"pressure"|"von_mises"|"stretch" what colours the bodies: none (nothing is filled), plain; energy_density: energy of the springs per area at rest [m_0c^2/R^2]; speed: of the nodes [c]; velocity_x: of the nodes [c]; velocity_y: of the nodes [c]; pressure: minus the mean of the principal stresses [m_0c^2/R^2]; von_mises: of the stress in the plane [m_0c^2/R^2]; stretch: mean relative elongation of the springs around (default energy_density)
+---@field springs? "none"|"plain"|"energy"|"tension" how springs are drawn: none, plain (thin and dark), or coloured where the material is none or plain; energy: of each spring [m_0c^2]; tension: of each spring, positive if it pulls [m_0c^2/R] (default plain)
+---@field rims? boolean outlines of the bodies (default true)
+---@field anchors? boolean hatching where a rim is held (default true)
+---@field forces? boolean forces of contact on the projectile's nodes, as arrows (default false)
+---@field velocity? boolean velocity of the projectile's centre of mass, as an arrow (default false)
+---@field spin? boolean the projectile's turn since the start: a radius that turns with it (default false)
+---@field trail? boolean the path of the projectile's centre (default false)
+---@field ghost? boolean outlines of the bodies as if they were rigid (default false)
+---@field magnify? number factor of the deformation, the difference from a rigid motion (default 1)
+---@field colour_bar? boolean what the colours mean, with unit (default true)
+---@field clock? boolean time and Psi1 (default true)
+---@field ledger? boolean where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, vibration, target, contact (default false)
+---@field plot? "none"|"vn"|"vt"|"omega"|"height"|"force_n"|"force_t"|"vibration" a plot that grows with time; vn: normal velocity of the projectile [c]; vt: tangential velocity of the projectile [c]; omega: spin of the projectile [c/R]; height: height of the projectile's centre [R]; force_n: normal force of contact on the projectile [m_0c^2/R]; force_t: tangential force of contact on the projectile [m_0c^2/R]; vibration: energy of the vibration of both bodies [m_0c^2] (default none)
+---@field colours? "auto"|"ylgnbu"|"puor"|"cividis" of the colour bar; auto: ylgnbu, or puor for a quantity of both signs (default auto)
+---@field scale? "auto"|"linear"|"sqrt" of the colour bar; auto: sqrt for energies, else linear (default auto)
+---@field low? number lower end of the colour bar; from the whole sequence unless given
+---@field high? number upper end of the colour bar; from the whole sequence unless given: all but the strongest thousandth
+---@field camera? "fit"|"follow"|"contact" fit: all of the sequence; follow: the projectile in the middle; contact: the place of impact, close (default fit)
+---@field width? number width of what the cameras follow and contact see; 5 and 2.5 unless given [R]
+---@field smoothing? "lines"|"multisample"|"supersample" lines: strokes are smooth by themselves; multisample: four samples at every edge; supersample: four times the pixels, slow (default lines)
+
+---@class ricochet.still_fields
+---@field scene? ricochet.scene what happens
+---@field scenes? ricochet.scene[] several instead, side by side, with common colours and times
+---@field titles? string[] above each scene
+---@field at? number when, since the rims came within reach; where the projectile lies deepest unless given [R/c]
+---@field size? number[] width and height of the picture [pixels] (default {1280, 720})
+---@field show? ricochet.show_fields what the picture shows, and how (default {})
+---@field out? string file name without extension, below the run's folder (default still)
+--- Draws one moment of an impact as OUT.png. Colours and scales are those of the whole impact. Returns the row, or a list of rows if `scenes` was given.
+---@param t ricochet.still_fields
+---@return table
+function ricochet.still(t) end
+
+---@class ricochet.contact_sheet_fields
+---@field scene? ricochet.scene what happens
+---@field scenes? ricochet.scene[] several instead, side by side, with common colours and times
+---@field titles? string[] above each scene
+---@field moments? integer how many of each impact, from its touch to its parting (default 4)
+---@field times? number[] the moments, instead [R/c]
+---@field columns? integer pictures in a row of the grid; all moments of a scene unless given
+---@field size? number[] width and height of the picture [pixels] (default {1280, 720})
+---@field show? ricochet.show_fields what the picture shows, and how (default {})
+---@field out? string file name without extension, below the run's folder (default contact_sheet)
+--- Draws a grid of moments of one or several impacts as OUT.png: a row for each scene. Returns the row, or a list of rows if `scenes` was given.
+---@param t ricochet.contact_sheet_fields
+---@return table
+function ricochet.contact_sheet(t) end
+
 ---@class ricochet.record_fields
 ---@field scene ricochet.scene what happens
----@field frames? integer how many, equally spaced in time (default 120)
----@field out? string file name without extension, below the run's folder (default trajectory)
+---@field frames? integer how many (default 120)
+---@field from? number first time; before 0 the projectile is in free flight [R/c] (default 0)
 ---@field duration? number time covered, from `from` on; the whole impact unless given [R/c]
---- Stores an impact as H5MD (OUT.h5, for MDAnalysis) and OUT.xdmf (for ParaView). Returns the impact's row.
+---@field slow_motion? number so many times denser frames while the bodies touch; 1: equally spaced in time (default 1)
+---@field out? string file name without extension, below the run's folder (default trajectory)
+--- Stores an impact as H5MD (OUT.h5, for MDAnalysis and `ricochet render`) and OUT.xdmf (for ParaView). Returns the impact's row.
 ---@param t ricochet.record_fields
 ---@return table
 function ricochet.record(t) end

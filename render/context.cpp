@@ -11,49 +11,51 @@
 namespace ricochet::render {
 namespace {
 
-// Places are in pixels of the painting, y down.
-const char* mesh_vertex_shader = R"(#version 330 core
+// Places are in pixels of the painting, y down. llvmpipe's time goes by triangles and by what is interpolated in them, so that is one vector;
+// the values of springs come with the program that colours them.
+const char* mesh_vertex_shader = R"(
 layout(location = 0) in vec2 place;
-layout(location = 1) in float of_material;
-layout(location = 2) in vec3 of_springs;
-layout(location = 3) in vec3 heights;
+layout(location = 1) in vec4 of_material;
 uniform vec2 size;
-out float value;
-out vec3 corner;
+out vec4 inside;
+#ifdef SPRINGS_COLOURED
+layout(location = 2) in vec3 of_springs;
 flat out vec3 spring;
-flat out vec3 height;
+#endif
 void main() {
   gl_Position = vec4(2.0 * place.x / size.x - 1.0, 1.0 - 2.0 * place.y / size.y, 0.0, 1.0);
-  value = of_material, spring = of_springs, height = heights;
-  corner = vec3(gl_VertexID % 3 == 0, gl_VertexID % 3 == 1, gl_VertexID % 3 == 2);
+  inside = of_material;
+#ifdef SPRINGS_COLOURED
+  spring = of_springs;
+#endif
 })";
 
-// The distance from a side is the height of the corner opposite to it times that corner's weight: a spring is drawn by half from either side.
-const char* mesh_fragment_shader = R"(#version 330 core
-in float value;
-in vec3 corner;
-flat in vec3 spring;
-flat in vec3 height;
+// A spring is drawn by half from either side of it.
+const char* mesh_fragment_shader = R"(
+in vec4 inside;  // value of the material, distances from the three sides
 uniform sampler2D colours;
-uniform bool material_coloured, springs_coloured;
+uniform bool material_coloured;
 uniform vec4 body, ink;
 uniform float half_width;
 out vec4 pixel;
-vec3 coloured(float v) { return texture(colours, vec2(clamp(v, 0.0, 1.0) * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb; }
+vec3 coloured(float v) { return texelFetch(colours, ivec2(clamp(v, 0.0, 1.0) * 255.0 + 0.5, 0), 0).rgb; }
+#ifdef SPRINGS_COLOURED
+flat in vec3 spring;
 void main() {
-  vec3 colour = material_coloured ? coloured(value) : body.rgb;
-  if (half_width > 0.0) {
-    vec3 cover = clamp(half_width + 0.5 - corner * height, 0.0, 1.0) * step(0.0, spring);
-    if (springs_coloured) {
-      for (int i = 0; i < 3; ++i) if (cover[i] > 0.0) colour = mix(colour, coloured(spring[i]), cover[i]);
-    } else {
-      colour = mix(colour, ink.rgb, max(cover.x, max(cover.y, cover.z)) * ink.a);
-    }
-  }
-  pixel = vec4(colour, 1.0);
-})";
+  vec3 cover = clamp(half_width + 0.5 - inside.yzw, 0.0, 1.0);
+  vec3 colour = mix(body.rgb, coloured(spring.x), cover.x);
+  pixel = vec4(mix(mix(colour, coloured(spring.y), cover.y), coloured(spring.z), cover.z), 1.0);
+}
+#else
+void main() {
+  vec3 colour = material_coloured ? coloured(inside.x) : body.rgb;
+  float cover = clamp(half_width + 0.5 - min(inside.y, min(inside.z, inside.w)), 0.0, 1.0);
+  pixel = vec4(mix(colour, ink.rgb, cover * ink.a), 1.0);
+}
+#endif
+)";
 
-const char* shape_vertex_shader = R"(#version 330 core
+const char* shape_vertex_shader = R"(
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec4 ink;
 layout(location = 2) in vec4 stroke;
@@ -66,7 +68,7 @@ void main() {
   colour = ink, at = stroke.xy, shape = stroke.zw;
 })";
 
-const char* shape_fragment_shader = R"(#version 330 core
+const char* shape_fragment_shader = R"(
 in vec4 colour;
 in vec2 at;
 flat in vec2 shape;
@@ -140,7 +142,7 @@ struct Context::Implementation {
   OSMesaContext context = nullptr;
   std::vector<std::uint8_t> pixels;  // RGBA
   std::unique_ptr<Gl> gl;
-  GLuint mesh_program = 0, shape_program = 0, mesh_array = 0, shape_array = 0, mesh_buffer = 0, shape_buffer = 0, colours = 0, atlas = 0, frame = 0;
+  GLuint mesh_program = 0, springs_program = 0, shape_program = 0, mesh_array = 0, shape_array = 0, mesh_buffer = 0, shape_buffer = 0, colours = 0, atlas = 0, frame = 0;
   int atlas_version = -1;
 
   ~Implementation() {
@@ -150,11 +152,12 @@ struct Context::Implementation {
     if (!osmesa<decltype(&OSMesaMakeCurrent)>("OSMesaMakeCurrent")(context, pixels.data(), GL_UNSIGNED_BYTE, width, height))
       throw Error(fmt::format("OSMesa cannot make a picture of {} x {} pixels", width, height));
   }
-  GLuint program(const char* vertex, const char* fragment) const {
+  GLuint program(const char* vertex, const char* fragment, const char* definitions = "") const {
     const GLuint linked = gl->CreateProgram();
     for (const auto& [kind, text] : {std::pair{GL_VERTEX_SHADER, vertex}, std::pair{GL_FRAGMENT_SHADER, fragment}}) {
       const GLuint shader = gl->CreateShader(static_cast<GLenum>(kind));
-      gl->ShaderSource(shader, 1, &text, nullptr), gl->CompileShader(shader);
+      const char* parts[] = {"#version 330 core\n", definitions, text};
+      gl->ShaderSource(shader, 3, parts, nullptr), gl->CompileShader(shader);
       gl->AttachShader(linked, shader);
     }
     gl->LinkProgram(linked);
@@ -173,9 +176,9 @@ struct Context::Implementation {
       gl->EnableVertexAttribArray(i);
     }
   }
-  void texture(GLuint& name, GLenum unit, GLint filter) const {
+  void texture(GLuint& name, GLenum unit) const {
     gl->ActiveTexture(unit), gl->GenTextures(1, &name), gl->BindTexture(GL_TEXTURE_2D, name);
-    for (const GLenum which : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl->TexParameteri(GL_TEXTURE_2D, which, filter);
+    for (const GLenum which : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl->TexParameteri(GL_TEXTURE_2D, which, GL_NEAREST);
     for (const GLenum which : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) gl->TexParameteri(GL_TEXTURE_2D, which, GL_CLAMP_TO_EDGE);
   }
   template <class Vertex>
@@ -207,10 +210,11 @@ Context::Context(int width, int height, Smoothing smoothing) : implementation_(s
   i.make_current();
   osmesa<decltype(&OSMesaPixelStore)>("OSMesaPixelStore")(OSMESA_Y_UP, 0);
   i.gl = std::make_unique<Gl>();
-  i.mesh_program = i.program(mesh_vertex_shader, mesh_fragment_shader), i.shape_program = i.program(shape_vertex_shader, shape_fragment_shader);
-  i.arrays(i.mesh_array, i.mesh_buffer, sizeof(MeshVertex), {{2, 0, offsetof(MeshVertex, x)}, {1, 0, offsetof(MeshVertex, value)}, {3, 0, offsetof(MeshVertex, spring)}, {3, 0, offsetof(MeshVertex, height)}});
+  i.mesh_program = i.program(mesh_vertex_shader, mesh_fragment_shader), i.springs_program = i.program(mesh_vertex_shader, mesh_fragment_shader, "#define SPRINGS_COLOURED\n");
+  i.shape_program = i.program(shape_vertex_shader, shape_fragment_shader);
+  i.arrays(i.mesh_array, i.mesh_buffer, sizeof(MeshVertex), {{2, 0, offsetof(MeshVertex, x)}, {4, 0, offsetof(MeshVertex, value)}, {3, 0, offsetof(MeshVertex, spring)}});
   i.arrays(i.shape_array, i.shape_buffer, sizeof(ShapeVertex), {{2, 0, offsetof(ShapeVertex, x)}, {4, 1, offsetof(ShapeVertex, colour)}, {4, 0, offsetof(ShapeVertex, u)}});
-  i.texture(i.colours, GL_TEXTURE0, GL_LINEAR), i.texture(i.atlas, GL_TEXTURE1, GL_NEAREST);
+  i.texture(i.colours, GL_TEXTURE0), i.texture(i.atlas, GL_TEXTURE1);
   if (i.scale == 1 && i.samples == 0) return;
   GLuint buffer = 0;
   i.gl->GenFramebuffers(1, &i.frame), i.gl->BindFramebuffer(GL_FRAMEBUFFER, i.frame);
@@ -242,20 +246,20 @@ Image Context::draw(const Painting& painting, const Font& font) {
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, Font::side, Font::side, 0, GL_RED, GL_UNSIGNED_BYTE, font.atlas().data());
     i.atlas_version = font.version();
   }
-  for (const GLuint program : {i.mesh_program, i.shape_program}) {
+  const GLuint mesh_program = painting.springs_coloured ? i.springs_program : i.mesh_program;
+  for (const GLuint program : {mesh_program, i.shape_program}) {
     gl.UseProgram(program);
     gl.Uniform2f(gl.GetUniformLocation(program, "size"), static_cast<float>(width), static_cast<float>(height));
   }
   gl.Uniform1i(gl.GetUniformLocation(i.shape_program, "atlas"), 1);
-  gl.UseProgram(i.mesh_program);
-  gl.Uniform1i(gl.GetUniformLocation(i.mesh_program, "colours"), 0);
-  gl.Uniform1i(gl.GetUniformLocation(i.mesh_program, "material_coloured"), painting.material_coloured);
-  gl.Uniform1i(gl.GetUniformLocation(i.mesh_program, "springs_coloured"), painting.springs_coloured);
-  gl.Uniform1f(gl.GetUniformLocation(i.mesh_program, "half_width"), static_cast<float>(painting.half_width));
-  i.set(i.mesh_program, "body", painting.body), i.set(i.mesh_program, "ink", painting.ink);
+  gl.UseProgram(mesh_program);
+  gl.Uniform1i(gl.GetUniformLocation(mesh_program, "colours"), 0);
+  gl.Uniform1i(gl.GetUniformLocation(mesh_program, "material_coloured"), painting.material_coloured);
+  gl.Uniform1f(gl.GetUniformLocation(mesh_program, "half_width"), painting.half_width > 0 ? static_cast<float>(painting.half_width) : -1.0f);
+  i.set(mesh_program, "body", painting.body), i.set(mesh_program, "ink", painting.ink);
   for (const Panel& panel : painting.panels) {
     gl.Enable(GL_SCISSOR_TEST), gl.Scissor(panel.x, height - panel.y - panel.height, panel.width, panel.height);
-    gl.UseProgram(i.mesh_program);
+    gl.UseProgram(mesh_program);
     i.draw_all(i.mesh_array, i.mesh_buffer, panel.mesh);
     i.draw_shapes(panel.above);
   }

@@ -17,10 +17,11 @@ struct Image {
 /// A corner of a triangle of material, in pixels. The springs along the triangle's sides are drawn by the same stroke of the brush.
 struct MeshVertex {
   float x, y;
-  float value;      ///< of the material, 0 ... 1 in its colours
-  float spring[3];  ///< of the side opposite to each corner, 0 ... 1; below 0: no spring there
-  float height[3];  ///< of each corner above the side opposite to it [pixels]
+  float value;        ///< of the material, 0 ... 1 in its colours
+  float distance[3];  ///< from the side opposite to each corner; `no_spring` more where there is none [pixels]
+  float spring[3];    ///< value of the spring of that side, 0 ... 1; read only if springs are coloured
 };
+inline constexpr float no_spring = 1e5f;
 
 /// A part of the picture, cut at its borders, painted in this order.
 struct Panel {
@@ -33,7 +34,7 @@ struct Panel {
 struct Painting {
   std::vector<Panel> panels;
   std::vector<ShapeVertex> over;                    ///< over all panels
-  std::vector<Colour> colours;                      ///< of values from 0 to 1, equally spaced
+  std::vector<Colour> colours;                      ///< 256, of values from 0 to 1
   bool material_coloured = false;                   ///< by value; else `body`
   bool springs_coloured = false;                    ///< by value; else `ink`
   Colour body{237, 237, 240, 255}, ink{30, 30, 45, 90};

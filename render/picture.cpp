@@ -76,13 +76,16 @@ void draw_material(Panel& panel, const Brush& brush, const Tile& tile, const Poi
     const std::array<Vec2, 3> p{pixels[corners[0]], pixels[corners[1]], pixels[corners[2]]};
     const double area = std::abs(cross(p[1] - p[0], p[2] - p[0]));
     MeshVertex vertex{};
+    std::array<float, 3> away{}, height{};
     for (std::size_t c = 0; c < 3; ++c) {
       const int s = sides[t][c];
       vertex.spring[c] = s < 0 ? 0.0f : spring[s];
-      vertex.height[c] = static_cast<float>(area / std::max(1e-9, (p[(c + 2) % 3] - p[(c + 1) % 3]).norm()));
+      away[c] = vertex.spring[c] < 0 ? no_spring : 0;
+      height[c] = static_cast<float>(area / std::max(1e-9, (p[(c + 2) % 3] - p[(c + 1) % 3]).norm()));
     }
     for (std::size_t c = 0; c < 3; ++c) {
       vertex.x = static_cast<float>(p[c].x()), vertex.y = static_cast<float>(p[c].y()), vertex.value = value[corners[c]];
+      for (std::size_t side = 0; side < 3; ++side) vertex.distance[side] = away[side] + (side == c ? height[c] : 0);
       panel.mesh.push_back(vertex);
     }
   }
