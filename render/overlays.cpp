@@ -46,7 +46,15 @@ std::string label_of(const Quantity& quantity, int power) {
   return fmt::format("{} [{}{}{}]", quantity.label, factor, factor.empty() || quantity.unit.empty() ? "" : " ", quantity.unit);
 }
 
-void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours, double power) {
+std::vector<BarMark> bar_marks(const Scale& scale, int power, bool tall) {
+  const double factor = std::pow(10.0, power);
+  const std::vector<double> values = ticks(scale.low / factor, scale.high / factor, tall ? 5 : 3);
+  std::vector<BarMark> marks;
+  for (const double value : values) marks.push_back({value * factor, number_text(value, values.size() > 1 ? values[1] - values[0] : 0)});
+  return marks;
+}
+
+void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours, const std::vector<BarMark>& marks) {
   const double width = std::round(0.9 * size);
   const double share = box.height / static_cast<double>(colours.size());
   for (std::size_t i = 0; i < colours.size(); ++i) {
@@ -54,15 +62,13 @@ void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scal
     canvas.rectangle({box.x, low}, {width, high - low}, colours[i]);
   }
   canvas.polyline({{box.x, box.y}, {box.x + width, box.y}, {box.x + width, box.y + box.height}, {box.x, box.y + box.height}}, 1, grey, true);
-  const double factor = std::pow(10.0, power);
-  const std::vector<double> marks = ticks(scale.low / factor, scale.high / factor, box.height > 12 * size ? 5 : 3);
   double last = 1e300;
-  for (const double mark : marks) {
-    const double y = box.y + box.height * (1 - scale(mark * factor));
+  for (const BarMark& mark : marks) {
+    const double y = box.y + box.height * (1 - scale(mark.value));
     if (last - y < 1.1 * size) continue;
     last = y;
     canvas.line({box.x + width, y}, {box.x + width + 0.3 * size, y}, 1, grey);
-    canvas.text({box.x + width + 0.45 * size, y + 0.36 * size}, number_text(mark, marks.size() > 1 ? marks[1] - marks[0] : 0), size, black);
+    canvas.text({box.x + width + 0.45 * size, y + 0.36 * size}, mark.text, size, black);
   }
 }
 
@@ -117,10 +123,10 @@ void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const
     canvas.line({in.x, y(mark * factor)}, {in.x + in.width, y(mark * factor)}, 1, mark == 0 ? grey : faint);
     canvas.text({in.x - 0.4 * size, y(mark * factor) + 0.36 * size}, number_text(mark, marks.size() > 1 ? marks[1] - marks[0] : 0), size, black, Align::right);
   }
-  const auto hours = ticks(first, last, in.width > 30 * size ? 6 : 3);
-  for (const double t : hours) {
+  const auto moments = ticks(first, last, in.width > 30 * size ? 6 : 3);
+  for (const double t : moments) {
     canvas.line({x(t), in.y + in.height}, {x(t), in.y + in.height + 0.3 * size}, 1, grey);
-    if (t + 0.12 * (last - first) < last) canvas.text({x(t), in.y + in.height + 1.3 * size}, number_text(t, hours.size() > 1 ? hours[1] - hours[0] : 0), size, black, Align::centre);
+    if (t + 0.12 * (last - first) < last) canvas.text({x(t), in.y + in.height + 1.3 * size}, number_text(t, moments.size() > 1 ? moments[1] - moments[0] : 0), size, black, Align::centre);
   }
   canvas.text({in.x + in.width, in.y + in.height + 1.3 * size}, "t [R/c]", size, black, Align::right);
   canvas.text({box.x, box.y + 0.8 * size}, label_of(quantity, power), size, black);

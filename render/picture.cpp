@@ -32,24 +32,27 @@ struct Brush {
   double unit;  // width of a thin stroke [pixels]
 };
 
-double fit_scale(const Show& show, const Box& box, const std::vector<Tile>& tiles, double margin) {
-  if (show.camera != "fit") return box.width / (std::isnan(show.width) ? (show.camera == "follow" ? 5.0 : 2.5) : show.width);
-  double scale = 1e300;  // the same for all tiles: what is larger shall look larger
-  for (const Tile& tile : tiles) {
-    const Vec2 extent = (tile.subject->survey.high - tile.subject->survey.low).cwiseMax(1e-9);
-    scale = std::min({scale, std::max(1.0, box.width - 2 * margin) / extent.x(), std::max(1.0, box.height - 2 * margin) / extent.y()});
-  }
-  return scale;
+// The box that shows all of every tile: what is larger shall look larger, and what lies higher, higher.
+std::pair<Vec2, Vec2> common_box(const std::vector<Tile>& tiles) {
+  Vec2 low = tiles[0].subject->survey.low, high = tiles[0].subject->survey.high;
+  for (const Tile& tile : tiles) low = low.cwiseMin(tile.subject->survey.low), high = high.cwiseMax(tile.subject->survey.high);
+  return {low, high};
 }
 
-Vec2 view_centre(const Show& show, const Tile& tile) {
-  const Survey& survey = tile.subject->survey;
-  if (show.camera == "fit") return (survey.low + survey.high) / 2;
-  const Vec2 projectile = motion_of(tile.subject->mesh, *tile.frame, 0).centre;
-  if (show.camera == "follow") return projectile;
-  double top = -1e300;
-  for (const int node : tile.subject->mesh.rims[1]) top = std::max(top, tile.subject->mesh.rest[node].y());
-  return {projectile.x(), top};
+View view_of(const Show& show, const Tile& tile, const std::vector<Tile>& tiles, const Box& box, double margin) {
+  if (show.camera == "fit") {
+    const auto [low, high] = common_box(tiles);
+    const Vec2 extent = (high - low).cwiseMax(1e-9);
+    return {(low + high) / 2, std::min(std::max(1.0, box.width - 2 * margin) / extent.x(), std::max(1.0, box.height - 2 * margin) / extent.y()), box};
+  }
+  const double width = !std::isnan(show.width) ? show.width : show.camera == "follow" ? 5.0 : 2.5;
+  Vec2 centre = motion_of(tile.subject->mesh, *tile.frame, 0).centre;
+  if (show.camera == "contact") {
+    double top = -1e300;
+    for (const int node : tile.subject->mesh.rims[1]) top = std::max(top, tile.subject->mesh.rest[node].y());
+    centre.y() = top;
+  }
+  return {centre, box.width / width, box};
 }
 
 void draw_material(Panel& panel, const Brush& brush, const Tile& tile, const Points& pixels) {
@@ -224,13 +227,18 @@ Painting paint(const Show& show, const Layout& layout, Font& font, const std::ve
   if (!show.title.empty()) over.text({layout.width / 2.0, top + 1.05 * text}, show.title, static_cast<int>(std::lround(1.15 * text)), black, Align::centre, false), top += 1.2 * line;
   const bool bar = quantity && show.colour_bar;
   const int power = bar ? power_of(std::max(std::abs(brush.scale.low), std::abs(brush.scale.high))) : 0;
-  const double right = bar ? std::round(5.2 * text) : pad;
+  double right = pad;
+  std::vector<BarMark> marks;
+  if (bar) {
+    marks = bar_marks(brush.scale, power, layout.height > 15 * text);
+    for (const BarMark& mark : marks) right = std::max(right, std::round(over.text_width(mark.text, text) + 2.6 * text));
+  }
   if (!clock.empty() || bar) {
     if (!clock.empty()) over.text({pad, top + text}, clock, text, black);
     if (bar) over.text({layout.width - pad, top + text}, label_of(*quantity, power), text, black, Align::right);
     top += line;
   }
-  if (bar) draw_colour_bar(over, {std::round(layout.width - 4.6 * text), top + pad, 0, layout.height - top - 3.0 * pad}, text, brush.scale, painting.colours, power);
+  if (bar) draw_colour_bar(over, {layout.width - right + std::round(0.6 * text), top + pad, 0, layout.height - top - 3.0 * pad}, text, brush.scale, painting.colours, marks);
 
   const bool captions = std::any_of(tiles.begin(), tiles.end(), [](const Tile& tile) { return !tile.caption.empty(); });
   const double caption = captions ? line : 0, ledger = show.ledger ? 2.9 * text : 0;
@@ -241,8 +249,7 @@ Painting paint(const Show& show, const Layout& layout, Font& font, const std::ve
     const Box cell{std::round(all.x + all.width * static_cast<double>(static_cast<int>(k) % columns) / columns), std::round(all.y + all.height * static_cast<double>(static_cast<int>(k) / columns) / rows),
                    std::floor(all.width / columns), std::floor(all.height / rows)};
     const Box scene{cell.x, cell.y + caption, cell.width, std::max(1.0, cell.height - caption - ledger - plot)};
-    View view{view_centre(show, tile), 1, scene};
-    view.scale = fit_scale(show, scene, tiles, show.anchors ? text : pad);
+    const View view = view_of(show, tile, tiles, scene, show.anchors ? text : pad);
     // Bodies under a camera that sees a part are cut at the border of their cell; others fit anyway.
     painting.panels.push_back(draw_tile(brush, font, tile, view, scene, painting.colours));
     if (k == 0) {

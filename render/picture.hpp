@@ -48,7 +48,12 @@ struct Box {
 };
 
 // Parts that are drawn beside the bodies (overlays.cpp).
-void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours, double power);
+struct BarMark {
+  double value;
+  std::string text;
+};
+std::vector<BarMark> bar_marks(const Scale& scale, int power, bool tall);
+void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours, const std::vector<BarMark>& marks);
 void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile);
 void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const Quantity& quantity);
 /// The power of ten that an axis up to `most` is best given in; 0 for numbers of common size.

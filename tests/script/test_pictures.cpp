@@ -113,7 +113,7 @@ TEST_CASE("stills and contact sheets are single pictures of the asked size, of o
   const Ended ended = here.script(drawing("local row = ricochet.still { scene = scene(), size = { 640, 360 } }\n"
                                           "local rows = ricochet.contact_sheet { scenes = { scene(100), scene(5000) }, titles = { 'soft', 'hard' }, moments = 3, size = { 800, 500 } }\n"
                                           "ricochet.contact_sheet { scene = scene(), times = { 0.5, 1, 2 }, out = 'three', size = { 320, 200 }, show = { camera = 'contact' } }\n"
-                                          "print(row.status, #rows, rows[1].contact_time > rows[2].contact_time)"));
+                                          "print(row.status, #rows, rows[1].indentation > rows[2].indentation)"));
   INFO(ended.err);
   REQUIRE(ended.status == 0);
   CHECK_THAT(ended.out, Contains("finished\t2\ttrue"));
