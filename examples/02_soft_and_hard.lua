@@ -23,4 +23,4 @@ local scenes, titles = { scene(p.soft), scene(p.hard) }, { ("wall %g times as st
 local show = { material = "speed", velocity = true, trail = true, ledger = true, title = "One disk, two walls" }
 local rows = ricochet.animate { scenes = scenes, titles = titles, frames = p.frames, duration = 14, show = show, out = "frames", film = p.film ~= "" and p.film or nil }
 for i, row in ipairs(rows) do print(("%s: e = %.3f, in contact for %.2f R/c, %.3f R deep"):format(titles[i], row.e, row.contact_time, row.indentation)) end
-ricochet.contact_sheet { scenes = scenes, titles = { "soft", "hard" }, moments = 3, out = "moments", size = { 1280, 560 }, show = { material = "speed" } }
+ricochet.contact_sheet { scenes = scenes, titles = { "soft", "hard" }, moments = 3, out = "moments", size = { 800, 400 }, show = { material = "speed" } }

@@ -18,4 +18,4 @@ local scene = ricochet.scene {
 local show = { title = "Elastic waves below an impact", material = "speed", springs = "none", scale = "sqrt", high = 0.4 * p.speed, plot = "force_n" }
 local row = ricochet.animate { scene = scene, frames = p.frames, duration = 9, show = show }
 print(("e = %.3f: the rest of the energy left as waves and vibration"):format(row.e))
-ricochet.contact_sheet { scene = scene, times = { 1.5, 2.5, 3.5, 4.5 }, columns = 2, out = "moments", show = { material = "speed", springs = "none", scale = "sqrt", high = 0.4 * p.speed } }
+ricochet.contact_sheet { scene = scene, times = { 1.5, 2.5, 3.5, 4.5 }, columns = 2, out = "moments", size = { 800, 450 }, show = { material = "speed", springs = "none", scale = "sqrt", high = 0.4 * p.speed } }

@@ -256,7 +256,7 @@ Painting paint(const Show& show, const Layout& layout, Font& font, const std::ve
       // Where springs would cover everything they are paler.
       const double spacing = view.scale * tile.subject->fields.mean_spring_length();
       painting.half_width = show.springs == "none" || show.material == "none" ? 0 : (painting.springs_coloured ? 0.8 : 0.45) * brush.unit;
-      painting.ink[3] = static_cast<std::uint8_t>(90 * std::min(1.0, spacing / (7 * brush.unit)));
+      painting.ink[3] = static_cast<std::uint8_t>(90 * std::min(1.0, std::pow(spacing / (7 * brush.unit), 2)));
     }
     if (captions) over.text({cell.x + cell.width / 2, cell.y + text}, tile.caption, text, black, Align::centre);
     if (show.ledger) draw_ledger(over, {cell.x + 2 * pad, cell.y + cell.height - plot - ledger, cell.width - 4 * pad, ledger}, text, tile);
