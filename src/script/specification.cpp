@@ -9,6 +9,7 @@
 #include "impact/outcome.hpp"
 #include "impact/scene.hpp"
 #include "lattice/lattice.hpp"
+#include "theory/catalogue.hpp"
 
 namespace ricochet {
 namespace {
@@ -158,6 +159,12 @@ std::vector<Function> make() {
                   "ricochet.file.write(\"note.txt\", \"done\")"});
   list.push_back({"file.read", "Reads a file below the run's folder: ricochet.file.read(name).", {}, "string", "ricochet.file.read(\"note.txt\")"});
   list.push_back({"range", "The list first, first + step ... last; range(n) is 1 ... n.", {}, "table", "ricochet.range(3) -- {1, 2, 3}"});
+  for (const theory::Theory& t : theory::theories()) {
+    Function f{"theory." + t.name, fmt::format("{} Valid: {}. Source: {}. Units in any consistent system of mass M, length L and time T.", t.says, t.valid, t.source), t.arguments, "table", t.example};
+    if (t.results.size() > 1) f.results = t.results;
+    else f.returns = t.results[0].type;
+    list.push_back(f);
+  }
   return list;
 }
 
@@ -190,11 +197,11 @@ std::string range_text(const Range& range) {
   return text;
 }
 
-std::string class_name(const Function& f) {
+std::string class_name(const Function& f, const std::string& of = "_fields") {
   std::string name = f.name;
   for (char& c : name)
     if (c == '.' || c == ':') c = '_';
-  return "ricochet." + name + "_fields";
+  return "ricochet." + name + of;
 }
 
 }  // namespace
@@ -218,7 +225,7 @@ std::string editor_stubs() {
       "---@class ricochet.plan\n---@field run fun(self: ricochet.plan): ricochet.rows\n\n"
       "---@class ricochet.summary\n---@field print fun(self: ricochet.summary)\n\n---@class ricochet.rows\n"
       "---@field summary fun(self: ricochet.rows, t: ricochet.rows_summary_fields): ricochet.summary\n---@field power_law fun(self: ricochet.rows, t: ricochet.rows_power_law_fields): table\n---@field where fun(self: ricochet.rows, columns: table): ricochet.rows\n\n"
-      "local ricochet = { file = {} }\n\n";
+      "local ricochet = { file = {}, theory = {} }\n\n";
   for (const Function& f : functions()) {
     if (!f.fields.empty()) {
       text += "---@class " + class_name(f) + "\n";
@@ -234,13 +241,15 @@ std::string editor_stubs() {
       text += "\n";
       continue;
     }
+    if (!f.results.empty()) text += "---@class " + class_name(f, "_result") + "\n";
+    for (const Field& field : f.results) text += "---@field " + field.name + (field.optional ? "? " : " ") + lua_type(field.type) + " " + field.doc + (field.unit.empty() ? "" : " [" + field.unit + "]") + "\n";
     text += "--- " + f.doc + "\n";
     if (!f.fields.empty()) text += "---@param t " + class_name(f) + "\n";
     if (f.name == "parameters") text += "---@param t table\n";
     if (f.name == "range") text += "---@param first number\n---@param last? number\n---@param step? number\n";
     if (f.name.starts_with("file.")) text += "---@param name string\n";
     if (f.name == "file.write") text += "---@param text string\n";
-    if (f.returns != "nothing") text += "---@return " + lua_type(f.returns) + "\n";
+    if (f.returns != "nothing") text += "---@return " + (f.results.empty() ? lua_type(f.returns) : class_name(f, "_result")) + "\n";
     const char* arguments = f.name == "range" ? "first, last, step" : f.name == "file.write" ? "name, text" : f.name == "file.read" ? "name" : "t";
     text += "function ricochet." + f.name + "(" + arguments + ") end\n\n";
   }
@@ -265,6 +274,13 @@ std::string reference_page() {
       for (std::size_t at = 0; (at = doc.find('|', at)) != std::string::npos; at += 2) doc.replace(at, 1, "\\|");
       text += "| `" + field.name + "` | " + type + " | " + field.unit + " | " + accepted + " | " + (field.initial.empty() && field.optional ? "optional" : field.initial) +
               " | " + doc + " |\n";
+    }
+    if (f.results.empty()) continue;
+    text += "\n| result | unit | meaning |\n|---|---|---|\n";
+    for (const Field& field : f.results) {
+      std::string doc = field.doc;
+      for (std::size_t at = 0; (at = doc.find('|', at)) != std::string::npos; at += 2) doc.replace(at, 1, "\\|");
+      text += "| `" + field.name + "` | " + field.unit + " | " + doc + (field.optional ? " (optional)" : "") + " |\n";
     }
   }
   text += "\n## Integrators\n\nThe values of `method`. The limit is that of h omega for a harmonic oscillator; steps are held against it by a bound of omega. All are symplectic "

@@ -72,6 +72,40 @@ TEST_CASE("the closed form of Maw's contact equals its integration step by step 
   for (const int regime : {1, 2, 3}) CHECK(regimes[regime] > 100);
 }
 
+TEST_CASE("beta is what the corrected formulas of the three regimes say at t1, t2 and t3, and not what is printed") {
+  RandomContact random;
+  const double pi = std::acos(-1.0);
+  int once_more = 0, printed_differs = 0;
+  const int impacts = 3000;
+  for (int i = 0; i < impacts; ++i) {
+    Bilinear impact = random();
+    impact.psi1 = random.between(0.01, 1.2) * impact.slip_bound();
+    const auto rebound = maw(impact);
+    const double e = impact.e, b = impact.beta_x, omega = std::sqrt(b / impact.sigma2()), cot = 1 / impact.psi1;
+    const auto tau = [&](double t) { return t <= 1 ? pi / 2 * t : pi / 2 * t / e + pi / 2 * (1 - 1 / e); };
+    double beta = 0, printed = 0;
+    if (rebound.regime == 1) {
+      const double phi = omega * pi / 2 * rebound.t1, rest = impact.mu * b * e * (1 + std::cos(tau(rebound.t1))) * cot;
+      beta = -std::cos(phi) + (std::sin(phi) < 0 ? -1 : 1) * rest, printed = -std::cos(phi) - rest;
+    } else if (rebound.regime == 2) {
+      const double phi = omega * pi / 2 * (rebound.t3 - rebound.t2), t2 = tau(rebound.t2), t3 = tau(rebound.t3);
+      const double before = rebound.t2 <= 1 ? 1 - std::cos(t2) : 1 - e * std::cos(t2);
+      const double u2 = impact.sigma2() * impact.mu * std::sin(t2), v2 = impact.psi1 - impact.mu * b * before;
+      const double sign = u2 * std::cos(phi) + v2 / omega * std::sin(phi) < 0 ? -1 : 1;
+      const double stuck = before * std::cos(phi) + std::sin(t2) * std::sin(phi) / omega;
+      beta = -std::cos(phi) + impact.mu * b * (stuck + sign * e * (1 + std::cos(t3))) * cot;
+      printed = -std::cos(phi) - impact.mu * b * (stuck + e + std::cos(pi / 2 * rebound.t3)) * cot;
+    } else {
+      beta = printed = -1 + impact.mu * b * (1 + e) * cot;
+    }
+    once_more += std::abs(beta - rebound.beta) > 1e-7;
+    printed_differs += std::abs(printed - rebound.beta) > 1e-3;
+  }
+  INFO("sticks once more after t1 or t3 in " << once_more << " of " << impacts << "; printed formulas differ in " << printed_differs);
+  CHECK(once_more == 0);
+  CHECK(printed_differs > impacts / 3);
+}
+
 TEST_CASE("beta is continuous over both of Maw's bounds, for random mu, e, nu and beta_x") {
   RandomContact random;
   double worst = 0;
