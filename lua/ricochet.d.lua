@@ -216,17 +216,22 @@ function ricochet.sweep(t) end
 
 
 ---@class ricochet.plot_fields
----@field rows ricochet.rows rows of a sweep
+---@field rows? ricochet.rows rows of a sweep; none for a picture of theory alone
 ---@field x string column along x; rows are grouped by it
 ---@field y string[] columns along y, one panel each
 ---@field by? string column whose values are drawn as a line each
 ---@field log? "none"|"x"|"y"|"xy" axes with a logarithmic scale (default none)
----@field theory? table column = function (x): drawn dashed beside that column (default {})
----@field theory_name? string of the dashed lines, in the key (default theory)
+---@field theory? table column = function (x), points { {x, y}, ... }, or a list of { name =, f = } and { name =, points = }: drawn dashed beside that column (default {})
+---@field theory_name? string in the key, of a line that has no name of its own (default theory)
+---@field published? table column = points { {x, y}, ... } or a list of { name =, points = }: drawn as open marks (default {})
 ---@field name string file name without extension
 ---@field title? string above the plot
+---@field caption? string below the title: parameters; how many impacts finished and failed is added
 ---@field xlabel? string instead of the column's name and unit
---- Draws the mean and standard error of columns against a column, as NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.
+---@field ylabel? table column = text instead of its name and unit (default {})
+---@field xrange? number[] { from, to } along x; all rows and points unless given
+---@field yrange? table column = { from, to } (default {})
+--- Draws the mean and standard error of columns against a column, lines of theory and published points, as NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.
 ---@param t ricochet.plot_fields
 function ricochet.plot(t) end
 
