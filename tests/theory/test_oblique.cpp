@@ -149,6 +149,13 @@ TEST_CASE("an impact straight down has the limit of small angles, one along the 
   }
 }
 
+TEST_CASE("as e tends to 1, sliding and sticking tend to those of the elastic contact") {
+  for (const double psi1 : {0.1, 0.5, 1.0, 3.0}) {
+    CHECK_THAT(maw({psi1, 0.3, 1 - 1e-9, 0.3, 3}).beta, WithinAbs(maw({psi1, 0.3, 1, 0.3, 3}).beta, 1e-7));
+    CHECK_THAT(walton({psi1, 0.3, 1 - 1e-9, 0.4, 3}).beta, WithinAbs(walton({psi1, 0.3, 1, 0.4, 3}).beta, 1e-7));
+  }
+}
+
 TEST_CASE("Maw's sphere is within 0.1 of finite elements above 2.3 mu, and has the wrong sign below 1.4 mu") {
   const double elements[][2] = {{0.586, -0.027}, {1.190, -0.213}, {1.915, -0.627}, {2.785, -1.253}, {3.970, -1.720}, {5.758, -1.200}, {9.118, 2.147}};
   for (const auto& [x, y] : elements) {
