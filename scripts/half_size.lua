@@ -1,4 +1,5 @@
--- The check of the model's size in Hayakawa & Kuninaka 2003, section V D: a disk of 400 nodes and a wall of 2000 beside 800 and 4000, with each one's own curve of the tilted surface.
+-- The check of the model's size in Hayakawa & Kuninaka 2003, section V D: a disk of 400 nodes and a wall of 2000 beside 800 and 4000, with each one's own curve of
+-- the tilted surface (friction angle turned with it).
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 
@@ -20,7 +21,11 @@ for _, nodes in ipairs { half, p.nodes } do
   local some = rows:where { disk = nodes }
   some:summary { by = "psi1", of = { "e", "mu" } }:print()
   local curve = figures.tilted(some, figures.material(p, nodes).nu_strain)
-  if #curve.printed > 0 then theory[#theory + 1] = { name = ("tilted surface, %d"):format(nodes), points = curve.printed } end
+  if curve then
+    theory[#theory + 1] = { name = ("tilted surface, %d"):format(nodes), points = curve.rotated }
+    figures.compare(some, "psi1", "e", "tilted surface, as printed", curve.at.printed)
+    figures.compare(some, "psi1", "e", "friction angle turned with it", curve.at.rotated)
+  end
 end
 -- Both sizes on the same angles: how far apart, in standard errors of the difference.
 local small, large = rows:where { disk = half }:summary { by = "psi1", of = { "e" } }, rows:where { disk = p.nodes }:summary { by = "psi1", of = { "e" } }
@@ -31,5 +36,5 @@ end
 ricochet.plot {
   rows = rows, x = "psi1", y = { "e", "mu" }, by = "disk", name = "half_size", theory = #theory > 0 and { e = theory } or {},
   title = ("Size of the model: disks of %d and %d nodes, walls of five times as many"):format(half, p.nodes),
-  caption = ("Stiffness ratio %g, speed %g c, rims of %g R, %d lattices an angle and size."):format(p.ratio, p.speed, p.roughness, p.samples),
+  caption = ("Stiffness ratio %g, speed %g c, rims of %g R, %d lattices an angle and size. Lines with the friction angle turned."):format(p.ratio, p.speed, p.roughness, p.samples),
 }

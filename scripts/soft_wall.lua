@@ -1,5 +1,6 @@
 -- e, mu and beta against Psi1 for a hard disk on a soft wall: Hayakawa & Kuninaka 2003, section V, figures fig2 and fig4, with the curve of the tilted
--- surface (eqs. ratio1 to CORmod2) from the run's own mu, e_alpha and |x_c - x_a|.
+-- surface (eqs. ratio1 to CORmod2) from the run's own mu, e_alpha and |x_c - x_a|: as printed; with the friction angle turned with the surface (see
+-- ricochet theory errata); and as printed with the e_alpha of the first angle throughout, which predicts e instead of using it.
 -- The paper places its nodes "at random". Independent uniform points leave voids that make the wall 15 % softer near the rim
 -- than Poisson-disk points; only the latter give the paper's indentation of 0.17 R at Psi1 = 1, so they are the default.
 -- The stiffness of the disk is 1e4 m0 c^2/R^2: the 1.0 the paper prints cannot be, the disk would fall through the wall.
@@ -30,17 +31,16 @@ local rows = sweep:run()
 rows:summary { by = "psi1", of = { "e", "mu", "beta", "indentation" } }:print()
 local material = figures.material(p)
 local tilted = figures.tilted(rows, material.nu_strain)
-local function at_angle(values)
-  local of = {}
-  for i, psi1 in ipairs(tilted.psi1 or {}) do of[psi1] = values[i] end
-  return function(psi1) return of[psi1] end
+local lines = {}
+if tilted then
+  for i, line in ipairs { { "printed", "tilted surface, as printed" }, { "rotated", "friction angle turned with it" }, { "constant", "as printed, constant e_α" } } do
+    figures.compare(rows, "psi1", "e", line[2], tilted.at[line[1]])
+    lines[i] = { name = line[2], points = tilted[line[1]] }
+  end
+  figures.compare(rows, "psi1", "tan_alpha", "slope of the chord", tilted.at.tan_alpha)
 end
-figures.compare(rows, "psi1", "e", "tilted surface as printed", at_angle(tilted.e))
-figures.compare(rows, "psi1", "e", "tilted surface, friction angle turned with it", at_angle(tilted.e_rotated))
-figures.compare(rows, "psi1", "tan_alpha", "slope of the chord", at_angle(tilted.tan_alpha))
 ricochet.plot {
-  rows = rows, x = "psi1", y = { "e", "mu", "beta" }, name = "soft_wall",
-  theory = #tilted.printed > 0 and { e = { { name = "tilted surface, as printed", points = tilted.printed }, { name = "friction angle turned with it", points = tilted.rotated } } } or {},
+  rows = rows, x = "psi1", y = { "e", "mu", "beta" }, name = "soft_wall", theory = #lines > 0 and { e = lines } or {},
   title = ("Hard disk on a soft wall: stiffness ratio %g, speed %g c, roughness %g R"):format(p.ratio, p.speed, p.roughness),
-  caption = ("Lines: eq. CORmod2 from the run's own mu, e_alpha and |x_c - x_a|, nu = %.3f; cubic splines. %s"):format(material.nu_strain, figures.caption(p, p.ratio)),
+  caption = ("Lines: eq. CORmod2 from the run's own μ, e_α and |x_c − x_a|, ν = %.3f; cubic splines. %s"):format(material.nu_strain, figures.caption(p, p.ratio)),
 }

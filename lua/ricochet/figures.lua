@@ -89,22 +89,33 @@ function figures.means(rows, by, names)
   return lists
 end
 
---- The run's own tilted-surface curves: the chain of section V C from its mean mu, e_alpha and |x_c - x_a|. Returns both as points, as printed and with the friction angle
---- turned with the surface, and the values at each angle.
+--- The run's own tilted-surface curves: the chain of section V C from its mean mu, |x_c - x_a|, e and Psi2. e_alpha is that of the mean velocities against the normal turned by the
+--- theory's own tan(alpha): v_c' = (Psi2, e), v_c = (Psi1, -1) along (-tan(alpha), 1). (The column e_alpha of a row is against the chord of its own rough contact, whose slope scatters so
+--- much that its mean is undefined at grazing angles.) Returns lists of points: as printed; with the friction angle turned with the surface; as printed with the e_alpha of the first angle
+--- throughout, as in Kuninaka & Hayakawa 2004. `at`: functions of the same, of the run's angles, and tan_alpha.
 function figures.tilted(rows, nu_strain)
-  local m = figures.means(rows, "psi1", { "mu", "e_alpha", "centre_offset" })
-  local at, printed, rotated, first, last = {}, {}, {}, m.psi1[1], m.psi1[#m.psi1]
-  if #m.psi1 < 2 then return { printed = {}, rotated = {}, at = {} } end
-  local offset = {}
-  for i, value in ipairs(m.centre_offset) do offset[i] = math.min(value, 2) end
-  local given = { psi1 = m.psi1, mu = m.mu, e_alpha = m.e_alpha, offset = offset, nu = nu_strain }
-  for k = 0, 100 do at[k + 1] = math.min(last, first + (last - first) * k / 100) end
-  given.at = at
-  local curve = ricochet.theory.tilted_curve(given)
-  for k, x in ipairs(at) do printed[k], rotated[k] = { x, curve.e[k] }, { x, curve.e_rotated[k] } end
-  given.at = m.psi1
-  local there = ricochet.theory.tilted_curve(given)
-  return { printed = printed, rotated = rotated, psi1 = m.psi1, e = there.e, e_rotated = there.e_rotated, tan_alpha = there.tan_alpha }
+  local theory = ricochet.theory
+  local m = figures.means(rows, "psi1", { "mu", "centre_offset", "e", "psi2" })
+  if #m.psi1 < 2 then return nil end
+  local offset, e_alpha, first_e_alpha, slope = {}, {}, {}, {}
+  for i, psi1 in ipairs(m.psi1) do
+    offset[i] = math.min(m.centre_offset[i], 2)
+    slope[psi1] = theory.tilted_surface { psi1 = psi1, mu = m.mu[i], e_alpha = 1, offset = offset[i], nu = nu_strain }.tan_alpha
+    e_alpha[i] = (m.e[i] - m.psi2[i] * slope[psi1]) / (1 + psi1 * slope[psi1])
+    first_e_alpha[i] = e_alpha[1]
+  end
+  local places, first, last = {}, m.psi1[1], m.psi1[#m.psi1]
+  for k = 0, 100 do places[k + 1] = math.min(last, first + (last - first) * k / 100) end
+  local result = { e_alpha = e_alpha, at = { tan_alpha = function(psi1) return slope[psi1] end } }
+  for name, variant in pairs { printed = { e_alpha, "e" }, rotated = { e_alpha, "e_rotated" }, constant = { first_e_alpha, "e" } } do
+    local given = { psi1 = m.psi1, mu = m.mu, e_alpha = variant[1], offset = offset, nu = nu_strain, at = places }
+    local curve, points, there = theory.tilted_curve(given)[variant[2]], {}, {}
+    for k, x in ipairs(places) do points[k] = { x, curve[k] } end
+    given.at = m.psi1
+    for k, e in ipairs(theory.tilted_curve(given)[variant[2]]) do there[m.psi1[k]] = e end
+    result[name], result.at[name] = points, function(psi1) return there[psi1] end
+  end
+  return result
 end
 
 --- Walton's parameters of the rows, printed with their standard errors.

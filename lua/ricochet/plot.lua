@@ -106,13 +106,19 @@ local function write_series(t, list, lines, xs, ys)
   return finished, failed, samples
 end
 
--- The data of lines and marks, as $theory1_2 (column 1, entry 2) and so on. `counts`: they widen the range along y.
-local function write_entries(t, kind, entries, lines, xs, ys, counts)
+-- The data of lines and marks, as $theory1_2 (column 1, entry 2) and so on. They widen the range along y, by no more than `most` of it on either side.
+local function write_entries(t, kind, entries, lines, xs, ys, most)
   for i, column in ipairs(t.y) do
+    local low, high = -math.huge, math.huge
+    if most < math.huge and ys[i].low <= ys[i].high then
+      local room = t.log:find "y" and (ys[i].high / ys[i].low) ^ most or most * (ys[i].high - ys[i].low)
+      if t.log:find "y" then low, high = ys[i].low / room, ys[i].high * room else low, high = ys[i].low - room, ys[i].high + room end
+    end
     for k, entry in ipairs(entries[column] or {}) do
       lines[#lines + 1] = ("$%s%d_%d << END"):format(kind, i, k)
       local function put(x, y)
-        if counts and y == y and math.abs(y) < math.huge and not (t.log:find "y" and y <= 0) then widen(ys[i], y, y) end
+        local seen = math.max(low, math.min(high, y))
+        if y == y and math.abs(seen) < math.huge and not (t.log:find "y" and seen <= 0) then widen(ys[i], seen, seen) end
         lines[#lines + 1] = ("%.17g %.17g"):format(x, y)
       end
       for _, point in ipairs(entry.points or {}) do put(point[1], point[2]) end
@@ -202,9 +208,9 @@ local function plot(given)
   if t.xrange then xs = given_range(t.xrange, "xrange") end
   if xs.low > xs.high then core.fail "has neither rows nor points; give xrange = { from, to } for the functions" end
   if t.log:find "x" and xs.low <= 0 then core.fail(("'log' along x needs values above 0, %s goes down to %g"):format(t.x, xs.low), "log") end
-  -- Where theory diverges it leaves the picture: beside rows, the range is that of the impacts and published points and a little more.
-  write_entries(t, "published", published, lines, xs, ys, true)
-  write_entries(t, "theory", theory, lines, xs, ys, not t.rows)
+  -- Where theory diverges it leaves the picture: beside rows, the range is that of the impacts and published points and at most half as much on either side.
+  write_entries(t, "published", published, lines, xs, ys, math.huge)
+  write_entries(t, "theory", theory, lines, xs, ys, t.rows and 0.5 or math.huge)
   for i, column in ipairs(t.y) do
     if t.yrange[column] then ys[i] = given_range(t.yrange[column], "yrange", column) end
     if t.log:find "y" and (ys[i].low > ys[i].high or ys[i].low <= 0) then core.fail(("'log' along y needs values above 0, and %s has none"):format(column), "log") end
