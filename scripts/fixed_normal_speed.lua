@@ -6,6 +6,8 @@ local p = ricochet.parameters(figures.parameters {
   psi1  = { { 0, 0.5, 1, 2, 3, 4, 5 }, min = 0, doc = "tangents of the incident angle, rising; at 6 the energy passes V0 and tunnelling can no longer be excluded" },
   ratio = { 1 / 100, min = 1e-6, doc = "wall stiffness over disk stiffness" },
   speed = { 0.1, unit = "c", min = 1e-6, doc = "normal speed" },
+  -- Above Psi1 = 1 some of these fast impacts are too irregular for 1e-3 to be reached.
+  accuracy = { 0, min = 0, max = 0.1, doc = "wanted error of e from the time step; 0: none, the default step" },
 })
 
 local rows = figures.sweep(p, "fixed_normal_speed", p.ratio, p.speed):run()

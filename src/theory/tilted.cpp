@@ -60,6 +60,7 @@ Arguments<TiltedCurve> TiltedCurve::fields() {
 
 Numbers cubic_spline(const Numbers& x, const Numbers& y, const Numbers& at) {
   if (x.size() < 2 || x.size() != y.size()) throw FieldError("psi1", "must hold two values or more, as many as the others");
+  if (x.size() > 1000) throw FieldError("psi1", fmt::format("must hold 1000 values at most, holds {}", x.size()));  // the spline solves for all at once
   const auto n = static_cast<Eigen::Index>(x.size());
   for (std::size_t i = 1; i < x.size(); ++i)
     if (x[i] <= x[i - 1]) throw FieldError("psi1", fmt::format("must rise, but {:g} follows {:g}", x[i], x[i - 1]));
