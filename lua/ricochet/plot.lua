@@ -219,7 +219,7 @@ local function plot(given)
 
   local titles = {}
   if t.title then titles[1] = quoted(t.title) end
-  for _, line in ipairs(t.caption and wrapped(t.caption, 95) or {}) do titles[#titles + 1] = quoted(line) end
+  for _, line in ipairs(t.caption and wrapped(t.caption, 92) or {}) do titles[#titles + 1] = quoted(line) end
   if t.rows then titles[#titles + 1] = quoted((samples > 1 and "mean and standard error of %d impacts, %d failed" or "%d impacts, one a point, %d failed"):format(finished, failed)) end
   local most = 1  -- entries of a key; it stands above its panel
   for i, column in ipairs(t.y) do most = math.max(most, #(theory[column] or {}) + #(published[column] or {}) + (i == 1 and t.by and #list or 0)) end

@@ -106,6 +106,15 @@ TEST_CASE("the first order in eta has the constant (4/5) B(3/5, 3/2), the equati
   for (const double eta : {1e-3, 1e-2}) CHECK_THAT(kuwabara_kono({eta, "overlap"}).e - kuwabara_kono_first_order({eta}), WithinRel(0.7982666 * std::pow(eta / std::pow(1.25, 0.6), 2), 0.02));
 }
 
+TEST_CASE("the series' second constant is 0.7982666, three fifths of the first one's square") {
+  CHECK_THAT(0.6 * 1.1534489 * 1.1534489, WithinAbs(0.7982666, 1e-7));
+  // What the first term leaves, over s^2, is C2 - C3 s + ...: extrapolated through three s, so that the terms up to s^2 fall out.
+  const double scale = std::pow(1.25, 0.6);
+  const auto rest = [&](double s) { return (kuwabara_kono({s * scale, "overlap"}).e - 1 + 1.1534489 * s) / (s * s); };
+  const double a = 2 * rest(0.02) - rest(0.04), b = 2 * rest(0.01) - rest(0.02);
+  CHECK_THAT((4 * b - a) / 3, WithinAbs(0.7982666, 2e-5));
+}
+
 TEST_CASE("the series' third constant is 0.5229, not 0.4836") {
   const double scale = std::pow(1.25, 0.6);
   CHECK_THAT(1.1534489 / scale, WithinAbs(1.00890979, 1e-7));
