@@ -24,7 +24,7 @@
 ---@field power_law fun(self: ricochet.rows, t: ricochet.rows_power_law_fields): table
 ---@field where fun(self: ricochet.rows, columns: table): ricochet.rows
 
-local ricochet = { file = {} }
+local ricochet = { file = {}, theory = {} }
 
 --- Declares what a user may set on the command line as `name=value` and reads it. Each parameter is a default, or a table with the default first and any of unit, doc, min, max, int, choices. Returns the values.
 ---@param t table
@@ -216,17 +216,22 @@ function ricochet.sweep(t) end
 
 
 ---@class ricochet.plot_fields
----@field rows ricochet.rows rows of a sweep
+---@field rows? ricochet.rows rows of a sweep; none for a picture of theory alone
 ---@field x string column along x; rows are grouped by it
 ---@field y string[] columns along y, one panel each
 ---@field by? string column whose values are drawn as a line each
 ---@field log? "none"|"x"|"y"|"xy" axes with a logarithmic scale (default none)
----@field theory? table column = function (x): drawn dashed beside that column (default {})
----@field theory_name? string of the dashed lines, in the key (default theory)
+---@field theory? table column = function (x), points { {x, y}, ... }, or a list of { name =, f = } and { name =, points = }: drawn dashed beside that column (default {})
+---@field theory_name? string in the key, of a line that has no name of its own (default theory)
+---@field published? table column = points { {x, y}, ... } or a list of { name =, points = }: drawn as open marks (default {})
 ---@field name string file name without extension
 ---@field title? string above the plot
+---@field caption? string below the title: parameters; how many impacts finished and failed is added
 ---@field xlabel? string instead of the column's name and unit
---- Draws the mean and standard error of columns against a column, as NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.
+---@field ylabel? table column = text instead of its name and unit (default {})
+---@field xrange? number[] { from, to } along x; all rows and points unless given
+---@field yrange? table column = { from, to } (default {})
+--- Draws the mean and standard error of columns against a column, lines of theory and published points, as NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.
 ---@param t ricochet.plot_fields
 function ricochet.plot(t) end
 
@@ -379,5 +384,376 @@ function ricochet.file.read(name) end
 ---@param step? number
 ---@return table
 function ricochet.range(first, last, step) end
+
+---@class ricochet.theory_hertz_force_fields
+---@field R number radius of the sphere [L]
+---@field E number its Young's modulus [M L^-1 T^-2]
+---@field nu number its Poisson's ratio
+---@field R2? number radius of the other sphere; a plane unless given [L]
+---@field E2? number its Young's modulus; rigid unless given [M L^-1 T^-2]
+---@field nu2? number its Poisson's ratio (default 0)
+---@field h number compression; no force below 0 [L]
+---@class ricochet.theory_hertz_force_result
+---@field F number repulsive force [M L T^-2]
+---@field a number radius of the contact [L]
+--- Force F = h^(3/2) sqrt(R_eff)/D and radius a = (F D R_eff)^(1/3) of the contact of two spheres, or of a sphere and a plane. Valid: h << R, no friction, no adhesion. Source: hertz1882; hayakawa2003, eq. hertz. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_hertz_force_fields
+---@return ricochet.theory_hertz_force_result
+function ricochet.theory.hertz_force(t) end
+
+---@class ricochet.theory_hertz_fields
+---@field R number radius of the sphere [L]
+---@field E number its Young's modulus [M L^-1 T^-2]
+---@field nu number its Poisson's ratio
+---@field R2? number radius of the other sphere; a plane unless given [L]
+---@field E2? number its Young's modulus; rigid unless given [M L^-1 T^-2]
+---@field nu2? number its Poisson's ratio (default 0)
+---@field m number mass of the sphere [M]
+---@field m2? number mass of the other; immovable unless given [M]
+---@field v number relative normal speed [L T^-1]
+---@class ricochet.theory_hertz_result
+---@field h0 number greatest compression [L]
+---@field t_c number contact time [T]
+---@field F number greatest force [M L T^-2]
+---@field a number greatest radius of the contact [L]
+---@field kappa number m_eff v^2 = m_eff (dh/dt)^2 + kappa h^(5/2) [M L^-1/2 T^-2]
+---@field D number (3/4) [(1 - nu^2)/E + (1 - nu2^2)/E2] [M^-1 L T^2]
+---@field R_eff number R R2 / (R + R2) [L]
+---@field m_eff number m m2 / (m + m2) [M]
+--- Elastic impact of two spheres, or of a sphere on a plane: greatest compression h0 = (m_eff/kappa)^(2/5) v^(4/5), contact time t_c = 2.9432752 (m_eff^2/(kappa^2 v))^(1/5), greatest force. Valid: quasi-static: v far below the speed of sound. Source: hertz1882; hayakawa2003, eqs. 2-ene_cons and tc. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_hertz_fields
+---@return ricochet.theory_hertz_result
+function ricochet.theory.hertz(t) end
+
+---@class ricochet.theory_kuwabara_kono_fields
+---@field eta number dimensionless viscosity; beyond 50 the equation is stiff and e below 0.01
+---@field ends? "overlap"|"force" contact ends where the overlap is 0, or earlier, where the force would become tensile (default overlap)
+---@class ricochet.theory_kuwabara_kono_result
+---@field e number restitution coefficient
+---@field t number contact time in h0/v
+--- Impact of viscous spheres, x'' + eta sqrt(x) x' + (5/4) x^(3/2) = 0, integrated. Valid: quasi-static; eta is that of kuwabara_kono_eta. Source: kuwabara1987; schwager2008 for `ends`; hayakawa2003, eq. kk-9. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_kuwabara_kono_fields
+---@return ricochet.theory_kuwabara_kono_result
+function ricochet.theory.kuwabara_kono(t) end
+
+---@class ricochet.theory_kuwabara_kono_first_order_fields
+---@field eta number dimensionless viscosity, well below 1
+--- e = 1 - 1.00890979 eta. Valid: eta << 1. Source: kuwabara1987; hayakawa2003. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_kuwabara_kono_first_order_fields
+---@return number
+function ricochet.theory.kuwabara_kono_first_order(t) end
+
+---@class ricochet.theory_kuwabara_kono_series_fields
+---@field eta number dimensionless viscosity, well below 1
+--- e = 1 - C1 s + C2 s^2 - C3 s^3, s = eta/(5/4)^(3/5), contact ending at x = 0. Valid: s << 1. Source: ramirez1999, with C3 corrected here. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_kuwabara_kono_series_fields
+---@return number
+function ricochet.theory.kuwabara_kono_series(t) end
+
+---@class ricochet.theory_kuwabara_kono_eta_fields
+---@field R number radius of the sphere [L]
+---@field E number its Young's modulus [M L^-1 T^-2]
+---@field nu number its Poisson's ratio
+---@field R2? number radius of the other sphere; a plane unless given [L]
+---@field E2? number its Young's modulus; rigid unless given [M L^-1 T^-2]
+---@field nu2? number its Poisson's ratio (default 0)
+---@field m number mass of the sphere [M]
+---@field m2? number mass of the other; immovable unless given [M]
+---@field v number relative normal speed [L T^-1]
+---@field shear number shear viscosity of the sphere's material [M L^-1 T^-1]
+---@field bulk number its bulk viscosity [M L^-1 T^-1]
+---@field shear2? number shear viscosity of the other's; 0 if that is rigid [M L^-1 T^-1] (default 0)
+---@field bulk2? number its bulk viscosity [M L^-1 T^-1] (default 0)
+--- eta = (5/2) kappa~ (v/(kappa^3 m_eff^2))^(1/5) from the materials' viscosities. Valid: as printed; three quarters of it where the viscous stress is tau times the rate of the elastic one. Source: kuwabara1987; hayakawa2003, eq. kk-9. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_kuwabara_kono_eta_fields
+---@return number
+function ricochet.theory.kuwabara_kono_eta(t) end
+
+---@class ricochet.theory_disk_force_fields
+---@field R number radius of the disk [L]
+---@field E number Young's modulus per unit thickness [M T^-2]
+---@field nu number Poisson's ratio
+---@field h number compression, below R [L]
+---@field rate? number dh/dt [L T^-1] (default 0)
+---@field tau0? number time scale of dissipation [T] (default 0)
+--- Disk on a wall: F = pi E* (h + tau0 dh/dt)/ln(4R/h), per unit thickness. Valid: h << R. Source: gerl1999; hayakawa2003. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_disk_force_fields
+---@return number
+function ricochet.theory.disk_force(t) end
+
+---@class ricochet.theory_disk_log_law_fields
+---@field R number radius of the disk [L]
+---@field E number Young's modulus per unit thickness [M T^-2]
+---@field nu number Poisson's ratio
+---@field rho number mass per area [M L^-2]
+---@field v number normal speed, below c [L T^-1]
+---@field tau0? number time scale of dissipation, far below R/c [T] (default 0)
+---@class ricochet.theory_disk_log_law_result
+---@field t_c number contact time [T]
+---@field e number restitution coefficient, to first order in tau0
+---@field c number sound speed sqrt(E*/rho) [L T^-1]
+--- Disk on a wall: t_c = (pi R/c) sqrt(ln(4c/v)), e = 1 - (pi/2)(tau0 c/R)/sqrt(ln(4c/v)). Valid: v << c: within 2 % of disk_impact up to 0.02 c, 4 % at 0.1 c; tau0 << R/c. Source: hayakawa2003, eq. t_c; its e corrected here. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_disk_log_law_fields
+---@return ricochet.theory_disk_log_law_result
+function ricochet.theory.disk_log_law(t) end
+
+---@class ricochet.theory_disk_on_plane_fields
+---@field R number radius of the disk [L]
+---@field E number Young's modulus per unit thickness [M T^-2]
+---@field nu number Poisson's ratio
+---@field F number force per unit thickness [M L T^-2]
+---@class ricochet.theory_disk_on_plane_result
+---@field delta number approach of the disk's centre to the plane [L]
+---@field a number half width of the contact [L]
+--- Disk pressed on a rigid plane: a = sqrt(4FR/(pi E*)), delta = (F/(pi E*)) [2 ln(4R/a) - 1]. Valid: a << R. Source: johnson1985, section 5.6. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_disk_on_plane_fields
+---@return ricochet.theory_disk_on_plane_result
+function ricochet.theory.disk_on_plane(t) end
+
+---@class ricochet.theory_disk_impact_fields
+---@field R number radius of the disk [L]
+---@field E number Young's modulus per unit thickness [M T^-2]
+---@field nu number Poisson's ratio
+---@field rho number mass per area [M L^-2]
+---@field v number normal speed, below c/3 [L T^-1]
+---@class ricochet.theory_disk_impact_result
+---@field t_c number contact time [T]
+---@field delta number greatest approach [L]
+---@field a number greatest half width of the contact [L]
+---@field F number greatest force per unit thickness [M L T^-2]
+---@field c number sound speed sqrt(E*/rho) [L T^-1]
+--- Impact of a disk on a rigid plane by disk_on_plane, by quadrature. Valid: quasi-static: v << c. Source: johnson1985, section 5.6; integrated here. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_disk_impact_fields
+---@return ricochet.theory_disk_impact_result
+function ricochet.theory.disk_impact(t) end
+
+---@class ricochet.theory_disk_modes_fields
+---@field nu number Poisson's ratio
+---@field n integer number of nodal diameters
+---@field count? integer how many, from the lowest up (default 3)
+--- Omega = omega R sqrt(rho (1 - nu^2)/E) of the free disk's in-plane modes, plane stress. Valid: any nu; plane strain by nu -> nu/(1 - nu), E -> E/(1 - nu^2). Source: love1927; gerl1999. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_disk_modes_fields
+---@return number[]
+function ricochet.theory.disk_modes(t) end
+
+---@class ricochet.theory_rods_fields
+---@field L number length of the rod that moves [L]
+---@field L2 number length of the rod at rest [L]
+---@field c number speed of sound in them, sqrt(E/rho) [L T^-1]
+---@field v number impact speed; far below c [L T^-1]
+---@class ricochet.theory_rods_result
+---@field e number restitution coefficient of the centres of mass: the ratio of lengths, whatever the speed
+---@field t_c number contact time [T]
+---@field v1 number velocity of the first rod afterwards [L T^-1]
+---@field v2 number velocity of the second, its centre of mass [L T^-1]
+--- Coaxial rods of one material and cross-section: e = L_short/L_long, t_c = 2 L_short/c. Valid: thin rods, v << c. Source: saintvenant1867; goldsmith1960; hayakawa2003, section II A. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_rods_fields
+---@return ricochet.theory_rods_result
+function ricochet.theory.rods(t) end
+
+---@class ricochet.theory_radiation_pattern_fields
+---@field nu number Poisson's ratio of the half-space
+---@field theta number polar angle from the force's axis, in radians
+---@class ricochet.theory_radiation_pattern_result
+---@field Theta1 number of P waves
+---@field Theta2 number of S waves, its modulus
+--- Amplitudes Theta1 of P and |Theta2| of S waves from a point force on a half-space. Valid: far away; the force acts on an area small beside the wavelength. Source: miller1954; hayakawa2003, section II C. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_radiation_pattern_fields
+---@return ricochet.theory_radiation_pattern_result
+function ricochet.theory.radiation_pattern(t) end
+
+---@class ricochet.theory_radiation_shares_fields
+---@field nu number Poisson's ratio of the half-space
+---@class ricochet.theory_radiation_shares_result
+---@field zeta number c_P/c_S
+---@field I1 number integral of Theta1^2 sin(theta)
+---@field I2 number integral of |Theta2|^2 sin(theta)
+---@field P number share of P waves in the energy
+---@field S number share of S waves
+---@field rayleigh number share of Rayleigh's surface waves
+---@field T number energy = T/(2 pi G c_P) times the integral of (dF/dt)^2
+---@field T_body number T of P and S waves
+---@field T_rayleigh number T of Rayleigh waves
+--- Shares of P, S and Rayleigh waves in what a force on a half-space radiates, and T of energy = T/(2 pi G c_P) int (dF/dt)^2 dt. Valid: as radiation_pattern. Source: miller1954; miller1955; T_rayleigh here. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_radiation_shares_fields
+---@return ricochet.theory_radiation_shares_result
+function ricochet.theory.radiation_shares(t) end
+
+---@class ricochet.theory_radiation_loss_fields
+---@field R number radius of the sphere [L]
+---@field m number its mass [M]
+---@field E number its Young's modulus [M L^-1 T^-2]
+---@field nu number its Poisson's ratio
+---@field E2 number Young's modulus of the half-space [M L^-1 T^-2]
+---@field nu2 number Poisson's ratio of the half-space
+---@field rho2 number density of the half-space [M L^-3]
+---@field v number normal speed, far below that of sound [L T^-1]
+---@class ricochet.theory_radiation_loss_result
+---@field energy number radiated [M L^2 T^-2]
+---@field e number restitution coefficient if nothing else takes energy
+---@field one_minus_e2 number 1 - e^2
+--- Energy radiated in the impact of a sphere on a half-space with Hertz's force: 1 - e ~ v^(3/5). Valid: v far below the speed of sound, 1 - e << 1. Source: miller1955; hunter1957; constant here. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_radiation_loss_fields
+---@return ricochet.theory_radiation_loss_result
+function ricochet.theory.radiation_loss(t) end
+
+---@class ricochet.theory_hunter_coefficient_fields
+---@field nu number Poisson's ratio of the half-space
+--- C of 1 - e^2 = C (v/sqrt(E/rho))^(3/5), sphere and half-space of one material. Valid: as radiation_loss. Source: hunter1957; constant here. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_hunter_coefficient_fields
+---@return number
+function ricochet.theory.hunter_coefficient(t) end
+
+---@class ricochet.theory_radiation_printed_fields
+---@field R number radius of the sphere [L]
+---@field m number its mass [M]
+---@field E number its Young's modulus; its Poisson's ratio is 1/4 [M L^-1 T^-2]
+---@field E2? number Young's modulus of the half-space; rigid unless given [M L^-1 T^-2]
+---@field nu2? number Poisson's ratio of the half-space (default 0.25)
+---@field rho number density [M L^-3]
+---@field v number normal speed [L T^-1]
+---@class ricochet.theory_radiation_printed_result
+---@field one_minus_e number as printed, with v^(1/5) [?]
+---@field energy number the printed loss of energy, with v^(13/5) [?]
+---@field one_minus_e_of_energy number energy/(m v^2), with v^(3/5) [?]
+--- The paper's printed law, 1 - e = 0.5827 kappa^(6/5) v^(1/5)/(rho m^(1/5) E^(3/2)), nu = 1/4. Valid: nowhere: its dimensions fail and its exponent contradicts its own loss of energy; see ricochet theory errata. Source: hayakawa2003, eq. new. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_radiation_printed_fields
+---@return ricochet.theory_radiation_printed_result
+function ricochet.theory.radiation_printed(t) end
+
+---@class ricochet.theory_plastic_fields
+---@field R number effective radius R R2/(R + R2) [L]
+---@field E_star number E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2 [M L^-1 T^-2]
+---@field m number effective mass m m2/(m + m2) [M]
+---@field Y number yield stress in simple tension of the softer body [M L^-1 T^-2]
+---@field pressure? number contact pressure p_d over Y (default 3)
+---@field v number normal speed, far above the yield speed [L T^-1]
+---@class ricochet.theory_plastic_result
+---@field e number restitution coefficient
+---@field a number greatest radius of the contact [L]
+---@field p_d number contact pressure [M L^-1 T^-2]
+--- Fully plastic impact: e^2 = 3.55 (p_d/E*) (2 p_d R^3/(m v^2))^(1/4), e ~ v^(-1/4). Valid: v far above the yield speed, a < R. Source: johnson1985, eq. 11.41; hayakawa2003, section II D. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_plastic_fields
+---@return ricochet.theory_plastic_result
+function ricochet.theory.plastic(t) end
+
+---@class ricochet.theory_yield_speed_fields
+---@field R number effective radius R R2/(R + R2) [L]
+---@field E_star number E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2 [M L^-1 T^-2]
+---@field m number effective mass m m2/(m + m2) [M]
+---@field Y number yield stress in simple tension of the softer body [M L^-1 T^-2]
+---@class ricochet.theory_yield_speed_result
+---@field v number normal speed at which yield begins [L T^-1]
+---@field F number force at which it begins [M L T^-2]
+---@field p0 number greatest pressure of the contact then, 1.60 Y [M L^-1 T^-2]
+--- Speed at which p0 = (6 F E*^2/(pi^3 R^2))^(1/3) reaches 1.60 Y: m v^2/2 = pi^5 R^3 p0^5/(60 E*^4). Valid: Mises' condition, nu = 0.3. Source: johnson1985, eqs. 6.9 and 11.38. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_yield_speed_fields
+---@return ricochet.theory_yield_speed_result
+function ricochet.theory.yield_speed(t) end
+
+---@class ricochet.theory_walton_fields
+---@field psi1 number tangent of the incident angle, v_ct/v_n
+---@field mu number coefficient of friction
+---@field e number normal restitution coefficient
+---@field beta0 number greatest tangential restitution coefficient
+---@field beta_x? number 1 + m R^2/I: 3 for a disk, 3.5 for a sphere (default 3)
+---@class ricochet.theory_walton_result
+---@field beta number tangential restitution of the contact point, -v_ct'/v_ct
+---@field psi2 number v_ct' over the normal speed before, -beta psi1
+---@field psi1_0? number psi1 above which it slides all along; left out if it never sticks (beta0 = -1)
+---@field B number tangential impulse over m v_ct, -(1 + beta)/beta_x
+--- beta = min(beta0, -1 + mu (1 + e) beta_x cot(gamma)). Valid: rigid bodies, constant e, mu and beta0. Source: walton1992; hayakawa2003, eq. walton32. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_walton_fields
+---@return ricochet.theory_walton_result
+function ricochet.theory.walton(t) end
+
+---@class ricochet.theory_maw_fields
+---@field psi1 number tangent of the incident angle, v_ct/v_n
+---@field mu number coefficient of friction
+---@field e number normal restitution coefficient
+---@field nu number Poisson's ratio
+---@field beta_x? number 1 + m R^2/I: 3 for a disk, 3.5 for a sphere (default 3)
+---@class ricochet.theory_maw_result
+---@field beta number tangential restitution of the contact point, -v_ct'/v_ct
+---@field psi2 number v_ct' over the normal speed before, -beta psi1
+---@field regime integer 1: sticks at first, 2: slides, sticks and slides, 3: slides all along
+---@field t1? number end of the first sticking, in compression times; in regime 1
+---@field t2? number begin of sticking; in regime 2
+---@field t3? number end of that sticking; in regime 2
+--- beta of a contact with a tangential spring and friction, in three regimes: sticks at first, slides and sticks, slides. Valid: constant e and mu; small contact; bilinear springs instead of Hertz's. Source: maw1976; stronge2000; hayakawa2003, section III B, corrected here. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_maw_fields
+---@return ricochet.theory_maw_result
+function ricochet.theory.maw(t) end
+
+---@class ricochet.theory_maw_integrated_fields
+---@field psi1 number tangent of the incident angle, v_ct/v_n
+---@field mu number coefficient of friction
+---@field e number normal restitution coefficient
+---@field nu number Poisson's ratio
+---@field beta_x? number 1 + m R^2/I: 3 for a disk, 3.5 for a sphere (default 3)
+---@field steps? integer time steps in one compression time (default 20000)
+---@class ricochet.theory_maw_integrated_result
+---@field beta number tangential restitution of the contact point
+---@field psi2 number v_ct' over the normal speed before
+--- The same contact integrated step by step. Valid: as maw; error of the order of 1/steps^2. Source: here. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_maw_integrated_fields
+---@return ricochet.theory_maw_integrated_result
+function ricochet.theory.maw_integrated(t) end
+
+---@class ricochet.theory_tilted_surface_fields
+---@field psi1 number tangent of the incident angle against the flat surface
+---@field mu number impulse ratio against the flat surface
+---@field e_alpha number restitution against the turned normal
+---@field offset number |x_c - x_a|/R, from the trailing end of the contact to the disk's centre
+---@field nu number Poisson's ratio of the wall
+---@class ricochet.theory_tilted_surface_result
+---@field e number restitution against the flat surface's normal, as printed
+---@field e_rotated number the same with mu_alpha = (mu - tan_alpha)/(1 + mu tan_alpha)
+---@field theta number exponent of the frictional contact
+---@field tan_alpha number slope of the chord between the ends of the contact
+---@field mu_alpha number impulse ratio against the turned normal, as printed
+---@field psi1_alpha number tangent of the incident angle against the turned normal
+---@field psi2_alpha number that of the rebound, by Walton's law of sliding, as printed
+--- e of an impact on a surface tilted by the contact: theta, tan(alpha), mu_alpha, Psi1_alpha, Psi2_alpha and e. Valid: quasi-static slip of a disk on a soft wall. Source: louge2002; kuninaka2004; hayakawa2003, eqs. ratio1 to CORmod2. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_tilted_surface_fields
+---@return ricochet.theory_tilted_surface_result
+function ricochet.theory.tilted_surface(t) end
+
+---@class ricochet.theory_tilted_curve_fields
+---@field psi1 number[] tangents of the incident angles, rising
+---@field mu number[] impulse ratio at each
+---@field e_alpha number[] restitution against the turned normal at each
+---@field offset number[] |x_c - x_a|/R at each
+---@field at number[] where the curve is wanted, within psi1
+---@field nu number Poisson's ratio of the wall
+---@class ricochet.theory_tilted_curve_result
+---@field e number[] e at each of `at`, as printed
+---@field e_rotated number[] with the friction angle turned with the surface
+---@field tan_alpha number[] slope of the chord there
+--- tilted_surface at each of a list of measured mu, e_alpha and |x_c - x_a|, joined by a cubic spline. Valid: within the measured angles. Source: hayakawa2003, section V C. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_tilted_curve_fields
+---@return ricochet.theory_tilted_curve_result
+function ricochet.theory.tilted_curve(t) end
+
+---@class ricochet.theory_fit_walton_fields
+---@field psi1 number[] tangent of the incident angle of each impact
+---@field psi2 number[] its v_ct' over the normal speed before
+---@field e number[] its normal restitution
+---@field beta_x? number 1 + m R^2/I: 3 for a disk, 3.5 for a sphere (default 3)
+---@class ricochet.theory_fit_walton_result
+---@field e number normal restitution coefficient, the mean
+---@field e_se number its standard error
+---@field mu number coefficient of friction
+---@field mu_se number its standard error
+---@field beta0 number greatest tangential restitution coefficient
+---@field beta0_se number its standard error
+---@field psi1_0 number psi1 at which the two lines cross
+---@field residual number standard deviation of psi2 around the lines
+---@field sticking integer impacts below the break
+---@field sliding integer impacts above it
+--- e, mu and beta0 from a table of impacts, with standard errors: least squares of psi2 = max(-beta0 psi1, psi1 - beta_x mu (1 + e)). Valid: independent impacts, two or more on either side of the break. Source: foerster1994; here. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_fit_walton_fields
+---@return ricochet.theory_fit_walton_result
+function ricochet.theory.fit_walton(t) end
 
 return ricochet

@@ -11,6 +11,7 @@ local ricochet = {
   record = core.record,
   lammps = core.lammps,
   elasticity = core.elasticity,
+  theory = core.theory,
   file = { write = core.file_write, read = core.file_read },
 }
 

@@ -1,14 +1,28 @@
--- ricochet.plot: means with standard errors, drawn by gnuplot; the script it used stays beside the picture.
+-- ricochet.plot: means with standard errors, lines of theory and published points, drawn by gnuplot; the script it used stays beside the picture.
 local core = require "ricochet.core"
 local summarise = require("ricochet.rows").summarise
 
 -- Colours that the colour-blind can tell apart [Okabe & Ito 2008].
 local colours = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9" }
-local greek = { mu = "μ", beta = "β", psi1 = "Ψ_1", psi2 = "Ψ_2", tan_alpha = "tan α", e_alpha = "e_α", theta = "θ", omega = "ω" }
+local greek = { mu = "μ", beta = "β", psi1 = "Ψ_1", psi2 = "Ψ_2", tan_alpha = "tan α", e_alpha = "e_α", theta = "θ", omega = "ω", cot_gamma = "cot γ" }
+-- Lines of theory: shades that also differ in their dashes; published points: open marks.
+local dashes = { { "#555555", 2 }, { "#000000", 1 }, { "#882255", 4 }, { "#44AA99", 3 }, { "#999933", 5 } }
+local open_marks = { 6, 4, 8, 12, 10 }
 
 -- In single quotes: within double ones gnuplot runs what stands in backquotes as a shell command.
 local function quoted(text)
   return "'" .. text:gsub("'", "''"):gsub("%c", " ") .. "'"
+end
+
+-- At most `width` characters a line.
+local function wrapped(text, width)
+  local lines, line = {}, ""
+  for word in text:gmatch "%S+" do
+    if line ~= "" and utf8.len(line) + utf8.len(word) >= width then lines[#lines + 1], line = line, "" end
+    line = line == "" and word or line .. " " .. word
+  end
+  lines[#lines + 1] = line
+  return lines
 end
 
 local function label(column)
@@ -28,32 +42,50 @@ local function series_of(rows, by)
   return list
 end
 
-local function plot(given)
-  local t = core.check("plot", given)
-  if not t.name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name") end
-  for column, f in pairs(t.theory) do
-    if type(f) ~= "function" then core.fail(("'theory' takes column = function (x), '%s' is a %s"):format(tostring(column), type(f)), "theory") end
+-- A list of { name =, f = } or { name =, points = } for each column of `t[field]`. A function or a list of points alone is one entry.
+local function entries_of(t, field, initial_name)
+  local function is_points(v) return type(v) == "table" and type(v[1]) == "table" and type(v[1][1]) == "number" end
+  local result = {}
+  for column, value in pairs(t[field]) do
+    local function bad(message) core.fail(("'%s' of '%s' %s"):format(field, tostring(column), message), field) end
+    local list = value
+    if type(value) == "function" then list = { { name = initial_name, f = value } } end
+    if is_points(value) then list = { { name = initial_name, points = value } } end
+    if type(list) ~= "table" then
+      core.fail(("'%s' takes column = function (x), '%s' is a %s; points { {x, y}, ... } or a list of { name =, f = or points = } will do too"):format(field, tostring(column), type(value)), field)
+    end
     local drawn = false
     for _, name in ipairs(t.y) do drawn = drawn or name == column end
-    if not drawn then core.fail(("'theory' has a curve for '%s', which is not among 'y'"):format(tostring(column)), "theory") end
+    if not drawn then core.fail(("'%s' has a curve for '%s', which is not among 'y'"):format(field, tostring(column)), field) end
+    for i, entry in ipairs(list) do
+      if type(entry) ~= "table" or type(entry.name) ~= "string" then bad(("must be a list of { name =, f = or points = }; entry %d has no name"):format(i)) end
+      if (type(entry.f) == "function") == is_points(entry.points) then bad(("needs f = function (x) or points = { {x, y}, ... } for '%s'"):format(entry.name)) end
+      if field == "published" and entry.f then bad(("takes points, and '%s' is a function"):format(entry.name)) end
+      for _, point in ipairs(entry.points or {}) do
+        if type(point[1]) ~= "number" or type(point[2]) ~= "number" then bad(("holds a point of '%s' that is not {x, y}"):format(entry.name)) end
+      end
+    end
+    result[column] = list
   end
-  local list = series_of(t.rows, t.by)
-  for _, series in ipairs(list) do series.summary = summarise(series.rows, t.x, t.y, { by = "x", of = "y" }) end
-  if core.is_check() then return end
-  if #list == 0 or #list[1].summary == 0 then core.fail "there are no rows to plot" end
-  if type(list[1].summary[1][t.x]) ~= "number" then core.fail(("'x' must be a column of numbers, '%s' is not"):format(t.x), "x") end
-  local lines = {}
+  return result
+end
+
+-- A range {low, high} of the user's.
+local function given_range(range, field, ...)
+  if type(range) ~= "table" or type(range[1]) ~= "number" or type(range[2]) ~= "number" or range[1] >= range[2] then core.fail(("'%s' takes { from, to }"):format(field), field, ...) end
+  return { low = range[1], high = range[2] }
+end
+
+local function widen(range, low, high) range.low, range.high = math.min(range.low, low), math.max(range.high, high) end
+
+-- The data of simulated series as gnuplot's $data1, $data2 ...; widens the ranges. Returns how many impacts finished and failed, and the most at one point.
+local function write_series(t, list, lines, xs, ys)
   local finished, failed, samples = 0, 0, 0
-  local ranges, first, last = {}, math.huge, -math.huge
-  local function widen(i, low, high)
-    local range = ranges[i] or { low = math.huge, high = -math.huge }
-    ranges[i] = { low = math.min(range.low, low), high = math.max(range.high, high) }
-  end
   for k, series in ipairs(list) do
     lines[#lines + 1] = ("$data%d << END"):format(k)
     for _, row in ipairs(series.summary) do
       local cells = { ("%.17g"):format(row[t.x]) }
-      first, last = math.min(first, row[t.x]), math.max(last, row[t.x])
+      widen(xs, row[t.x], row[t.x])
       for i, column in ipairs(t.y) do
         local s = row[column]
         local se = s.count > 1 and s.se or 0
@@ -61,8 +93,8 @@ local function plot(given)
         cells[#cells + 1] = ("%.17g"):format(se)
         if s.count > 0 then
           local log = t.log:find "y"
-          if log and s.mean > 0 then widen(i, math.max(s.mean - se, s.mean / 2), s.mean + se) end
-          if not log then widen(i, s.mean - se, s.mean + se) end
+          if log and s.mean > 0 then widen(ys[i], math.max(s.mean - se, s.mean / 2), s.mean + se) end
+          if not log then widen(ys[i], s.mean - se, s.mean + se) end
         end
         samples = math.max(samples, s.count)
       end
@@ -71,63 +103,137 @@ local function plot(given)
     end
     lines[#lines + 1] = "END"
   end
-  if t.log:find "x" and first <= 0 then core.fail(("'log' along x needs values above 0, %s goes down to %g"):format(t.x, first), "log") end
+  return finished, failed, samples
+end
+
+-- The data of lines and marks, as $theory1_2 (column 1, entry 2) and so on. They widen the range along y, by no more than `most` of it on either side.
+local function write_entries(t, kind, entries, lines, xs, ys, most)
   for i, column in ipairs(t.y) do
-    if t.log:find "y" and not ranges[i] then core.fail(("'log' along y needs values above 0, and %s has none"):format(column), "log") end
-    if t.theory[column] then
-      lines[#lines + 1] = ("$theory%d << END"):format(i)
-      for k = 0, 200 do
-        local x = t.log:find "x" and first * (last / first) ^ (k / 200) or first + (last - first) * k / 200
-        local y = t.theory[column](x)
-        if type(y) ~= "number" then core.fail(("the theory of '%s' must return a number, returned a %s at x = %g"):format(column, type(y), x), "theory") end
-        -- Where theory diverges it leaves the picture: the range is that of the impacts and a little more.
+    local low, high = -math.huge, math.huge
+    if most < math.huge and ys[i].low <= ys[i].high then
+      local room = t.log:find "y" and (ys[i].high / ys[i].low) ^ most or most * (ys[i].high - ys[i].low)
+      if t.log:find "y" then low, high = ys[i].low / room, ys[i].high * room else low, high = ys[i].low - room, ys[i].high + room end
+    end
+    for k, entry in ipairs(entries[column] or {}) do
+      lines[#lines + 1] = ("$%s%d_%d << END"):format(kind, i, k)
+      local function put(x, y)
+        local seen = math.max(low, math.min(high, y))
+        if y == y and math.abs(seen) < math.huge and not (t.log:find "y" and seen <= 0) then widen(ys[i], seen, seen) end
         lines[#lines + 1] = ("%.17g %.17g"):format(x, y)
+      end
+      for _, point in ipairs(entry.points or {}) do put(point[1], point[2]) end
+      for j = 0, entry.f and 200 or -1 do
+        local first, last = xs.low, xs.high
+        local x = t.log:find "x" and first * (last / first) ^ (j / 200) or first + (last - first) * j / 200
+        local y = entry.f(x)
+        if type(y) ~= "number" then core.fail(("the theory of '%s' must return a number, returned a %s at x = %g"):format(column, type(y), x), "theory") end
+        put(x, y)
       end
       lines[#lines + 1] = "END"
     end
   end
-  -- Room around the first and last point, also where there is only one.
-  local function roomy(low, high, share, log)
-    if log then
-      local factor = high > low and (high / low) ^ share or 2
-      return ("[%.17g:%.17g]"):format(low / factor, high * factor)
-    end
-    local room = high > low and share * (high - low) or math.max(0.5, math.abs(low) / 2)
-    return ("[%.17g:%.17g]"):format(low - room, high + room)
+end
+
+-- Room around the first and last point, also where there is only one.
+local function roomy(low, high, share, log)
+  if log then
+    local factor = high > low and (high / low) ^ share or 2
+    return ("[%.17g:%.17g]"):format(low / factor, high * factor)
   end
-  -- Along a logarithmic axis of less than three decades 1, 2 and 5 of each are marked; gnuplot's own ticks might be one or none.
-  local function log_tics(axis, low, high)
-    if not t.log:find(axis) then return "" end
-    if high / low > 1e3 then return ("\nset %stics autofreq"):format(axis) end
-    local tics = {}
-    local steps = high / low > 4 and { 1, 2, 5 } or { 1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9 }
-    if high / low < 1.3 then steps = {} for k = 20, 199 do steps[#steps + 1] = k / 20 end end
-    for decade = math.floor(math.log(low, 10)) - 1, math.floor(math.log(high, 10)) + 1 do
-      for _, step in ipairs(steps) do tics[#tics + 1] = ("%.6g"):format(step * 10 ^ decade) end
-    end
-    return ("\nset %stics (%s)"):format(axis, table.concat(tics, ", "))
+  local room = high > low and share * (high - low) or math.max(0.5, math.abs(low) / 2)
+  return ("[%.17g:%.17g]"):format(low - room, high + room)
+end
+
+-- Along a logarithmic axis of less than three decades 1, 2 and 5 of each are marked; gnuplot's own ticks might be one or none.
+local function log_tics(log, axis, low, high)
+  if not log:find(axis) then return "" end
+  if high / low > 1e3 then return ("\nset %stics autofreq"):format(axis) end
+  local tics = {}
+  local steps = high / low > 4 and { 1, 2, 5 } or { 1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9 }
+  if high / low < 1.3 then steps = {} for k = 20, 199 do steps[#steps + 1] = k / 20 end end
+  for decade = math.floor(math.log(low, 10)) - 1, math.floor(math.log(high, 10)) + 1 do
+    for _, step in ipairs(steps) do tics[#tics + 1] = ("%.6g"):format(step * 10 ^ decade) end
   end
-  local height = 110 + 300 * #t.y
-  local what = samples > 1 and "mean and standard error of %d impacts, %d failed" or "%d impacts, one a point, %d failed"
-  local caption = what:format(finished, failed)
-  local title = t.title and quoted(t.title) .. '."\\n".' .. quoted(caption) or quoted(caption)
+  return ("\nset %stics (%s)"):format(axis, table.concat(tics, ", "))
+end
+
+-- What gnuplot plots in panel i.
+local function parts_of(t, i, list, theory, published)
+  local parts, column = {}, t.y[i]
+  local function title(name) return name and "title " .. quoted(name) .. " noenhanced" or "notitle" end
+  for k, entry in ipairs(theory[column] or {}) do
+    local colour, dash = table.unpack(dashes[(k - 1) % #dashes + 1])
+    parts[#parts + 1] = ("$theory%d_%d using 1:2 with lines dt %d lw 2 lc rgb '%s' %s"):format(i, k, dash, colour, title(entry.name))
+  end
+  for k, series in ipairs(list) do
+    local colour = quoted(colours[((t.by and k or i) - 1) % #colours + 1])
+    local shape = t.by and ({ 7, 5, 9, 11, 13, 15 })[(k - 1) % 6 + 1] or 7  -- filled shapes, beside colour
+    parts[#parts + 1] = ("$data%d using 1:%d:%d with yerrorbars pt %d ps 0.8 lw 1.5 lc rgb %s %s"):format(k, 2 * i, 2 * i + 1, shape, colour, title(i == 1 and series.name or nil))
+    if not theory[column] or t.by then parts[#parts + 1] = ("$data%d using 1:%d with lines lw 1 lc rgb %s notitle"):format(k, 2 * i, colour) end
+  end
+  for k, entry in ipairs(published[column] or {}) do
+    parts[#parts + 1] = ("$published%d_%d using 1:2 with points pt %d ps 1.2 lw 1.5 lc rgb '#000000' %s"):format(i, k, open_marks[(k - 1) % #open_marks + 1], title(entry.name))
+  end
+  return table.concat(parts, ", \\\n     ")
+end
+
+local function plot(given)
+  local t = core.check("plot", given)
+  if not t.name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name") end
+  local theory, published = entries_of(t, "theory", t.theory_name), entries_of(t, "published", "published")
+  for field, table_of in pairs { yrange = t.yrange, ylabel = t.ylabel } do
+    for column in pairs(table_of) do
+      local drawn = false
+      for _, name in ipairs(t.y) do drawn = drawn or name == column end
+      if not drawn then core.fail(("'%s' names '%s', which is not among 'y'"):format(field, tostring(column)), field) end
+    end
+  end
+  if t.by and not t.rows then core.fail("'by' groups rows, and there are none", "by") end
+  local list = t.rows and series_of(t.rows, t.by) or {}
+  for _, series in ipairs(list) do series.summary = summarise(series.rows, t.x, t.y, { by = "x", of = "y" }) end
+  if core.is_check() then return end
+  if t.rows and (#list == 0 or #list[1].summary == 0) then core.fail "there are no rows to plot" end
+  if t.rows and type(list[1].summary[1][t.x]) ~= "number" then core.fail(("'x' must be a column of numbers, '%s' is not"):format(t.x), "x") end
+
+  local lines, xs, ys = {}, { low = math.huge, high = -math.huge }, {}
+  for i in ipairs(t.y) do ys[i] = { low = math.huge, high = -math.huge } end
+  local finished, failed, samples = write_series(t, list, lines, xs, ys)
+  for _, entries in ipairs(t.rows and { published } or { published, theory }) do
+    for _, column in pairs(entries) do
+      for _, entry in ipairs(column) do
+        for _, point in ipairs(entry.points or {}) do widen(xs, point[1], point[1]) end
+      end
+    end
+  end
+  if t.xrange then xs = given_range(t.xrange, "xrange") end
+  if xs.low > xs.high then core.fail "has neither rows nor points; give xrange = { from, to } for the functions" end
+  if t.log:find "x" and xs.low <= 0 then core.fail(("'log' along x needs values above 0, %s goes down to %g"):format(t.x, xs.low), "log") end
+  -- Where theory diverges it leaves the picture: beside rows, the range is that of the impacts and published points and at most half as much on either side.
+  write_entries(t, "published", published, lines, xs, ys, math.huge)
+  write_entries(t, "theory", theory, lines, xs, ys, t.rows and 0.5 or math.huge)
+  for i, column in ipairs(t.y) do
+    if t.yrange[column] then ys[i] = given_range(t.yrange[column], "yrange", column) end
+    if t.log:find "y" and (ys[i].low > ys[i].high or ys[i].low <= 0) then core.fail(("'log' along y needs values above 0, and %s has none"):format(column), "log") end
+    if ys[i].low > ys[i].high then ys[i] = { low = 0, high = 1 } end
+  end
+
+  local titles = {}
+  if t.title then titles[1] = quoted(t.title) end
+  for _, line in ipairs(t.caption and wrapped(t.caption, 92) or {}) do titles[#titles + 1] = quoted(line) end
+  if t.rows then titles[#titles + 1] = quoted((samples > 1 and "mean and standard error of %d impacts, %d failed" or "%d impacts, one a point, %d failed"):format(finished, failed)) end
+  local most = 1  -- entries of a key; it stands above its panel
+  for i, column in ipairs(t.y) do most = math.max(most, #(theory[column] or {}) + #(published[column] or {}) + (i == 1 and t.by and #list or 0)) end
+  local height = 70 + 20 * #titles + (285 + 18 * most) * #t.y
   local function panels()
-    lines[#lines + 1] = ("set multiplot layout %d,1 title %s noenhanced"):format(#t.y, title)
+    lines[#lines + 1] = ("set multiplot layout %d,1 title %s noenhanced"):format(#t.y, #titles > 0 and table.concat(titles, '."\\n".') or "''")
     for i, column in ipairs(t.y) do
       -- The same margins and range along x in every panel.
-      local range = ranges[i] or { low = 0, high = 1 }
-      lines[#lines + 1] = ("set lmargin 11\nset xrange %s\nset yrange %s"):format(roomy(first, last, 0.04, t.log:find "x"), roomy(range.low, range.high, 0.08, t.log:find "y")) .. log_tics("x", first, last) .. log_tics("y", range.low, range.high)
+      local y = ys[i]
+      local xroom, yroom = t.xrange and 0 or 0.04, t.yrange[column] and 0 or 0.08
+      lines[#lines + 1] = ("set lmargin 11\nset xrange %s\nset yrange %s"):format(roomy(xs.low, xs.high, xroom, t.log:find "x"), roomy(y.low, y.high, yroom, t.log:find "y")) .. log_tics(t.log, "x", xs.low, xs.high) .. log_tics(t.log, "y", y.low, y.high)
       lines[#lines + 1] = ("set xlabel %s%s"):format(i == #t.y and quoted(t.xlabel or label(t.x)) or "''", t.xlabel and " noenhanced" or " enhanced")
-      lines[#lines + 1] = ("set ylabel %s"):format(quoted(label(column)))
-      local parts = {}
-      for k, series in ipairs(list) do
-        local colour = quoted(colours[((t.by and k or i) - 1) % #colours + 1])
-        local shape = t.by and ({ 7, 5, 9, 11, 13, 15 })[(k - 1) % 6 + 1] or 7  -- filled shapes, beside colour
-        parts[#parts + 1] = ("$data%d using 1:%d:%d with yerrorbars pt %d ps 0.8 lw 1.5 lc rgb %s %s"):format(k, 2 * i, 2 * i + 1, shape, colour, series.name and i == 1 and "title " .. quoted(series.name) .. " noenhanced" or "notitle")
-        parts[#parts + 1] = ("$data%d using 1:%d with lines lw 1 lc rgb %s notitle"):format(k, 2 * i, colour)
-      end
-      if t.theory[column] then parts[#parts + 1] = ("$theory%d using 1:2 with lines dt 2 lw 2 lc rgb '#555555' title %s noenhanced"):format(i, quoted(t.theory_name)) end
-      lines[#lines + 1] = "plot " .. table.concat(parts, ", \\\n     ")
+      lines[#lines + 1] = ("set ylabel %s%s"):format(quoted(t.ylabel[column] or label(column)), t.ylabel[column] and " noenhanced" or " enhanced")
+      lines[#lines + 1] = "plot " .. parts_of(t, i, list, theory, published)
     end
     lines[#lines + 1] = "unset multiplot"
   end

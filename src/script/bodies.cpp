@@ -235,11 +235,9 @@ int unknown_result(lua_State* L) {
 // strict(table, what): the table, in which names that it has not are errors.
 int strict(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
-  lua_createtable(L, 0, 2);
-  lua_pushstring(L, luaL_checkstring(L, 2)), lua_setfield(L, -2, "__name");
-  lua_pushcfunction(L, guarded<unknown_result>), lua_setfield(L, -2, "__index");
-  lua_setmetatable(L, 1);
+  const std::string what = luaL_checkstring(L, 2);
   lua_settop(L, 1);
+  push_strict(L, what);
   return 1;
 }
 
@@ -258,8 +256,7 @@ int elasticity(lua_State* L) {
   lua_createtable(L, 0, 2);
   lua_pushnumber(L, result.young_modulus), lua_setfield(L, -2, "E");
   lua_pushnumber(L, result.poisson_ratio), lua_setfield(L, -2, "nu");
-  lua_pushcfunction(L, strict), lua_insert(L, -2), lua_pushliteral(L, "the table of moduli");
-  lua_call(L, 2, 1);
+  push_strict(L, "the table of moduli");
   return 1;
 }
 
@@ -288,6 +285,13 @@ void make_type(lua_State* L, const char* type, lua_CFunction collector, std::ini
 }
 
 }  // namespace
+
+void push_strict(lua_State* L, const std::string& what) {
+  lua_createtable(L, 0, 2);
+  lua_pushstring(L, what.c_str()), lua_setfield(L, -2, "__name");
+  lua_pushcfunction(L, guarded<unknown_result>), lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+}
 
 void add_bodies(lua_State* L) {
   make_type(L, "ricochet.body", collect_object<BodyObject>, {});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <sstream>
 
 #include "core/error.hpp"
 #include "core/spelling.hpp"
@@ -12,6 +13,8 @@
 #include "script/specification.hpp"
 #include "script/state.hpp"
 #include "store/trajectory.hpp"
+#include "theory/catalogue.hpp"
+#include "theory/errata.hpp"
 
 namespace {
 
@@ -85,6 +88,33 @@ void print_effects() {
   fmt::print("What a scene does not name in `effects = {{ ... }}` is not computed; ricochet effects --cost measures what each costs.\n");
 }
 
+// Lines of at most `width` bytes, each after `indent`.
+std::string wrapped(const std::string& text, const std::string& indent, std::size_t width = 120) {
+  std::string result, line;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!line.empty() && indent.size() + line.size() + 1 + word.size() > width) result += indent + line + "\n", line.clear();
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return result + indent + line + "\n";
+}
+
+void print_theories() {
+  for (const theory::Theory& t : theory::theories()) {
+    std::string names;
+    for (const Field& f : t.arguments) names += (names.empty() ? "" : ", ") + f.name;
+    fmt::print("{} {{ {} }}\n{}{}{}", t.name, names, wrapped(t.says, "  "), wrapped("valid: " + t.valid, "  "), wrapped("source: " + t.source, "  "));
+  }
+  fmt::print("\nAs ricochet.theory.NAME {{ field = value, ... }} in a script; fields, units and results in lua/REFERENCE.md, sources in src/theory/references.bib.\n"
+             "Misprints of the paper: ricochet theory errata\n");
+}
+
+void print_errata() {
+  int number = 0;
+  for (const theory::Misprint& m : theory::errata())
+    fmt::print("{}. {}\n{}{}{}\n", ++number, m.where, wrapped(std::string("printed: ") + m.printed, "   "), wrapped(std::string("right:   ") + m.right, "   "), wrapped(std::string("checked: ") + m.checked, "   "));
+}
+
 int info(const std::string& path) {
   const Provenance provenance = read_provenance(path);
   for (const auto& [name, text] : provenance)
@@ -140,6 +170,8 @@ int program(int count, char** words) {
   effects_command->add_option("SCRIPT", script, "the Lua script");
   effects_command->add_option("name=value", arguments, "the script's parameters");
   effects_command->add_option("--out", options.out, "folder of the results (default: out)");
+  CLI::App* theory_command = app.add_subcommand("theory", "The theories that a script may call, with where they hold; ricochet theory errata: the paper's misprints");
+  CLI::App* errata_command = theory_command->add_subcommand("errata", "Misprints: what is printed, what is right, how it was checked");
   CLI::App* repl_command = app.add_subcommand("repl", "Type Lua");
   CLI::App* info_command = app.add_subcommand("info", "What a results.h5 holds and where it came from");
   info_command->add_option("FILE", file, "an HDF5 file of ours")->required();
@@ -168,7 +200,7 @@ int program(int count, char** words) {
     std::cout << version_text() << '\n';
     return 0;
   } catch (const CLI::ParseError& error) {
-    const std::vector<std::string> commands{"run", "accuracy", "effects", "repl", "info", "render", "reference"};
+    const std::vector<std::string> commands{"run", "accuracy", "effects", "theory", "repl", "info", "render", "reference"};
     std::string hint;
     const std::vector<std::string> options_known{"--threads", "--batch", "--out", "--budget", "--resume", "--force", "--check", "--traceback", "--quiet", "--unsafe", "--help"};
     for (int i = 1; i < count && *run_command; ++i) {
@@ -176,6 +208,7 @@ int program(int count, char** words) {
       if (!word.starts_with("--") || std::find(options_known.begin(), options_known.end(), word) != options_known.end()) continue;
       hint = word.find('=') != std::string::npos ? fmt::format(" (a parameter of the script is written {}, without dashes)", word.substr(2)) : did_you_mean(word, options_known);
     }
+    if (*theory_command && count > 2) hint = did_you_mean(words[2], std::vector<std::string>{"errata"});
     if (count > 1 && std::string(words[1]).ends_with(".lua")) hint = fmt::format(" (did you mean: ricochet run {}?)", words[1]);
     else     if (count > 1 && std::find(commands.begin(), commands.end(), words[1]) == commands.end()) hint = did_you_mean(words[1], commands);
     throw Error(fmt::format("{}{}; see ricochet --help", error.what(), hint), Exit::usage);
@@ -202,6 +235,10 @@ int program(int count, char** words) {
     if (!script.empty()) return run(options, script, arguments);
     Session session({}, "effects", {});
     State(session).run_text("require('ricochet.effects').cost(nil, 5)");
+    return 0;
+  }
+  if (*theory_command) {
+    *errata_command ? print_errata() : print_theories();
     return 0;
   }
   if (*repl_command) return repl();

@@ -57,6 +57,9 @@ void read_members(lua_State* L, int index, Struct& values) {
   }
 }
 
+/// Makes names that the table on top of the stack has not errors; `what` names the table.
+void push_strict(lua_State* L, const std::string& what);
+
 /// A value as a message shows it: "a string ('abc')", "nil", "-1".
 std::string shown(lua_State* L, int index);
 

@@ -10,6 +10,7 @@
 #include "impact/scene.hpp"
 #include "lattice/lattice.hpp"
 #include "render/show.hpp"
+#include "theory/catalogue.hpp"
 
 namespace ricochet {
 namespace {
@@ -98,17 +99,22 @@ std::vector<Function> make() {
                   {{"x", "string", "", "column of numbers above 0"}, {"y", "string", "", "column of numbers above 0"}}, "table", "local law = rows:power_law { x = \"speed\", y = \"e\" }"});
   list.push_back({"rows:where", "The rows whose columns have the given values.", {}, "rows", "rows:where { psi1 = 1 }:summary { by = \"sample\", of = { \"e\" } }:print()"});
   list.push_back({"plot",
-                  "Draws the mean and standard error of columns against a column, as NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.",
-                  {{"rows", "rows", "", "rows of a sweep"},
+                  "Draws the mean and standard error of columns against a column, lines of theory and published points, as NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.",
+                  {{"rows", "rows", "", "rows of a sweep; none for a picture of theory alone", any_number, "", true},
                    {"x", "string", "", "column along x; rows are grouped by it"},
                    {"y", "strings", "", "columns along y, one panel each"},
                    {"by", "string", "", "column whose values are drawn as a line each", any_number, "", true},
                    {"log", "string", "", "axes with a logarithmic scale", any_number, "none", false, {"none", "x", "y", "xy"}},
-                   {"theory", "table", "", "column = function (x): drawn dashed beside that column", any_number, "{}"},
-                   {"theory_name", "string", "", "of the dashed lines, in the key", any_number, "theory"},
+                   {"theory", "table", "", "column = function (x), points { {x, y}, ... }, or a list of { name =, f = } and { name =, points = }: drawn dashed beside that column", any_number, "{}"},
+                   {"theory_name", "string", "", "in the key, of a line that has no name of its own", any_number, "theory"},
+                   {"published", "table", "", "column = points { {x, y}, ... } or a list of { name =, points = }: drawn as open marks", any_number, "{}"},
                    {"name", "string", "", "file name without extension"},
                    {"title", "string", "", "above the plot", any_number, "", true},
-                   {"xlabel", "string", "", "instead of the column's name and unit", any_number, "", true}},
+                   {"caption", "string", "", "below the title: parameters; how many impacts finished and failed is added", any_number, "", true},
+                   {"xlabel", "string", "", "instead of the column's name and unit", any_number, "", true},
+                   {"ylabel", "table", "", "column = text instead of its name and unit", any_number, "{}"},
+                   {"xrange", "numbers", "", "{ from, to } along x; all rows and points unless given", any_number, "", true},
+                   {"yrange", "table", "", "column = { from, to }", any_number, "{}"}},
                   "nothing", "ricochet.plot { rows = rows, x = \"psi1\", y = { \"e\", \"mu\" }, name = \"angles\" }"});
   list.push_back({"animate",
                   "Draws an impact as a sequence of PNG files, and as a film, without a display, while it runs. Colours and scales are those of the whole sequence. "
@@ -178,6 +184,12 @@ std::vector<Function> make() {
                   "ricochet.file.write(\"note.txt\", \"done\")"});
   list.push_back({"file.read", "Reads a file below the run's folder: ricochet.file.read(name).", {}, "string", "ricochet.file.read(\"note.txt\")"});
   list.push_back({"range", "The list first, first + step ... last; range(n) is 1 ... n.", {}, "table", "ricochet.range(3) -- {1, 2, 3}"});
+  for (const theory::Theory& t : theory::theories()) {
+    Function f{"theory." + t.name, fmt::format("{} Valid: {}. Source: {}. Units in any consistent system of mass M, length L and time T.", t.says, t.valid, t.source), t.arguments, "table", t.example};
+    if (t.results.size() > 1) f.results = t.results;
+    else f.returns = t.results[0].type;
+    list.push_back(f);
+  }
   return list;
 }
 
@@ -211,11 +223,11 @@ std::string range_text(const Range& range) {
   return text;
 }
 
-std::string class_name(const Function& f) {
+std::string class_name(const Function& f, const std::string& of = "_fields") {
   std::string name = f.name;
   for (char& c : name)
     if (c == '.' || c == ':') c = '_';
-  return "ricochet." + name + "_fields";
+  return "ricochet." + name + of;
 }
 
 }  // namespace
@@ -239,7 +251,7 @@ std::string editor_stubs() {
       "---@class ricochet.plan\n---@field run fun(self: ricochet.plan): ricochet.rows\n\n"
       "---@class ricochet.summary\n---@field print fun(self: ricochet.summary)\n\n---@class ricochet.rows\n"
       "---@field summary fun(self: ricochet.rows, t: ricochet.rows_summary_fields): ricochet.summary\n---@field power_law fun(self: ricochet.rows, t: ricochet.rows_power_law_fields): table\n---@field where fun(self: ricochet.rows, columns: table): ricochet.rows\n\n"
-      "local ricochet = { file = {} }\n\n";
+      "local ricochet = { file = {}, theory = {} }\n\n";
   for (const Function& f : functions()) {
     if (!f.fields.empty()) {
       text += "---@class " + class_name(f) + "\n";
@@ -255,13 +267,15 @@ std::string editor_stubs() {
       text += "\n";
       continue;
     }
+    if (!f.results.empty()) text += "---@class " + class_name(f, "_result") + "\n";
+    for (const Field& field : f.results) text += "---@field " + field.name + (field.optional ? "? " : " ") + lua_type(field.type) + " " + field.doc + (field.unit.empty() ? "" : " [" + field.unit + "]") + "\n";
     text += "--- " + f.doc + "\n";
     if (!f.fields.empty()) text += "---@param t " + class_name(f) + "\n";
     if (f.name == "parameters") text += "---@param t table\n";
     if (f.name == "range") text += "---@param first number\n---@param last? number\n---@param step? number\n";
     if (f.name.starts_with("file.")) text += "---@param name string\n";
     if (f.name == "file.write") text += "---@param text string\n";
-    if (f.returns != "nothing") text += "---@return " + lua_type(f.returns) + "\n";
+    if (f.returns != "nothing") text += "---@return " + (f.results.empty() ? lua_type(f.returns) : class_name(f, "_result")) + "\n";
     const char* arguments = f.name == "range" ? "first, last, step" : f.name == "file.write" ? "name, text" : f.name == "file.read" ? "name" : "t";
     text += "function ricochet." + f.name + "(" + arguments + ") end\n\n";
   }
@@ -286,6 +300,13 @@ std::string reference_page() {
       for (std::size_t at = 0; (at = doc.find('|', at)) != std::string::npos; at += 2) doc.replace(at, 1, "\\|");
       text += "| `" + field.name + "` | " + type + " | " + field.unit + " | " + accepted + " | " + (field.initial.empty() && field.optional ? "optional" : field.initial) +
               " | " + doc + " |\n";
+    }
+    if (f.results.empty()) continue;
+    text += "\n| result | unit | meaning |\n|---|---|---|\n";
+    for (const Field& field : f.results) {
+      std::string doc = field.doc;
+      for (std::size_t at = 0; (at = doc.find('|', at)) != std::string::npos; at += 2) doc.replace(at, 1, "\\|");
+      text += "| `" + field.name + "` | " + field.unit + " | " + doc + (field.optional ? " (optional)" : "") + " |\n";
     }
   }
   text += "\n## Integrators\n\nThe values of `method`. The limit is that of h omega for a harmonic oscillator; steps are held against it by a bound of omega. All are symplectic "

@@ -15,6 +15,7 @@ struct Function {
   std::vector<Field> fields;
   std::string returns;
   std::string example;
+  std::vector<Field> results = {};  ///< what the returned table holds, where that is listed
 };
 
 /// Every function, in the order of the reference page.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 
 #include "core/spelling.hpp"
 #include "script/reader.hpp"
@@ -243,10 +244,11 @@ int nearest(lua_State* L) {
 
 // function_names(): the names of the module.
 int function_names(lua_State* L) {
-  lua_newtable(L);
+  std::set<std::string> names;  // those of file.write and file.read are one
   for (const Function& f : functions())
-    if (f.name.find(':') == std::string::npos && f.name != "launch" && f.name != "contact" && f.name != "show")
-      lua_pushstring(L, f.name.substr(0, f.name.find('.')).c_str()), lua_seti(L, -2, luaL_len(L, -2) + 1);
+    if (f.name.find(':') == std::string::npos && f.name != "launch" && f.name != "contact" && f.name != "show") names.insert(f.name.substr(0, f.name.find('.')));
+  lua_newtable(L);
+  for (const std::string& name : names) lua_pushstring(L, name.c_str()), lua_seti(L, -2, luaL_len(L, -2) + 1);
   return 1;
 }
 
@@ -363,7 +365,7 @@ State::State(Session& session) : session_(session) {
   const luaL_Reg natives[] = {{"check", guarded<check>}, {"fail", guarded<fail>}, {"fail_in", guarded<fail_in>}, {"fail_here", guarded<fail_here>}, {"unknown", guarded<unknown>},
                               {"function_names", function_names}, {"did_you_mean", nearest}, {"wrap", wrap}, {"is_check", is_check}, {"is_resume", is_resume}, {"make_scene", make_scene}, {"is_scene", is_scene}};
   for (const luaL_Reg& f : natives) lua_pushcfunction(L_, f.func), lua_setfield(L_, -2, f.name);
-  add_parameters(L_), add_bodies(L_), add_sweeps(L_), add_pictures(L_), add_run_files(L_), add_accuracy(L_);
+  add_parameters(L_), add_bodies(L_), add_sweeps(L_), add_pictures(L_), add_run_files(L_), add_theories(L_), add_accuracy(L_);
   luaL_getsubtable(L_, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   lua_insert(L_, -2);
   lua_setfield(L_, -2, "ricochet.core");

@@ -157,11 +157,45 @@ TEST_CASE("a plot leaves its gnuplot script, an SVG and a PNG") {
   for (const char* name : {"p.gp", "p.svg", "p.png"}) CHECK(fs::file_size(here.path / "out/s" / name) > 500);
 }
 
+TEST_CASE("a plot draws simulation, several theories, published points and a caption, or theory alone") {
+  const Workplace here;
+  const Ended ended = here.script(std::string(small_sweep) + R"(
+ricochet.plot { rows = rows, x = "psi1", y = { "e", "mu" }, name = "p", caption = ("many words "):rep(30),
+  theory = { e = { { name = "constant", f = function(x) return 1 end }, { name = "chain", points = { { 0, 0.9 }, { 4, 1.1 } } } }, mu = { { 0, 0 }, { 4, 0.3 } } },
+  published = { e = { { name = "somebody 1999", points = { { 1, 0.8 }, { 5, 1.2 } } } } }, yrange = { mu = { -1, 1 } } }
+ricochet.plot { x = "v", y = { "loss" }, name = "alone", log = "xy", xrange = { 0.1, 10 }, theory = { loss = function(v) return v ^ 0.6 end } }
+)", "samples=2 --quiet");
+  INFO(ended.err);
+  REQUIRE(ended.status == 0);
+  const std::string drawn = here.read("out/s/p.gp"), alone = here.read("out/s/alone.gp");
+  using Catch::Matchers::Contains;
+  CHECK_THAT(drawn, Contains("$data1 << END") && Contains("$theory1_1 << END\n0 1\n") && Contains("$theory1_2 << END\n0 0.9") && Contains("$theory2_1 << END\n0 0\n4 0.2999") && Contains("$published1_1 << END\n1 0.8"));
+  CHECK_THAT(drawn, Contains("title 'constant'") && Contains("title 'chain'") && Contains("title 'somebody 1999'") && Contains("set yrange [-1:1]"));
+  CHECK_THAT(drawn, Contains("'mean and standard error of 6 impacts, 0 failed'") && Contains("set xrange [-0.2"));  // up to the published point at 5, 4 % of 5 beside it
+  CHECK_THAT(alone, Contains("0.10000000000000001 0.25118864") && !Contains("impacts") && Contains("set logscale xy"));
+  for (const char* name : {"p.png", "alone.png", "alone.svg"}) CHECK(fs::file_size(here.path / "out/s" / name) > 500);
+  const auto mistake = [&](const std::string& fields) {
+    return here.script("local ricochet = require 'ricochet'\nricochet.plot { x = 'x', y = { 'y' }, name = 'p',\n  " + fields + " }", "--force").first_line();
+  };
+  CHECK(mistake("theory = { y = function(x) return x end }") == "error: s.lua:2: plot: has neither rows nor points; give xrange = { from, to } for the functions");
+  CHECK(mistake("theory = { z = function(x) return x end }") == "error: s.lua:3: plot: 'theory' has a curve for 'z', which is not among 'y'");
+  CHECK(mistake("theory = { y = { { f = function(x) return x end } } }") == "error: s.lua:3: plot: 'theory' of 'y' must be a list of { name =, f = or points = }; entry 1 has no name");
+  CHECK(mistake("theory = { y = { { name = 'a' } } }") == "error: s.lua:3: plot: 'theory' of 'y' needs f = function (x) or points = { {x, y}, ... } for 'a'");
+  CHECK(mistake("published = { y = function(x) return x end }") == "error: s.lua:3: plot: 'published' of 'y' takes points, and 'published' is a function");
+  CHECK(mistake("published = { y = { { 1, 'a' } } }") == "error: s.lua:3: plot: 'published' of 'y' holds a point of 'published' that is not {x, y}");
+  CHECK(mistake("xrange = { 2, 1 }") == "error: s.lua:3: plot: 'xrange' takes { from, to }");
+  CHECK(mistake("yrange = { z = { 1, 2 } }") == "error: s.lua:3: plot: 'yrange' names 'z', which is not among 'y'");
+  CHECK(mistake("by = 'x'") == "error: s.lua:3: plot: 'by' groups rows, and there are none");
+}
+
 TEST_CASE("scripts and examples of the project run short") {
   const Workplace here;
   const std::string root = RICOCHET_SOURCE;
   for (const std::string command : {"examples/01_drop.lua nodes=60 frames=3", "scripts/elasticity.lua samples=1 height=3", "scripts/benchmark.lua nodes=60 samples=1 psi1=0,1 growth=300,600",
-                                    "scripts/soft_wall.lua --check samples=1",
+                                    "scripts/soft_wall.lua --check samples=1", "scripts/soft_wall.lua samples=2 nodes=60 psi1=0,1,3,6", "scripts/hard_wall.lua samples=2 nodes=60 psi1=0,2,4,6",
+                                    "scripts/fixed_normal_speed.lua samples=2 nodes=60 psi1=0,1,3", "scripts/half_size.lua samples=2 nodes=120 psi1=0,1,3,6", "scripts/walton.lua samples=2 nodes=60",
+                                    "scripts/maw.lua samples=2 nodes=60", "scripts/normal_speed.lua samples=2 nodes=60 speed=0.05,0.1", "scripts/radiation.lua", "scripts/hertz_benchmarks.lua",
+                                    "scripts/walton.lua --check samples=1", "scripts/normal_speed.lua --check samples=1",
                                     "scripts/which_effects_matter.lua nodes=60 samples=2 speed=0.1,0.2", "examples/effects/gravity.lua nodes=60 samples=2 speed=0.05,0.1,0.2",
                                     "examples/effects/drag.lua samples=1 speed=0.1,0.2", "examples/effects/absorbing.lua samples=2 density=20 depth=1.5,2",
                                     "examples/effects/moving_anchor.lua samples=1 phase=0,90", "examples/effects/damping.lua nodes=100 samples=1 speed=0.04,0.08,0.16",

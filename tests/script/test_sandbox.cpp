@@ -98,6 +98,8 @@ ricochet.sweep { name = "s", over = { a = r, b = r, c = r }, scene = function() 
       {"utf8", false, R"lua(print(utf8.len(("x"):rep(1e9))))lua", 1, budget},
       {"xpcall handler", false, R"lua(xpcall(function() error("x") end, function() while true do end end))lua", 1, budget},
       {"concat chain", false, R"lua(local t = {} for i = 1, 1e5 do t[i] = ("x"):rep(1e5) end table.concat(t))lua", 1, budget},
+      {"theory without end", true, R"lua(while true do ricochet.theory.maw_integrated { psi1 = 1, mu = 1, e = 1, nu = 0, steps = 1e7 } end)lua", 1, budget},
+      {"spline through 1e5 points", true, R"lua(local x = ricochet.range(100000) ricochet.theory.tilted_curve { psi1 = x, mu = x, e_alpha = x, offset = x, nu = 0, at = { 1 } })lua", 1, budget},
       {"plot shell", true, R"lua(ricochet.plot { rows = {}, x = "`touch evil`", y = {"$(touch evil)"}, name = "p" })lua", 1, "'rows' must be rows"},
       {"animate huge", true, R"lua(local s = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 } } ricochet.animate { scene = s, frames = 1e9, size = {1e5, 1e5} })lua", 1, "'frames' must be between"},
   };
