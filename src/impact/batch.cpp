@@ -94,7 +94,8 @@ Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene&
     if (observer && observer->due(engine.run(0).time())) observer->look(engine.snapshot(0));
   };
   watch();
-  while (!stop && !(ended && (!observer || engine.run(0).time() >= observer->until))) {
+  const auto seen = [&] { return engine.run(0).time() >= observer->until; };
+  while (!stop && !(ended && (!observer || seen())) && !(observer && observer->no_longer && seen())) {
     for (int i = 0; i < engine.steps_between_looks(); ++i) engine.advance_one_step(), watch();
     if (!ended) engine.look([&](int, const Outcome& outcome) { result = outcome, ended = true; });
     if (ended && result.status == Status::not_finite) break;

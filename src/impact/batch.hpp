@@ -24,6 +24,7 @@ struct Snapshot {
 /// Looks at a single impact without changing a bit of it. `due(time)` is asked at the end of every step whether to look there.
 struct Observer {
   double until = 0;  ///< go on up to this time, even past the end of the impact
+  bool no_longer = false;  ///< and stop there, even if the impact goes on: its outcome is then not_run
   std::function<bool(double)> due;
   std::function<void(const Snapshot&)> look;
 };

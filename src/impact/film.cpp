@@ -90,17 +90,15 @@ Course follow_course(const Lattice& projectile, const Lattice& target, const Sce
   if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to show");
   Course course;
   course.step = start.step;
-  double lowest = std::numeric_limits<double>::infinity();
+  double most = 0;
   bool touched = false;
   const auto look = [&](const Snapshot& shot) {
-    double height = 0;
-    for (const Vec2& p : shot.projectile) height += p.y();
-    if (height < lowest) lowest = height, course.deepest = shot.time;
+    if (shot.energy.contact > most) most = shot.energy.contact, course.tightest = shot.time;
     if (shot.energy.contact <= touch_share * start.energy) return;
     if (!touched) course.first_touch = shot.time, touched = true;
     course.last_touch = shot.time;
   };
-  const Observer observer{0, equally_spaced(0, course_spacing, std::numeric_limits<std::int64_t>::max(), start.step), look};
+  const Observer observer{0, false, equally_spaced(0, course_spacing, std::numeric_limits<std::int64_t>::max(), start.step), look};
   course.outcome = run_scene(projectile, target, scene, stop, &observer);
   return course;
 }
@@ -136,7 +134,7 @@ bool film_scene(const Lattice& projectile, const Lattice& target, const Scene& s
     while (next < times.size() && shot.time == 0 && times[next] < -start.step / 2) hand_over(moved_back(shot, start, times[next]));
     if (is_due(shot.time)) hand_over(frame_of(shot));
   };
-  const Observer observer{times.empty() ? 0 : times.back(), is_due, look};
+  const Observer observer{times.empty() ? 0 : times.back() + start.step, true, is_due, look};
   run_scene(projectile, target, scene, stop, &observer);
   return !stop;
 }

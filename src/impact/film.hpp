@@ -19,7 +19,7 @@ struct Course {
   Outcome outcome;
   double step = 0;
   double first_touch = 0, last_touch = 0;  ///< within 0.1
-  double deepest = 0;                      ///< when the projectile's centre lies lowest
+  double tightest = 0;                     ///< when contact holds the most energy
 };
 
 /// Runs a scene once without frames. Throws FieldError "scene" if the projectile passes by.
@@ -30,7 +30,7 @@ Course follow_course(const Lattice& projectile, const Lattice& target, const Sce
 std::vector<double> frame_times(const Course& course, double from, double until, int count, double slow_motion);
 
 /// Runs a scene and hands over its frames at rising times, each at the step that ends nearest. Frames before 0 are free flight.
-/// It goes on past the end of the impact if the times do. Returns false if `stop` ended it.
+/// It goes on past the end of the impact if the times do, and ends with the last of them. Returns false if `stop` ended it.
 bool film_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::vector<double>& times, const std::atomic<bool>& stop,
                 const std::function<void(Frame)>& use);
 

@@ -227,7 +227,7 @@ int still(lua_State* L) {
   follow(L, takes);
   const double at = number_field(L, "at", not_given);
   std::vector<std::vector<double>> moments;
-  for (const Take& take : takes) moments.push_back({std::isnan(at) ? take.course.deepest : at});
+  for (const Take& take : takes) moments.push_back({std::isnan(at) ? take.course.tightest : at});
   std::vector<std::vector<std::size_t>> places;
   const std::vector<Source> sources = surveyed_sources(takes, moments, places);
   std::vector<Pick> picks;
@@ -256,7 +256,7 @@ int contact_sheet(lua_State* L) {
     std::vector<double> of = times;
     // From the touch to the parting, and a little more.
     for (int k = 0; times.empty() && k < count; ++k)
-      of.push_back(count == 1 ? take.course.deepest : take.course.first_touch + (take.course.last_touch - take.course.first_touch) * k / (count - 1));
+      of.push_back(count == 1 ? take.course.tightest : take.course.first_touch + (take.course.last_touch - take.course.first_touch) * k / (count - 1));
     moments.push_back(of);
   }
   std::vector<std::vector<std::size_t>> places;
