@@ -12,13 +12,14 @@ local p = ricochet.parameters(figures.parameters {
 local rows = figures.sweep(p, "fixed_normal_speed", p.ratio, p.speed):run()
 local summary = rows:summary { by = "psi1", of = { "e", "mu", "beta" } }
 summary:print()
-local most, error, where = -math.huge, 0, 0
+local most, error, where, least = -math.huge, 0, 0, 1
 for _, line in ipairs(summary) do
   if line.e.count > 0 and line.e.mean > most then most, error, where = line.e.mean, line.e.se, line.psi1 end
+  if line.e.count > 0 then least = math.min(least, line.e.mean) end
 end
 print(("greatest mean e: %.4f%s at Psi1 = %g"):format(most, error == error and (" +- %.4f"):format(error) or "", where))
 ricochet.plot {
   rows = rows, x = "psi1", y = { "e", "mu" }, name = "fixed_normal_speed",
-  theory = { e = { { name = "e = 1", f = function() return 1 end } } },
+  theory = { e = { { name = "e = 1", f = function() return 1 end } } }, yrange = { e = { least - 0.05, math.max(1, most) + 0.05 } },
   title = ("Hard disk on a soft wall at a normal speed of %g c, whatever the angle"):format(p.speed), caption = figures.caption(p, p.ratio),
 }
