@@ -248,6 +248,7 @@ function ricochet.plot(t) end
 ---@field out? string folder of the frames, below the run's folder; "frames" unless only a film is asked for
 ---@field film? string name of an .mp4 file, below the run's folder; needs ffmpeg
 ---@field rate? number frames a second of the film [1/s] (default 30)
+---@field columns? integer scenes in a row; up to three unless given, more in a square
 --- Draws an impact as a sequence of PNG files, and as a film, without a display, while it runs. Colours and scales are those of the whole sequence. Stopped and run again with --resume it goes on. Returns the impact's row, or a list of rows if `scenes` was given.
 ---@param t ricochet.animate_fields
 ---@return table
@@ -281,7 +282,7 @@ function ricochet.animate(t) end
 ---@field scene? ricochet.scene what happens
 ---@field scenes? ricochet.scene[] several instead, side by side, with common colours and times
 ---@field titles? string[] above each scene
----@field at? number when, since the rims came within reach; where the projectile lies deepest unless given [R/c]
+---@field at? number when, since the rims came within reach; when contact holds most energy unless given [R/c]
 ---@field size? number[] width and height of the picture [pixels] (default {1280, 720})
 ---@field show? ricochet.show_fields what the picture shows, and how (default {})
 ---@field out? string file name without extension, below the run's folder (default still)
@@ -296,7 +297,7 @@ function ricochet.still(t) end
 ---@field titles? string[] above each scene
 ---@field moments? integer how many of each impact, from its touch to its parting (default 4)
 ---@field times? number[] the moments, instead [R/c]
----@field columns? integer pictures in a row of the grid; all moments of a scene unless given
+---@field columns? integer pictures in a row of the grid; all moments of a scene unless given, one scene alone in a square
 ---@field size? number[] width and height of the picture [pixels] (default {1280, 720})
 ---@field show? ricochet.show_fields what the picture shows, and how (default {})
 ---@field out? string file name without extension, below the run's folder (default contact_sheet)

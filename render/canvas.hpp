@@ -31,17 +31,20 @@ class Canvas {
   void line(const Vec2& a, const Vec2& b, double width, const Colour& colour);
   void polyline(const Points& points, double width, const Colour& colour, bool closed = false);
   void disc(const Vec2& centre, double radius, const Colour& colour) { line(centre, centre, 2 * radius, colour); }
+  /// With a rim of white, so that it shows on any colour.
   void arrow(const Vec2& from, const Vec2& to, double width, const Colour& colour);
-  /// Text on a baseline. With `marked`, x_1 and x^2 lower and raise the next character, or a group {...}.
-  void text(const Vec2& at, const std::string& utf8, int size, const Colour& colour, Align align = Align::left, bool marked = true);
-  double text_width(const std::string& utf8, int size, bool marked = true);
+  /// Text on a baseline. After a symbol of one letter or a number, _ and ^ lower and raise the next character, or a group {...}: x_1, 10^{-3}, but soft_wall.
+  void text(const Vec2& at, const std::string& utf8, int size, const Colour& colour, Align align = Align::left);
+  double text_width(const std::string& utf8, int size);
+  /// The same where there is only so much room: smaller, and, where that would be less than 7 pixels high, cut.
+  void text_within(double room, const Vec2& at, const std::string& utf8, int size, const Colour& colour, Align align = Align::left);
 
   const std::vector<ShapeVertex>& vertices() const { return vertices_; }
   std::vector<ShapeVertex> take() { return std::move(vertices_); }
 
  private:
   template <class Use>
-  double each_glyph(const std::string& utf8, int size, bool marked, Use&& use);
+  double each_glyph(const std::string& utf8, int size, Use&& use);
   void quad(const std::array<ShapeVertex, 4>& corners);
 
   Font& font_;

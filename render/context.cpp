@@ -255,11 +255,12 @@ Image Context::draw(const Painting& painting, const Font& font) {
   gl.UseProgram(mesh_program);
   gl.Uniform1i(gl.GetUniformLocation(mesh_program, "colours"), 0);
   gl.Uniform1i(gl.GetUniformLocation(mesh_program, "material_coloured"), painting.material_coloured);
-  gl.Uniform1f(gl.GetUniformLocation(mesh_program, "half_width"), painting.half_width > 0 ? static_cast<float>(painting.half_width) : -1.0f);
-  i.set(mesh_program, "body", painting.body), i.set(mesh_program, "ink", painting.ink);
+  i.set(mesh_program, "body", painting.body);
   for (const Panel& panel : painting.panels) {
     gl.Enable(GL_SCISSOR_TEST), gl.Scissor(panel.x, height - panel.y - panel.height, panel.width, panel.height);
     gl.UseProgram(mesh_program);
+    gl.Uniform1f(gl.GetUniformLocation(mesh_program, "half_width"), panel.half_width > 0 ? static_cast<float>(panel.half_width) : -1.0f);
+    i.set(mesh_program, "ink", panel.ink);
     i.draw_all(i.mesh_array, i.mesh_buffer, panel.mesh);
     i.draw_shapes(panel.above);
   }

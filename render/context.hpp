@@ -18,16 +18,17 @@ struct Image {
 struct MeshVertex {
   float x, y;
   float value;        ///< of the material, 0 ... 1 in its colours
-  float distance[3];  ///< from the side opposite to each corner; `no_spring` more where there is none [pixels]
+  float distance[3];  ///< from the side opposite to each corner [pixels]
   float spring[3];    ///< value of the spring of that side, 0 ... 1; read only if springs are coloured
 };
-inline constexpr float no_spring = 1e5f;
 
 /// A part of the picture, cut at its borders, painted in this order.
 struct Panel {
   int x = 0, y = 0, width = 0, height = 0;
   std::vector<MeshVertex> mesh;
   std::vector<ShapeVertex> above;
+  Colour ink{30, 30, 45, 90};  ///< of springs that are not coloured by value
+  double half_width = 0;       ///< of springs [pixels]; 0: none are drawn
 };
 
 /// All that a picture is made of.
@@ -37,8 +38,7 @@ struct Painting {
   std::vector<Colour> colours;                      ///< 256, of values from 0 to 1
   bool material_coloured = false;                   ///< by value; else `body`
   bool springs_coloured = false;                    ///< by value; else `ink`
-  Colour body{237, 237, 240, 255}, ink{30, 30, 45, 90};
-  double half_width = 0;                            ///< of springs [pixels]; 0: none are drawn
+  Colour body{237, 237, 240, 255};
 };
 
 /// How pictures are smoothed: `lines` where strokes are drawn (free, for they are smooth by themselves), `multisample` by four samples at

@@ -1,6 +1,7 @@
 #include "render/fields.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <unordered_map>
@@ -39,6 +40,34 @@ Motion motion_of(const FrameMesh& mesh, const Frame& frame, int body) {
   motion.angle = std::atan2(across, along);
   motion.spin = moment / inertia;
   return motion;
+}
+
+std::array<double, 7> ledger_parts(const FrameMesh& mesh, const Frame& frame) {
+  const std::array<double, 8>& e = frame.energy;
+  const Vec2 v = motion_of(mesh, frame, 0).velocity;
+  const double normal = v.squaredNorm() > 0 ? e[0] * v.y() * v.y() / v.squaredNorm() : 0;
+  return {normal, e[0] - normal, e[1], e[2], e[3] + e[4] + e[5], e[6], e[7] - (e[0] + e[1] + e[2] + e[3] + e[4] + e[5] + e[6])};
+}
+
+Vec2 contact_place(const FrameMesh& mesh, const Frame& frame) {
+  constexpr double range = 0.1;  // [R] nodes so much farther than the nearest weigh 1/e
+  std::vector<std::pair<double, Vec2>> gaps;
+  double least = std::numeric_limits<double>::infinity();
+  for (const int node : mesh.rims[0]) {
+    const Vec2 place = at(frame.position, node);
+    double nearest = std::numeric_limits<double>::infinity();
+    Vec2 other = place;
+    for (const int facing : mesh.rims[1])
+      if (const double d = (at(frame.position, facing) - place).norm(); d < nearest) nearest = d, other = at(frame.position, facing);
+    gaps.emplace_back(nearest, (place + other) / 2), least = std::min(least, nearest);
+  }
+  Vec2 sum = Vec2::Zero();
+  double weights = 0;
+  for (const auto& [gap, middle] : gaps) {
+    const double weight = std::exp((least - gap) / range);
+    sum += weight * middle, weights += weight;
+  }
+  return sum / weights;
 }
 
 double plotted_value(const std::string& name, const FrameMesh& mesh, const Frame& frame) {

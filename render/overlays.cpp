@@ -21,7 +21,18 @@ double round_step(double extent, int count) {
 std::vector<double> ticks(double low, double high, int count) {
   const double step = round_step(high - low, count);
   std::vector<double> list;
-  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) list.push_back(k * step);
+  const double first = std::ceil(low / step - 1e-9);
+  for (int k = 0; k < 100 && (first + k) * step <= high + 1e-9 * step; ++k) list.push_back((first + k) * step);
+  return list;
+}
+
+// Ticks of which two at least are not 0, so that a scale can be read.
+std::vector<double> readable_ticks(double low, double high, int count) {
+  std::vector<double> list;
+  for (int more = count; more < count + 6; ++more) {
+    list = ticks(low, high, more);
+    if (std::count_if(list.begin(), list.end(), [&](double v) { return std::abs(v) > 1e-9 * (high - low); }) >= 2) break;
+  }
   return list;
 }
 
@@ -48,89 +59,82 @@ std::string label_of(const Quantity& quantity, int power) {
 
 std::vector<BarMark> bar_marks(const Scale& scale, int power, bool tall) {
   const double factor = std::pow(10.0, power);
-  const std::vector<double> values = ticks(scale.low / factor, scale.high / factor, tall ? 5 : 3);
+  const std::vector<double> values = readable_ticks(scale.low / factor, scale.high / factor, tall ? 5 : 3);
   std::vector<BarMark> marks;
   for (const double value : values) marks.push_back({value * factor, number_text(value, values.size() > 1 ? values[1] - values[0] : 0)});
   return marks;
 }
 
 void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours, const std::vector<BarMark>& marks) {
-  const double width = std::round(0.9 * size);
-  const double share = box.height / static_cast<double>(colours.size());
+  const double share = box.height / static_cast<double>(colours.size()), thin = std::max(1.0, size / 18.0);
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const double low = std::round(box.y + box.height - share * static_cast<double>(i + 1)), high = std::round(box.y + box.height - share * static_cast<double>(i));
-    canvas.rectangle({box.x, low}, {width, high - low}, colours[i]);
+    canvas.rectangle({box.x, low}, {box.width, high - low}, colours[i]);
   }
-  canvas.polyline({{box.x, box.y}, {box.x + width, box.y}, {box.x + width, box.y + box.height}, {box.x, box.y + box.height}}, 1, grey, true);
+  canvas.polyline({{box.x, box.y}, {box.x + box.width, box.y}, {box.x + box.width, box.y + box.height}, {box.x, box.y + box.height}}, thin, grey, true);
   double last = 1e300;
   for (const BarMark& mark : marks) {
-    const double y = box.y + box.height * (1 - scale(mark.value));
+    const double y = box.y + box.height * (scale.low < scale.high ? 1 - scale(mark.value) : 0.5);
     if (last - y < 1.1 * size) continue;
     last = y;
-    canvas.line({box.x + width, y}, {box.x + width + 0.3 * size, y}, 1, grey);
-    canvas.text({box.x + width + 0.45 * size, y + 0.36 * size}, mark.text, size, black);
+    canvas.line({box.x + box.width, y}, {box.x + box.width + 0.3 * size, y}, thin, grey);
+    canvas.text({box.x + box.width + 0.45 * size, y + 0.36 * size}, mark.text, size, black);
   }
 }
 
 void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile) {
-  const std::array<double, 8>& e = tile.frame->energy;
-  const Vec2 v = motion_of(tile.subject->mesh, *tile.frame, 0).velocity;
-  const double normal = v.squaredNorm() > 0 ? e[0] * v.y() * v.y() / v.squaredNorm() : 0;
-  const double known = e[0] + e[1] + e[2] + e[3] + e[4] + e[5] + e[6];
-  struct Part {
-    const char* name;
-    double energy;
-  };
-  const std::vector<Part> parts{{"normal", normal}, {"tangential", e[0] - normal}, {"spin", e[1]}, {"vibration", e[2]}, {"target", e[3] + e[4] + e[5]}, {"contact", e[6]}, {"effects", e[7] - known}};
-  const double most = tile.subject->survey.most_energy;
-  double x = box.x;
-  const double bar = std::round(0.9 * size), y = box.y + 1.45 * size;
-  canvas.rectangle({box.x, y}, {box.width, bar}, {240, 240, 242, 255});
-  double text = box.x;
-  const bool effects = std::abs(parts.back().energy) > 1e-4 * most;
+  static constexpr std::array<const char*, 7> names{"normal", "tangential", "spin", "vibration", "target", "contact", "effects"};
+  const Survey& survey = tile.subject->survey;
+  const std::array<double, 7> parts = ledger_parts(tile.subject->mesh, *tile.frame);
+  const std::size_t count = survey.effects ? 7 : 6;
+  const double bar = std::round(0.9 * size), y = box.y + 1.45 * size, thin = std::max(1.0, size / 18.0);
   double legend = 0;
-  for (const Part& part : parts) legend += 1.9 * size + canvas.text_width(part.name, size);
-  int small = size;
-  if (legend > box.width) small = std::max(7, static_cast<int>(size * box.width / legend));
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    if (k + 1 == parts.size() && !effects) break;
+  for (std::size_t k = 0; k < count; ++k) legend += 1.9 * size + canvas.text_width(names[k], size);
+  const int small = legend > box.width ? std::max(7, static_cast<int>(size * box.width / legend)) : size;
+  canvas.rectangle({box.x, y}, {box.width, bar}, {240, 240, 242, 255});
+  double x = box.x, text = box.x;
+  for (std::size_t k = 0; k < count; ++k) {
     const Colour colour = kind_colour(static_cast<int>(k));
-    const double width = most > 0 ? std::max(0.0, parts[k].energy) / most * box.width : 0;
+    const double width = survey.most_energy > 0 ? std::max(0.0, parts[k]) / survey.most_energy * box.width : 0;
     if (width > 0) canvas.rectangle({x, y}, {width, bar}, colour);
     x += width;
     canvas.rectangle({text, std::round(box.y + 0.35 * size)}, {std::round(0.7 * small), std::round(0.7 * small)}, colour);
-    canvas.text({text + 1.0 * small, box.y + 0.35 * size + 0.7 * small}, parts[k].name, small, black);
-    text += 1.9 * small + canvas.text_width(parts[k].name, small);
+    canvas.text({text + 1.0 * small, box.y + 0.35 * size + 0.7 * small}, names[k], small, black);
+    text += 1.9 * small + canvas.text_width(names[k], small);
   }
-  canvas.polyline({{box.x, y}, {box.x + box.width, y}, {box.x + box.width, y + bar}, {box.x, y + bar}}, 1, grey, true);
+  // What effects owe (a potential that has fallen) is taken off the end: a dark stroke over as much of the bar.
+  if (parts[6] < -1e-4 * survey.most_energy) canvas.rectangle({x + parts[6] / survey.most_energy * box.width, y + 0.35 * bar}, {-parts[6] / survey.most_energy * box.width, 0.3 * bar}, kind_colour(6));
+  canvas.polyline({{box.x, y}, {box.x + box.width, y}, {box.x + box.width, y + bar}, {box.x, y + bar}}, thin, grey, true);
 }
 
 void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const Quantity& quantity) {
   const Survey& survey = tile.subject->survey;
   const auto [least, most] = std::minmax_element(survey.series.begin(), survey.series.end());
-  double low = std::min(0.0, *least), high = std::max(0.0, *most);
+  double low = *least, high = *most;
+  if (quantity.name != "height") low = std::min(0.0, low), high = std::max(0.0, high);
   if (high == low) high = low + 1;
   const double room = 0.06 * (high - low);
-  high += room, low -= low < 0 ? room : 0;
+  high += room, low -= low == 0 ? 0 : room;
+  const double thin = std::max(1.0, size / 18.0);
   const double first = survey.times.front(), last = survey.times.back() > first ? survey.times.back() : first + 1;
   const int power = power_of(std::max(high, -low));
   const double factor = std::pow(10.0, power);
   const Box in{box.x + 3.4 * size, box.y + 1.3 * size, box.width - 4.2 * size, box.height - 2.8 * size};
   const auto x = [&](double t) { return in.x + in.width * (t - first) / (last - first); };
   const auto y = [&](double v) { return in.y + in.height * (1 - (v - low) / (high - low)); };
-  const auto marks = ticks(low / factor, high / factor, in.height > 5 * size ? 4 : 3);
+  const auto marks = readable_ticks(low / factor, high / factor, in.height > 5 * size ? 4 : 3);
   for (const double mark : marks) {
-    canvas.line({in.x, y(mark * factor)}, {in.x + in.width, y(mark * factor)}, 1, mark == 0 ? grey : faint);
+    canvas.line({in.x, y(mark * factor)}, {in.x + in.width, y(mark * factor)}, thin, mark == 0 ? grey : faint);
     canvas.text({in.x - 0.4 * size, y(mark * factor) + 0.36 * size}, number_text(mark, marks.size() > 1 ? marks[1] - marks[0] : 0), size, black, Align::right);
   }
   const auto moments = ticks(first, last, in.width > 30 * size ? 6 : 3);
   for (const double t : moments) {
-    canvas.line({x(t), in.y + in.height}, {x(t), in.y + in.height + 0.3 * size}, 1, grey);
+    canvas.line({x(t), in.y + in.height}, {x(t), in.y + in.height + 0.3 * size}, thin, grey);
     if (t + 0.12 * (last - first) < last) canvas.text({x(t), in.y + in.height + 1.3 * size}, number_text(t, moments.size() > 1 ? moments[1] - moments[0] : 0), size, black, Align::centre);
   }
   canvas.text({in.x + in.width, in.y + in.height + 1.3 * size}, "t [R/c]", size, black, Align::right);
   canvas.text({box.x, box.y + 0.8 * size}, label_of(quantity, power), size, black);
-  canvas.line({in.x, in.y}, {in.x, in.y + in.height}, 1, grey), canvas.line({in.x, in.y + in.height}, {in.x + in.width, in.y + in.height}, 1, grey);
+  canvas.line({in.x, in.y}, {in.x, in.y + in.height}, thin, grey), canvas.line({in.x, in.y + in.height}, {in.x + in.width, in.y + in.height}, thin, grey);
   Points curve;
   for (std::size_t k = 0; k <= tile.index && k < survey.series.size(); ++k) curve.push_back({x(survey.times[k]), y(survey.series[k])});
   canvas.polyline(curve, std::max(1.2, 0.12 * size), kind_colour(0));

@@ -48,6 +48,7 @@ struct Box {
 };
 
 // Parts that are drawn beside the bodies (overlays.cpp).
+/// A value that is marked beside a colour bar.
 struct BarMark {
   double value;
   std::string text;

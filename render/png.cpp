@@ -39,6 +39,26 @@ std::string deflated(const Image& image) {
   return bytes;
 }
 
+std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return value;
+}
+
+// Walks the chunks: length, type, data, checksum of type and data; the last is IEND.
+bool is_whole(const std::string& bytes) {
+  constexpr std::size_t signature = 8;
+  std::string_view type;
+  std::size_t at = signature;
+  while (at + 12 <= bytes.size()) {
+    const std::size_t length = big_endian(bytes, at);
+    if (length > bytes.size() - at - 12) return false;
+    if (libdeflate_crc32(0, bytes.data() + at + 4, length + 4) != big_endian(bytes, at + 8 + length)) return false;
+    type = std::string_view(bytes).substr(at + 4, 4), at += 12 + length;
+  }
+  return at == bytes.size() && type == "IEND";
+}
+
 struct Reading {
   const std::string& bytes;
   std::size_t at = 0;
@@ -84,8 +104,7 @@ std::string png(const Image& image, const Texts& texts) {
 }
 
 Texts png_texts(const std::string& bytes) {
-  constexpr std::string_view end("IEND\xae\x42\x60\x82", 8);
-  if (bytes.size() < 60 || !std::string_view(bytes).ends_with(end)) return {};
+  if (!is_whole(bytes)) return {};
   Texts texts;
   png_structp reader = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore);
   png_infop info = png_create_info_struct(reader);

@@ -11,7 +11,7 @@ using Texts = std::map<std::string, std::string>;
 /// A PNG file's bytes, with text chunks. Equal pictures and texts give equal bytes.
 std::string png(const Image& image, const Texts& texts);
 
-/// The text chunks of a PNG file of ours; none if it is no whole PNG file.
+/// The text chunks of a PNG file of ours; none if it is no whole PNG file with the right checksums.
 Texts png_texts(const std::string& bytes);
 
 }  // namespace ricochet::render

@@ -95,7 +95,7 @@ const std::vector<Member<Show>>& Show::fields() {
       {{"low", "number", "", "lower end of the colour bar; from the whole sequence unless given", any_number, "", true}, &Show::low},
       {{"high", "number", "", "upper end of the colour bar; from the whole sequence unless given: all but the strongest thousandth", any_number, "", true}, &Show::high},
       {choice("camera", "fit", "fit: all of the sequence; follow: the projectile in the middle; contact: the place of impact, close", {"fit", "follow", "contact"}), &Show::camera},
-      {{"width", "number", "R", "width of what the cameras follow and contact see; 5 and 2.5 unless given", positive, "", true}, &Show::width},
+      {{"width", "number", "R", "width of what the cameras follow and contact see; 5 and 2.5 unless given", {1e-3, 1e4}, "", true}, &Show::width},
       {choice("smoothing", "lines", "lines: strokes are smooth by themselves; multisample: four samples at every edge; supersample: four times the pixels, slow", {"lines", "multisample", "supersample"}), &Show::smoothing},
   };
   return list;
@@ -107,6 +107,10 @@ void Show::check() const {
   const Quantity* q = coloured_quantity(*this);
   if (!q && (!std::isnan(low) || !std::isnan(high))) throw FieldError(std::isnan(low) ? "high" : "low", "nothing is coloured by a quantity");
   if (low >= high) throw FieldError("high", fmt::format("must be above low = {:g}", low));
+  if (high - low < 1e-6 * std::max(std::abs(high), std::abs(low))) throw FieldError("high", fmt::format("is too close to low = {:g}", low));
+  if (q && q->is_signed && std::isnan(low) && high <= 0) throw FieldError("high", fmt::format("must be above 0 where low is not given: '{}' has both signs", q->name));
+  if (q && q->is_signed && std::isnan(high) && low >= 0) throw FieldError("low", fmt::format("must be below 0 where high is not given: '{}' has both signs", q->name));
+  if (q && !q->is_signed && high <= 0) throw FieldError("high", fmt::format("must be above 0: '{}' is never below", q->name));
   if (q && !q->is_signed && low < 0) throw FieldError("low", fmt::format("'{}' is never below 0", q->name));
   if (q && q->is_signed && scale == "sqrt") throw FieldError("scale", fmt::format("'{}' has both signs; use linear", q->name));
   if (camera == "fit" && !std::isnan(width)) throw FieldError("width", "goes with camera = \"follow\" or \"contact\"; fit shows all");

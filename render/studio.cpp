@@ -18,6 +18,15 @@ std::jthread Studio::worker(BoundedQueue<Job>& queue, Work work) {
 }
 
 Studio::Studio(int encoders, Write write, Film* film) : write_(std::move(write)), film_(film), files_(static_cast<std::size_t>(encoders) + 1) {
+  try {
+    start(encoders);
+  } catch (...) {
+    close();  // those that have started would wait for ever
+    throw;
+  }
+}
+
+void Studio::start(int encoders) {
   for (int i = 0; i < encoders; ++i) threads_.push_back(worker(files_, [this](const Job& job) { write_(job.path, png(*job.image, job.texts)); }));
   if (film_) threads_.push_back(worker(frames_, [this](const Job& job) { film_->add(*job.image); }));
 }

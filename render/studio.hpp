@@ -36,6 +36,7 @@ class Studio {
   };
   template <class Work>
   std::jthread worker(BoundedQueue<Job>& queue, Work work);
+  void start(int encoders);
   void close();
 
   Write write_;

@@ -1,7 +1,11 @@
 #include "render/survey.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "core/error.hpp"
 
 namespace ricochet::render {
 
@@ -21,8 +25,10 @@ Points shown_places(const Show& show, const FrameMesh& mesh, const Frame& frame)
 }
 
 void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, const Frame& frame) {
-  for (const Vec2& p : shown_places(show, mesh, frame))
-    if (p.allFinite()) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const Points places = shown_places(show, mesh, frame);
+  for (const std::vector<int>& rim : mesh.rims)  // nodes that broke loose are not worth a smaller picture
+    for (const int node : rim)
+      if (places[node].allFinite()) low = low.cwiseMin(places[node]), high = high.cwiseMax(places[node]);
   if (const Quantity* quantity = coloured_quantity(show)) {
     const bool material = show.material == quantity->name;
     std::vector<double> values = material ? fields.of_material(quantity->name, frame) : fields.of_springs(quantity->name, frame);
@@ -37,7 +43,12 @@ void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, 
       value_high = std::max(value_high, share(0.999)), value_low = std::min(value_low, share(0.001));
     }
   }
-  most_energy = std::max(most_energy, frame.energy[7]);
+  if (show.ledger) {
+    double sum = 0;
+    const std::array<double, 7> parts = ledger_parts(mesh, frame);
+    for (const double part : parts) sum += std::max(0.0, part);
+    most_energy = std::max(most_energy, sum), effects = effects || std::abs(parts.back()) > 1e-4 * most_energy;
+  }
   if (show.forces)
     for (int i = 0; i < mesh.projectile_nodes; ++i) most_force = std::max<double>(most_force, frame.contact_force[static_cast<std::size_t>(i)].norm());
   if (show.velocity || show.trail) {
@@ -50,6 +61,7 @@ void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, 
 }
 
 double Scale::operator()(double value) const {
+  if (low < 0 && high > 0) return std::clamp(0.5 + 0.5 * value / (value < 0 ? -low : high), 0.0, 1.0);  // 0 in the middle of the colours
   const double part = std::clamp((value - low) / (high - low), 0.0, 1.0);
   return root ? std::sqrt(part) : part;
 }
@@ -63,9 +75,9 @@ Scale common_scale(const Show& show, const std::vector<const Survey*>& surveys) 
   if (quantity->is_signed) high = std::max(high, -low), low = -high;
   else low = 0;
   if (high == low) high = low + 1;  // all is at rest
-  scale.high = std::isnan(show.high) ? high : show.high;
+  scale.high = !std::isnan(show.high) ? show.high : quantity->is_signed && !std::isnan(show.low) ? -show.low : high;
   scale.low = !std::isnan(show.low) ? show.low : quantity->is_signed && !std::isnan(show.high) ? -show.high : low;
-  if (!(scale.high > scale.low)) scale.high = scale.low + std::max(1.0, std::abs(scale.low));  // all values lie below the given low
+  if (!(scale.high > scale.low)) throw FieldError("low", fmt::format("lies above all values, of which the greatest is {:.4g}", high));
   scale.root = show.scale == "sqrt" || (show.scale == "auto" && !quantity->is_signed && quantity->name.starts_with("energy"));
   return scale;
 }

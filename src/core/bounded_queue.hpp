@@ -22,15 +22,25 @@ class BoundedQueue {
     return true;
   }
 
+  /// The next thing; none if none comes within that time.
+  template <class Duration>
+  std::optional<Thing> pop(Duration patience) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, patience, [&] { return closed_ || !things_.empty(); });
+    return taken();
+  }
+
+  /// True once the queue is closed and empty.
+  bool over() {
+    const std::lock_guard lock(mutex_);
+    return closed_ && things_.empty();
+  }
+
   /// The next thing; none once the queue is closed and empty.
   std::optional<Thing> pop() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return closed_ || !things_.empty(); });
-    if (things_.empty()) return std::nullopt;
-    Thing thing = std::move(things_.front());
-    things_.pop_front();
-    changed_.notify_all();
-    return thing;
+    return taken();
   }
 
   void close() {
@@ -40,6 +50,14 @@ class BoundedQueue {
   }
 
  private:
+  std::optional<Thing> taken() {
+    if (things_.empty()) return std::nullopt;
+    Thing thing = std::move(things_.front());
+    things_.pop_front();
+    changed_.notify_all();
+    return thing;
+  }
+
   const std::size_t most_;
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -24,9 +24,9 @@ struct Snapshot {
 /// Looks at a single impact without changing a bit of it. `due(time)` is asked at the end of every step whether to look there.
 struct Observer {
   double until = 0;  ///< go on up to this time, even past the end of the impact
-  bool no_longer = false;  ///< and stop there, even if the impact goes on: its outcome is then not_run
   std::function<bool(double)> due;
   std::function<void(const Snapshot&)> look;
+  bool no_longer = false;  ///< stop at `until`, even if the impact goes on: its outcome is then not_run
 };
 
 /// For `due`: true at the steps nearest to first, first + spacing, ... (count of them at most).

@@ -98,7 +98,7 @@ Course follow_course(const Lattice& projectile, const Lattice& target, const Sce
     if (!touched) course.first_touch = shot.time, touched = true;
     course.last_touch = shot.time;
   };
-  const Observer observer{0, false, equally_spaced(0, course_spacing, std::numeric_limits<std::int64_t>::max(), start.step), look};
+  const Observer observer{0, equally_spaced(0, course_spacing, std::numeric_limits<std::int64_t>::max(), start.step), look};
   course.outcome = run_scene(projectile, target, scene, stop, &observer);
   return course;
 }
@@ -134,7 +134,7 @@ bool film_scene(const Lattice& projectile, const Lattice& target, const Scene& s
     while (next < times.size() && shot.time == 0 && times[next] < -start.step / 2) hand_over(moved_back(shot, start, times[next]));
     if (is_due(shot.time)) hand_over(frame_of(shot));
   };
-  const Observer observer{times.empty() ? 0 : times.back() + start.step, true, is_due, look};
+  const Observer observer{times.empty() ? 0 : times.back() + start.step, is_due, look, true};
   run_scene(projectile, target, scene, stop, &observer);
   return !stop;
 }

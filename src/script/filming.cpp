@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cmath>
 #include <optional>
 #include <thread>
 
@@ -39,18 +41,22 @@ class Player {
   explicit Player(const Source& source) : thread_([this, &source] {
     try {
       source.play(halt_, [&](Frame frame) {
-        if (stop_requested || !queue_.push(std::move(frame))) halt_ = true;
+        if (!queue_.push(std::move(frame))) halt_ = true;
       });
     } catch (...) {
       error_ = std::current_exception();
     }
     queue_.close();
   }) {}
-  ~Player() { queue_.close(); }
+  ~Player() { halt_ = true, queue_.close(); }
 
-  /// The next frame. Throws what the source has thrown.
+  /// The next frame; none once the user asks to stop. Throws what the source has thrown.
   std::optional<Frame> next() {
-    auto frame = queue_.pop();
+    using namespace std::chrono_literals;
+    std::optional<Frame> frame;
+    while (!stop_requested && !(frame = queue_.pop(100ms)) && !queue_.over()) {
+    }
+    if (stop_requested) return std::nullopt;
     if (!frame && error_) std::rethrow_exception(error_);
     return frame;
   }
@@ -79,6 +85,11 @@ render::Texts texts_of(const Shooting& shooting, const std::vector<Source>& sour
           {"ricochet.picture", hash_text(text_of(shooting) + titles + scenes + which)}};
 }
 
+int columns_of(const Sequence& sequence, std::size_t sources) {
+  const int count = static_cast<int>(sources);
+  return sequence.columns > 0 ? std::min(sequence.columns, count) : count <= 3 ? count : static_cast<int>(std::ceil(std::sqrt(count)));
+}
+
 bool is_drawn(const fs::path& path, const render::Texts& texts) {
   std::error_code error;
   return fs::exists(path, error) && render::png_texts(read_file(path)) == texts;
@@ -97,12 +108,12 @@ int shoot_sequence(const Shooting& shooting, const std::vector<Source>& sources,
   render::Context context(shooting.width, shooting.height, shooting.show.how_smooth());
   render::Font font;
   std::optional<render::Film> film;
-  std::exception_ptr no_film;
+  std::string no_film;
   try {
     if (!sequence.film.empty()) film.emplace(sequence.film, shooting.width, shooting.height, sequence.rate);
-  } catch (const FileError&) {
+  } catch (const FileError& error) {
     if (sequence.folder.empty()) throw;
-    no_film = std::current_exception();  // the pictures were asked for: they come first
+    no_film = error.what();  // the pictures were asked for: they come first
   }
   survey(shooting, sources);
   std::size_t count = sources[0].subject->survey.times.size();
@@ -112,8 +123,8 @@ int shoot_sequence(const Shooting& shooting, const std::vector<Source>& sources,
     all_times += fmt::format(" of {:.9g} ... {:.9g}", source.subject->survey.times.front(), source.subject->survey.times.back());
   }
 
-  const render::Layout layout{shooting.width * context.scale(), shooting.height * context.scale(), static_cast<int>(sources.size())};
-  const int encoders = shooting.threads > 0 ? shooting.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const render::Layout layout{shooting.width * context.scale(), shooting.height * context.scale(), columns_of(sequence, sources.size())};
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency())), encoders = shooting.threads > 0 ? std::min(shooting.threads, cores) : cores;
   render::Studio studio(encoders, [](const fs::path& path, const std::string& bytes) { write_atomically(path, bytes); }, film ? &*film : nullptr);
   std::vector<std::unique_ptr<Player>> players;
   for (const Source& source : sources) players.push_back(std::make_unique<Player>(source));
@@ -140,7 +151,7 @@ int shoot_sequence(const Shooting& shooting, const std::vector<Source>& sources,
   if (!sequence.folder.empty())
     for (std::size_t stale = count; fs::remove(sequence.folder / fmt::format("{:06}.png", stale)); ++stale) {
     }
-  if (no_film) std::rethrow_exception(no_film);
+  if (!no_film.empty()) throw FileError(fmt::format("{} ({} frames are in {})", no_film, count, sequence.folder.string()));
   return static_cast<int>(count);
 }
 

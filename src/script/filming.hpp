@@ -33,7 +33,8 @@ struct Shooting {
 struct Sequence {
   std::filesystem::path folder, film;
   double rate = 30;     ///< frames a second of the film
-  bool go_on = false;   ///< pictures that are there already, equal to what would be drawn, are kept
+  int columns = 0;      ///< of the sources beside each other; 0: up to three in a row, more in a square
+  bool go_on = false;   ///< pictures that are there already, whole and of the same scenes, settings and time, are kept
 };
 
 /// Draws sources side by side, as many frames as the shortest has, and removes pictures of an earlier, longer sequence. Returns the count.

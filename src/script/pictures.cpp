@@ -59,6 +59,17 @@ auto at_scene(const Session& session, const CallSite& call, const Take& take, Wo
   }
 }
 
+// Mistakes that show when pictures are drawn stand at this call.
+template <class Work>
+auto at_call(lua_State* L, Work work) {
+  const CallSite call = call_site(L);
+  try {
+    return work();
+  } catch (const FieldError& error) {
+    throw_at(session_of(L), call, error);
+  }
+}
+
 std::vector<Take> takes_of(lua_State* L) {
   Session& session = session_of(L);
   std::vector<Take> takes;
@@ -100,17 +111,13 @@ Shooting shooting_of(lua_State* L) {
     for (int axis : {0, 1}) {
       lua_geti(L, -1, axis + 1);
       const double pixels = lua_tonumber(L, -1);
+      if (pixels != std::floor(pixels)) throw_at(session, call_site(L), FieldError("size", fmt::format("counts pixels, which {} does not", pixels)));
       *axes[axis] = std::abs(pixels) <= 1e9 ? static_cast<int>(pixels) : 0;
       lua_pop(L, 1);
     }
   }
   lua_pop(L, 1);
-  try {
-    shooting.show.check();
-    render::check_size(shooting.width, shooting.height);
-  } catch (const FieldError& error) {
-    throw_at(session, call_site(L), error);
-  }
+  at_call(L, [&] { shooting.show.check(), render::check_size(shooting.width, shooting.height); });
   shooting.origin = session.provenance().at("script_hash");
   shooting.threads = session.options.threads;
   return shooting;
@@ -153,7 +160,9 @@ int push_rows(lua_State* L, const std::vector<Take>& takes) {
 fs::path claimed(lua_State* L, const char* field, const std::string& name) {
   Session& session = session_of(L);
   const fs::path path = below_folder(L, name);
-  if (!session.first_picture_named(path.string())) throw_at(session, call_site(L), FieldError(field, fmt::format("'{}' was drawn by an earlier call of this script; give this one another name", name)));
+  for (const char* own : {"results.h5", "results.csv", "run.log", "parts"})
+    if (*fs::path(name).begin() == own) throw_at(session, call_site(L), FieldError(field, fmt::format("'{}' is the name of a file that runs leave themselves; give another", name)));
+  if (!session.first_picture_named(path)) throw_at(session, call_site(L), FieldError(field, fmt::format("'{}' was made, or holds what was made, by an earlier call of this script; give this one another name", name)));
   session.claim(session.own_folder());
   make_folder(path.parent_path());
   return path;
@@ -179,6 +188,8 @@ int animate(lua_State* L) {
   if (session.options.check) return push_rows(L, takes);
   Sequence sequence;
   const std::string film = text_field(L, "film", ""), out = text_field(L, "out", film.empty() ? "frames" : "");
+  if (film.empty() && out.empty()) throw_at(session, call_site(L), FieldError("out", "is empty, and no film is asked for: there would be nothing left of it"));
+  sequence.columns = static_cast<int>(number_field(L, "columns", 0));
   if (!film.empty() && !film.ends_with(".mp4")) throw_at(session, call_site(L), FieldError("film", fmt::format("'{}' must end in .mp4", film)));
   if (!out.empty()) sequence.folder = claimed(L, "out", out), make_folder(sequence.folder);
   if (!film.empty()) sequence.film = claimed(L, "film", film);
@@ -188,13 +199,9 @@ int animate(lua_State* L) {
   const std::vector<double> times = at_scene(session, call, takes[0], [&] { return times_of(L, takes, number_field(L, "from", -1), static_cast<int>(number_field(L, "frames", 240))); });
   std::vector<Source> sources;
   for (const Take& take : takes) sources.push_back(source_of(take, times));
-  try {
-    const int count = shoot_sequence(shooting, sources, sequence);
-    if (!out.empty()) session.print(fmt::format("{} frames in {}\n", count, sequence.folder.string()));
-    if (!film.empty()) session.print(fmt::format("film: {}, {:.3g} s\n", sequence.film.string(), count / sequence.rate));
-  } catch (const FieldError& error) {
-    throw_at(session, call, error);
-  }
+  const int count = at_call(L, [&] { return shoot_sequence(shooting, sources, sequence); });
+  if (!out.empty()) session.print(fmt::format("{} frames in {}\n", count, sequence.folder.string()));
+  if (!film.empty()) session.print(fmt::format("film: {}, {:.3g} s\n", sequence.film.string(), count / sequence.rate));
   return push_rows(L, takes);
 }
 
@@ -232,9 +239,16 @@ int still(lua_State* L) {
   const std::vector<Source> sources = surveyed_sources(takes, moments, places);
   std::vector<Pick> picks;
   for (std::size_t i = 0; i < takes.size(); ++i) picks.push_back({i, places[i][0], takes[i].title});
-  shoot_still(shooting, sources, picks, static_cast<int>(picks.size()), path);
+  at_call(L, [&] { shoot_still(shooting, sources, picks, static_cast<int>(picks.size()), path); });
   session.print(fmt::format("picture: {}\n", path.string()));
   return push_rows(L, takes);
+}
+
+// The power of ten that tells moments apart: 0.1 or less.
+double decimals_of(const std::vector<double>& moments) {
+  double least = 0.1;
+  for (std::size_t k = 1; k < moments.size(); ++k) least = std::min(least, moments[k] - moments[k - 1]);
+  return std::pow(10.0, std::floor(std::log10(std::max(least, 1e-6))));
 }
 
 int contact_sheet(lua_State* L) {
@@ -249,12 +263,15 @@ int contact_sheet(lua_State* L) {
   if (lua_getfield(L, 1, "times") == LUA_TTABLE)
     for (lua_Integer i = 1; i <= luaL_len(L, -1); ++i) lua_geti(L, -1, i), times.push_back(lua_tonumber(L, -1)), lua_pop(L, 1);
   lua_pop(L, 1);
+  for (const double t : times)
+    if (std::abs(t) > 1e6) throw_at(session, call_site(L), FieldError("times", fmt::format("must lie between -1e6 and 1e6 R/c, one is {:g}", t)));
   std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   const int count = static_cast<int>(number_field(L, "moments", 4));
   std::vector<std::vector<double>> moments;
   for (const Take& take : takes) {
     std::vector<double> of = times;
-    // From the touch to the parting, and a little more.
+    // From the touch to the parting.
     for (int k = 0; times.empty() && k < count; ++k)
       of.push_back(count == 1 ? take.course.tightest : take.course.first_touch + (take.course.last_touch - take.course.first_touch) * k / (count - 1));
     moments.push_back(of);
@@ -264,10 +281,10 @@ int contact_sheet(lua_State* L) {
   std::vector<Pick> picks;
   for (std::size_t i = 0; i < takes.size(); ++i)
     for (std::size_t k = 0; k < moments[i].size(); ++k)
-      picks.push_back({i, places[i][k], fmt::format("{}{}t = {} R/c", takes[i].title, takes[i].title.empty() ? "" : ", ", render::number_text(moments[i][k], 0.1))});
+      picks.push_back({i, places[i][k], fmt::format("{}{}t = {} R/c", takes[i].title, takes[i].title.empty() ? "" : ", ", render::number_text(moments[i][k], times.empty() ? decimals_of(moments[i]) : 0))});
   const int per_row = moments[0].size() > 1 ? static_cast<int>(moments[0].size()) : static_cast<int>(takes.size());
   const int columns = static_cast<int>(number_field(L, "columns", takes.size() == 1 ? std::ceil(std::sqrt(per_row)) : per_row));
-  shoot_still(shooting, sources, picks, std::min(columns, static_cast<int>(picks.size())), path);
+  at_call(L, [&] { shoot_still(shooting, sources, picks, std::min(columns, static_cast<int>(picks.size())), path); });
   session.print(fmt::format("contact sheet: {}\n", path.string()));
   return push_rows(L, takes);
 }

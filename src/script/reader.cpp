@@ -23,6 +23,8 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+}  // namespace
+
 std::string accepted_range(const Field& field) {
   const Range& r = field.range;
   const bool low = r.min > any_number.min, high = r.max < any_number.max;
@@ -31,6 +33,8 @@ std::string accepted_range(const Field& field) {
   if (low) return fmt::format("{} {:g}{}", r.min_open ? "greater than" : "at least", r.min, unit);
   return fmt::format("{} {:g}{}", r.max_open ? "less than" : "at most", r.max, unit);
 }
+
+namespace {
 
 bool is_userdata(lua_State* L, int index, const char* type) { return luaL_testudata(L, index, ("ricochet." + std::string(type)).c_str()) != nullptr; }
 
@@ -220,7 +224,8 @@ std::string report(const Session& session, const CallSite& site, const std::vect
     }
     if (!result.empty()) result += "error: ";
     if (!site.file.empty()) result += fmt::format("{}:{}: ", site.file, place.line);
-    result += fmt::format("{}: {}\n", site.function, mistake.message);
+    if (!site.function.empty()) result += site.function + ": ";
+    result += mistake.message + "\n";
     if (text != session.sources.end()) result += excerpt(text->second, place);
   }
   if (!valid.empty()) result += "  valid fields: " + valid + "\n";

@@ -32,6 +32,9 @@ struct Mistake {
 /// "file:line: function: message" with an excerpt of the source, for each mistake; `valid` is listed at the end if not empty.
 std::string report(const Session& session, const CallSite& site, const std::vector<Mistake>& mistakes, const std::string& valid = "");
 
+/// "between 0 and 1 R", "at least 2", ...
+std::string accepted_range(const Field& field);
+
 /// True if the value is the module itself: a function was called with a colon instead of a dot.
 bool is_module(lua_State* L, int index);
 

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/spelling.hpp"
 #include "script/filming.hpp"
+#include "script/reader.hpp"
 #include "store/files.hpp"
 #include "store/trajectory.hpp"
 
@@ -48,7 +49,7 @@ void set(render::Show& show, const std::string& setting) {
         show.*place = text == "true";
       } else {
         const double value = number_of(name, text);
-        if (!field.range.contains(value)) throw Error(fmt::format("'{}' = {} is out of range: {}", name, text, field.doc), Exit::usage);
+        if (!field.range.contains(value)) throw Error(fmt::format("'{}' must be {}, is {}", name, accepted_range(field), text), Exit::usage);
         show.*place = static_cast<Value>(value);
       }
     }, member.place);
@@ -65,6 +66,7 @@ void render_file(const RenderOptions& options) {
   const std::size_t by = options.size.find('x');
   if (by == std::string::npos) throw Error(fmt::format("--size takes WIDTHxHEIGHT, is '{}'", options.size), Exit::usage);
   const double width = number_of("--size", options.size.substr(0, by)), height = number_of("--size", options.size.substr(by + 1));
+  if (width != std::floor(width) || height != std::floor(height)) throw Error(fmt::format("--size counts pixels, which {} does not", options.size), Exit::usage);
   try {
     shooting.show.check();
     render::check_size(std::abs(width) < 1e9 ? static_cast<int>(width) : 0, std::abs(height) < 1e9 ? static_cast<int>(height) : 0);
@@ -84,8 +86,9 @@ void render_file(const RenderOptions& options) {
   if (!options.resume && !options.force)
     for (const fs::path& path : {sequence.folder, sequence.film})
       if (!path.empty() && fs::exists(path, error) && (!fs::is_directory(path, error) || !fs::is_empty(path, error)))
-        throw FileError(fmt::format("{} is there already; --force replaces it, --resume goes on with its frames, --out DIR goes elsewhere", path.string()));
+        throw FileError(fmt::format("{} is there already; --force replaces it, --resume goes on with its frames, or give another name", path.string()));
   if (!sequence.folder.empty()) make_folder(sequence.folder);
+  if (sequence.film.has_parent_path()) make_folder(sequence.film.parent_path());
   const Source source{std::make_shared<render::Subject>(trajectory.mesh()), provenance["scene_hash"], [&](const std::atomic<bool>& stop, const std::function<void(Frame)>& use) {
                         for (const Frame& frame : trajectory.frames())
                           if (!stop) use(frame);

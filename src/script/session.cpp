@@ -7,6 +7,7 @@
 #include <lua.hpp>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "core/error.hpp"
@@ -38,7 +39,7 @@ bool is_product(const fs::path& entry) {
   // A folder of frames holds nothing but frames.
   if (!fs::is_directory(entry)) return false;
   for (const auto& inner : fs::directory_iterator(entry))
-    if (inner.path().extension() != ".png") return false;
+    if (inner.path().extension() != ".png" && inner.path().extension() != ".new") return false;
   return true;
 }
 
@@ -101,6 +102,13 @@ void Session::claim(const fs::path& place) {
     for (const fs::path& path : old) fs::remove_all(path);
   }
   claimed_.insert(place);
+}
+
+bool Session::first_picture_named(const fs::path& path) {
+  const auto within = [](const fs::path& inner, const fs::path& outer) { return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end(); };
+  for (const fs::path& other : pictures_)
+    if (within(path, other) || within(other, path)) return false;
+  return pictures_.insert(path).second;
 }
 
 void Session::print(const std::string& text) {

@@ -67,8 +67,8 @@ class Session {
   /// True the first time a sweep of this name runs; a second one would replace its results.
   bool first_sweep_named(const std::string& name) { return sweeps_.insert(name).second; }
 
-  /// True the first time a picture, a film or a recording of this path is made.
-  bool first_picture_named(const std::string& path) { return pictures_.insert(path).second; }
+  /// True if neither this path nor one above or below it was made before by a picture, film or recording.
+  bool first_picture_named(const std::filesystem::path& path);
 
   /// Prints to the terminal and into run.log.
   void print(const std::string& text);
@@ -86,7 +86,8 @@ class Session {
  private:
   std::set<std::filesystem::path> claimed_;
   std::vector<FolderLock> locks_;
-  std::set<std::string> sweeps_, pictures_, warned_, told_;
+  std::set<std::filesystem::path> pictures_;
+  std::set<std::string> sweeps_, warned_, told_;
   int failed_ = 0, finished_ = 0;
   std::string log_, start_;
 };

@@ -122,18 +122,19 @@ std::vector<Function> make() {
                   one_or_more + std::vector<Field>{frames, from, duration, slow_motion} + look +
                       std::vector<Field>{{"out", "string", "", "folder of the frames, below the run's folder; \"frames\" unless only a film is asked for", any_number, "", true},
                                          {"film", "string", "", "name of an .mp4 file, below the run's folder; needs ffmpeg", any_number, "", true},
-                                         {"rate", "number", "1/s", "frames a second of the film", {1, 240}, "30"}},
+                                         {"rate", "number", "1/s", "frames a second of the film", {1, 240}, "30"},
+                                         {"columns", "integer", "", "scenes in a row; up to three unless given, more in a square", {1, 100}, "", true}},
                   "table", "ricochet.animate { scene = scene, frames = 120, size = {960, 540}, show = { material = \"speed\", ledger = true } }"});
   list.push_back({"show", "The `show` table of animate, still and contact_sheet: layers by name. What is not switched on is not computed. `ricochet render FILE.h5 name=value` takes the same.",
                   fields_of<render::Show>(), "", ""});
   list.push_back({"still", "Draws one moment of an impact as OUT.png. Colours and scales are those of the whole impact. Returns the row, or a list of rows if `scenes` was given.",
-                  one_or_more + std::vector<Field>{{"at", "number", "R/c", "when, since the rims came within reach; where the projectile lies deepest unless given", {-1e6, 1e6}, "", true}} + look +
+                  one_or_more + std::vector<Field>{{"at", "number", "R/c", "when, since the rims came within reach; when contact holds most energy unless given", {-1e6, 1e6}, "", true}} + look +
                       std::vector<Field>{{"out", "string", "", "file name without extension, below the run's folder", any_number, "still"}},
                   "table", "ricochet.still { scene = scene, at = 3, show = { camera = \"contact\" } }"});
   list.push_back({"contact_sheet", "Draws a grid of moments of one or several impacts as OUT.png: a row for each scene. Returns the row, or a list of rows if `scenes` was given.",
                   one_or_more + std::vector<Field>{{"moments", "integer", "", "how many of each impact, from its touch to its parting", {1, 100}, "4"},
                                                    {"times", "numbers", "R/c", "the moments, instead", any_number, "", true},
-                                                   {"columns", "integer", "", "pictures in a row of the grid; all moments of a scene unless given", {1, 100}, "", true}} + look +
+                                                   {"columns", "integer", "", "pictures in a row of the grid; all moments of a scene unless given, one scene alone in a square", {1, 100}, "", true}} + look +
                       std::vector<Field>{{"out", "string", "", "file name without extension, below the run's folder", any_number, "contact_sheet"}},
                   "table", "ricochet.contact_sheet { scenes = { soft, hard }, titles = { \"soft\", \"hard\" }, moments = 3 }"});
   list.push_back({"record", "Stores an impact as H5MD (OUT.h5, for MDAnalysis and `ricochet render`) and OUT.xdmf (for ParaView). Returns the impact's row.",
