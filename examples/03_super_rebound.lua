@@ -32,4 +32,4 @@ print(("e > 1 in %d of %d lattices; the greatest: e = %.3f, lattice %d"):format(
 print(("there the translation keeps %.1f %% of its energy: no energy is made"):format(100 * sum(best, "after") / sum(best, "before")))
 local show = { title = ("Super rebound: e = %.2f at Ψ1 = %g"):format(best.e, p.psi1), ledger = true, plot = "vn", trail = true, forces = true, velocity = true }
 ricochet.animate { scene = scene(best.sample), frames = p.frames, slow_motion = 3, show = show }
-ricochet.still { scene = scene(best.sample), show = show, out = "deepest", size = { 800, 450 } }
+ricochet.still { scene = scene(best.sample), show = show, out = "tightest", size = { 800, 450 } }
