@@ -169,7 +169,7 @@ Verdict judged(const RandomScene& random, double steps) {
   const auto with_step = [&](double step) {
     return again([&](Scene& s) {
       s.integration.step = step, s.integration.theta = not_given;
-      s.integration.time_limit = std::min(s.integration.time_limit, 2 * steps * step);
+      s.integration.time_limit = std::fmin(s.integration.time_limit, 2 * steps * step);  // it may be not given
     });
   };
   switch (o.status) {
