@@ -465,7 +465,7 @@ function ricochet.theory.kuwabara_kono_series(t) end
 ---@field bulk number its bulk viscosity [M L^-1 T^-1]
 ---@field shear2? number shear viscosity of the other's; 0 if that is rigid [M L^-1 T^-1] (default 0)
 ---@field bulk2? number its bulk viscosity [M L^-1 T^-1] (default 0)
---- eta = (5/2) kappa~ (v/(kappa^3 m_eff^2))^(1/5) from the materials' viscosities. Valid: as printed; three quarters of it where the viscous stress is tau times the rate of the elastic one. Source: kuwabara1987; hayakawa2003, eq. kk-9. Units in any consistent system of mass M, length L and time T.
+--- eta = (5/2) kappa~ (v/(kappa^3 m_eff^2))^(1/5) from the materials' viscosities. Valid: as printed; three quarters of it where the viscous stress is tau times the rate of the elastic one; equal viscous and elastic Poisson's ratios. Source: kuwabara1987; hayakawa2003, eq. kk-9. Units in any consistent system of mass M, length L and time T.
 ---@param t ricochet.theory_kuwabara_kono_eta_fields
 ---@return number
 function ricochet.theory.kuwabara_kono_eta(t) end

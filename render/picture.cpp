@@ -150,8 +150,8 @@ void draw_anchors(Canvas& canvas, const Brush& brush, const FrameMesh& mesh, con
         }
         first = std::max(first, std::min((low - from) / by, (high - from) / by)), last = std::min(last, std::max((low - from) / by, (high - from) / by) + 1);
       }
-      for (double k = std::ceil(first); k < last; ++k) {
-        const Vec2 foot = pixels[a] + (due + k * spacing) * along;
+      for (double stroke = std::ceil(first); stroke < last; ++stroke) {
+        const Vec2 foot = pixels[a] + (due + stroke * spacing) * along;
         canvas.line(foot, foot + length * (out - 0.7 * along).normalized(), brush.unit, hatch_colour);
       }
       due += static_cast<double>(std::max(0L, strokes)) * spacing - extent;

@@ -31,7 +31,8 @@ end
 local small, large = rows:where { disk = half }:summary { by = "psi1", of = { "e" } }, rows:where { disk = p.nodes }:summary { by = "psi1", of = { "e" } }
 for i = 1, #small do
   local a, b = small[i].e, large[i].e
-  print(("Psi1 = %g: e of %d less e of %d nodes: %+.4f +- %.4f"):format(small[i].psi1, half, p.nodes, a.mean - b.mean, math.sqrt(a.se ^ 2 + b.se ^ 2)))
+  local se = p.samples > 1 and ("%.4f"):format(math.sqrt(a.se ^ 2 + b.se ^ 2)) or "unknown (one sample)"
+  print(("Psi1 = %g: e of %d less e of %d nodes: %+.4f +- %s"):format(small[i].psi1, half, p.nodes, a.mean - b.mean, se))
 end
 ricochet.plot {
   rows = rows, x = "psi1", y = { "e", "mu" }, by = "disk", name = "half_size", theory = #theory > 0 and { e = theory } or {},

@@ -37,10 +37,16 @@ if tilted then
     figures.compare(rows, "psi1", "e", line[2], tilted.at[line[1]])
     lines[i] = { name = line[2], points = tilted[line[1]] }
   end
+  -- What the theory says of the contact itself: its slope, and its share behind the disk's centre.
   figures.compare(rows, "psi1", "tan_alpha", "slope of the chord", tilted.at.tan_alpha)
+  print(("%6s %26s %10s %34s %10s"):format("psi1", "tan_alpha", "theory", "(x_c - x_a)/l", "theory"))
+  for _, line in ipairs(rows:summary { by = "psi1", of = { "tan_alpha", "centre_offset", "contact_length", "mu" } }) do
+    local slope, theta = line.tan_alpha, math.atan(1 - 2 * material.nu_strain, math.max(0, line.mu.mean) * (2 - 2 * material.nu_strain)) / math.pi
+    print(("%6.4g %14.4f +- %8.4f %10.4f %34.3f %10.3f"):format(line.psi1, slope.mean, slope.se, tilted.at.tan_alpha(line.psi1) or 0 / 0, line.centre_offset.mean / line.contact_length.mean, 1 - theta))
+  end
 end
 ricochet.plot {
   rows = rows, x = "psi1", y = { "e", "mu", "beta" }, name = "soft_wall", theory = #lines > 0 and { e = lines } or {},
   title = ("Hard disk on a soft wall: stiffness ratio %g, speed %g c, roughness %g R"):format(p.ratio, p.speed, p.roughness),
-  caption = ("Lines: eq. CORmod2 from the run's own μ, e_α and |x_c − x_a|, ν = %.3f; cubic splines. %s"):format(material.nu_strain, figures.caption(p, p.ratio)),
+  caption = ("Lines: eq. CORmod2 from the run's own μ and |x_c − x_a|, ν = %.3f; cubic splines. The first two use e itself, through e_α; only the third predicts it. %s"):format(material.nu_strain, figures.caption(p, p.ratio)),
 }

@@ -118,10 +118,29 @@ function figures.tilted(rows, nu_strain)
   return result
 end
 
---- Walton's parameters of the rows, printed with their standard errors.
-function figures.fit(rows, beta_x)
-  local columns = figures.columns(rows, { "psi1", "psi2", "e" })
-  local fit = ricochet.theory.fit_walton { psi1 = columns.psi1, psi2 = columns.psi2, e = columns.e, beta_x = beta_x }
+--- Walton's parameters of the rows, printed with their standard errors. All angles of a sample share its lattices, so the errors are those of a jackknife over samples: the fit without
+--- each in turn.
+function figures.fit(rows)
+  local columns = figures.columns(rows, { "psi1", "psi2", "e", "sample" })
+  local fit = ricochet.theory.fit_walton { psi1 = columns.psi1, psi2 = columns.psi2, e = columns.e }
+  local samples, others = {}, {}
+  for _, sample in ipairs(columns.sample) do samples[sample] = true end
+  for left_out in pairs(samples) do
+    local some = { psi1 = {}, psi2 = {}, e = {} }
+    for i, sample in ipairs(columns.sample) do
+      if sample ~= left_out then
+        for name, list in pairs(some) do list[#list + 1] = columns[name][i] end
+      end
+    end
+    local whole, other = pcall(ricochet.theory.fit_walton, some)
+    others[#others + 1] = whole and other or nil
+  end
+  for _, name in ipairs { "e", "mu", "beta0" } do
+    local mean, square = 0, 0
+    for _, other in ipairs(others) do mean = mean + other[name] / #others end
+    for _, other in ipairs(others) do square = square + (other[name] - mean) ^ 2 end
+    fit[name .. "_se"] = #others > 1 and math.sqrt((#others - 1) / #others * square) or 0 / 0
+  end
   print(("fit of %d impacts: e = %.4f +- %.4f, mu = %.4f +- %.4f, beta0 = %.3f +- %.3f; sliding from Psi1 = %.2f on"):format(
     #columns.psi1, fit.e, fit.e_se, fit.mu, fit.mu_se, fit.beta0, fit.beta0_se, fit.psi1_0))
   return fit
@@ -140,6 +159,7 @@ function figures.compare(rows, by, column, name, theory)
     end
   end
   if n > 0 then
+    where = where or 0 / 0  -- every one is met exactly
     print(("%s against %s: root mean square %.3g (%.2g standard errors) at %d values of %s, greatest %+.3g at %.4g"):format(name, column, math.sqrt(square / n), math.sqrt(scaled / n), n, by, worst, where))
   end
 end

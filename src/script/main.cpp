@@ -99,12 +99,18 @@ std::string wrapped(const std::string& text, const std::string& indent, std::siz
   return result + indent + line + "\n";
 }
 
-void print_theories() {
+// All, or the one of that name.
+void print_theories(const std::string& name) {
+  std::vector<std::string> known;
   for (const theory::Theory& t : theory::theories()) {
+    known.push_back(t.name);
+    if (!name.empty() && t.name != name) continue;
     std::string names;
     for (const Field& f : t.arguments) names += (names.empty() ? "" : ", ") + f.name;
     fmt::print("{} {{ {} }}\n{}{}{}", t.name, names, wrapped(t.says, "  "), wrapped("valid: " + t.valid, "  "), wrapped("source: " + t.source, "  "));
   }
+  if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end())
+    throw Error(fmt::format("there is no theory '{}'{}; ricochet theory lists them, ricochet theory errata the paper's misprints", name, did_you_mean(name, known)), Exit::usage);
   fmt::print("\nAs ricochet.theory.NAME {{ field = value, ... }} in a script; fields, units and results in lua/REFERENCE.md, sources in src/theory/references.bib.\n"
              "Misprints of the paper: ricochet theory errata\n");
 }
@@ -171,7 +177,8 @@ int program(int count, char** words) {
   effects_command->add_option("name=value", arguments, "the script's parameters");
   effects_command->add_option("--out", options.out, "folder of the results (default: out)");
   CLI::App* theory_command = app.add_subcommand("theory", "The theories that a script may call, with where they hold; ricochet theory errata: the paper's misprints");
-  CLI::App* errata_command = theory_command->add_subcommand("errata", "Misprints: what is printed, what is right, how it was checked");
+  std::string theory_name;
+  theory_command->add_option("NAME", theory_name, "one of them; or errata: misprints, what is printed, what is right, how it was checked");
   CLI::App* repl_command = app.add_subcommand("repl", "Type Lua");
   CLI::App* info_command = app.add_subcommand("info", "What a results.h5 holds and where it came from");
   info_command->add_option("FILE", file, "an HDF5 file of ours")->required();
@@ -208,7 +215,6 @@ int program(int count, char** words) {
       if (!word.starts_with("--") || std::find(options_known.begin(), options_known.end(), word) != options_known.end()) continue;
       hint = word.find('=') != std::string::npos ? fmt::format(" (a parameter of the script is written {}, without dashes)", word.substr(2)) : did_you_mean(word, options_known);
     }
-    if (*theory_command && count > 2) hint = did_you_mean(words[2], std::vector<std::string>{"errata"});
     if (count > 1 && std::string(words[1]).ends_with(".lua")) hint = fmt::format(" (did you mean: ricochet run {}?)", words[1]);
     else     if (count > 1 && std::find(commands.begin(), commands.end(), words[1]) == commands.end()) hint = did_you_mean(words[1], commands);
     throw Error(fmt::format("{}{}; see ricochet --help", error.what(), hint), Exit::usage);
@@ -238,7 +244,7 @@ int program(int count, char** words) {
     return 0;
   }
   if (*theory_command) {
-    *errata_command ? print_errata() : print_theories();
+    theory_name == "errata" ? print_errata() : print_theories(theory_name);
     return 0;
   }
   if (*repl_command) return repl();

@@ -100,8 +100,13 @@ void add_theories(lua_State* L) {
     lua_pushcclosure(L, guarded<call_theory>, 1);
     lua_setfield(L, -2, theory::theories()[i].name.c_str());
   }
-  lua_createtable(L, 0, 3);
+  lua_createtable(L, 0, 1);
   lua_pushcfunction(L, guarded<unknown_theory>), lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+  // An empty table before it, so that no name can be given another meaning.
+  lua_newtable(L);
+  lua_createtable(L, 0, 3);
+  lua_rotate(L, -3, -1), lua_setfield(L, -2, "__index");
   lua_pushcfunction(L, guarded<no_new_theory>), lua_setfield(L, -2, "__newindex");
   lua_pushboolean(L, false), lua_setfield(L, -2, "__metatable");
   lua_setmetatable(L, -2);

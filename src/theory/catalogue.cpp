@@ -92,7 +92,7 @@ void add_normal(std::vector<Theory>& list) {
                       kuwabara_kono_series, number("restitution coefficient")));
   list.push_back(made("kuwabara_kono_eta",
                       "eta = (5/2) kappa~ (v/(kappa^3 m_eff^2))^(1/5) from the materials' viscosities.",
-                      "as printed; three quarters of it where the viscous stress is tau times the rate of the elastic one",
+                      "as printed; three quarters of it where the viscous stress is tau times the rate of the elastic one; equal viscous and elastic Poisson's ratios",
                       "kuwabara1987; hayakawa2003, eq. kk-9",
                       "ricochet.theory.kuwabara_kono_eta { R = 0.01, E = 1e9, nu = 0.3, m = 1e-3, v = 1, shear = 100, bulk = 200 }",
                       kuwabara_kono_eta, number("dimensionless viscosity")));

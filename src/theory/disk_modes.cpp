@@ -7,7 +7,7 @@
 namespace ricochet::theory {
 
 Arguments<FreeDisk> FreeDisk::fields() {
-  return {{{"nu", "number", "", "Poisson's ratio", {-1, 0.5, true}}, &FreeDisk::nu},
+  return {{{"nu", "number", "", "Poisson's ratio", {-0.9, 0.5}}, &FreeDisk::nu},
           {{"n", "integer", "", "number of nodal diameters", {0, 50}}, &FreeDisk::n},
           {{"count", "integer", "", "how many, from the lowest up", {1, 100}, "3"}, &FreeDisk::count}};
 }
@@ -35,7 +35,7 @@ Numbers disk_modes(const FreeDisk& disk) {
   checked(disk);
   const int n = static_cast<int>(disk.n);
   Numbers found;
-  // Modes of one n are at least some tenths apart; below 0.2 there is none (n = 1 has a rigid motion at 0).
+  // Modes of one n are at least some tenths apart; for nu >= -0.9 there is none below 0.2 (n = 1 has a rigid motion at 0). As nu -> -1 the lowest falls to 0.
   constexpr double step = 0.02;
   for (double low = 0.2; found.size() < static_cast<std::size_t>(disk.count); low += step)
     if ((free_rim(low, n, disk.nu) > 0) != (free_rim(low + step, n, disk.nu) > 0))

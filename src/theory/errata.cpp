@@ -79,11 +79,19 @@ std::span<const Misprint> errata() {
        "(mu - tan(alpha))/(1 + mu tan(alpha)), if the surface rises in the direction of motion as in Psi1_alpha",
        "the impulse (-mu, 1) against n = (-sin(alpha), cos(alpha)) and t = (cos(alpha), sin(alpha)); tilted_surface gives e as printed, and e_rotated with "
        "this"},
+      {"eq. tanalpha2",
+       "tan(alpha) = ((1 - 2 theta)/(2 - 2 theta)) |x_c - x_a|/R, a surface that rises in the direction of motion",
+       "the chord of a parabola about x_c falls from x_a to x_b where x_c - x_a > l/2: it is minus that if a is the trailing end",
+       "(f(x_b) - f(x_a))/l with f = (x - x_c)^2/(2R), x_c - x_a = (1 - theta) l, x_b - x_c = theta l is -(1 - 2 theta) l/(2R); scripts/soft_wall.lua measures "
+       "slopes of 0.01 to 0.03 and x_c in the middle"},
       {"section V A, stiffness of the disk",
        "k_a = 1.0 m0 c^2/R^2",
        "1e4 m0 c^2/R^2",
-       "with 1.0 the disk falls through the wall; 1e4 gives the paper's own Young's modulus, step and indentation of 0.17 R (scripts/soft_wall.lua, "
-       "scripts/elasticity.lua)"},
+       "with 1.0 the disk falls through the wall; 1e4 gives E = 1.1e4 m0 c^2/R^2 (the paper 9.54e3), and its indentation of 0.17 R at Psi1 = 1"},
+      {"section V A, nu of the lattice",
+       "nu = 0.075",
+       "about 0.27 to 0.29 for springs of one stiffness",
+       "scripts/elasticity.lua and the bands of lua/ricochet/figures.lua: a triangular lattice has 1/3 exactly, a random one 0.26 to 0.29"},
       {"section V A, contact force",
        "F(l) = xi V0 exp(xi l)",
        "xi V0 exp(-xi l), l the distance",
