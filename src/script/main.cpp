@@ -109,8 +109,10 @@ void print_theories(const std::string& name) {
     for (const Field& f : t.arguments) names += (names.empty() ? "" : ", ") + f.name;
     fmt::print("{} {{ {} }}\n{}{}{}", t.name, names, wrapped(t.says, "  "), wrapped("valid: " + t.valid, "  "), wrapped("source: " + t.source, "  "));
   }
-  if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end())
+  if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end()) {
+    known.push_back("errata");
     throw Error(fmt::format("there is no theory '{}'{}; ricochet theory lists them, ricochet theory errata the paper's misprints", name, did_you_mean(name, known)), Exit::usage);
+  }
   fmt::print("\nAs ricochet.theory.NAME {{ field = value, ... }} in a script; fields, units and results in lua/REFERENCE.md, sources in src/theory/references.bib.\n"
              "Misprints of the paper: ricochet theory errata\n");
 }
