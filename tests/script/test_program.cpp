@@ -191,10 +191,11 @@ ricochet.plot { x = "v", y = { "loss" }, name = "alone", log = "xy", xrange = { 
 TEST_CASE("scripts and examples of the project run short") {
   const Workplace here;
   const std::string root = RICOCHET_SOURCE;
-  for (const std::string command : {"examples/01_drop.lua nodes=60 frames=3", "scripts/elasticity.lua samples=1 height=3", "scripts/benchmark.lua nodes=60 samples=1 psi1=0,1 growth=300,600",
+  for (const std::string command : {"examples/01_drop.lua nodes=60 frames=3", "examples/02_soft_and_hard.lua nodes=60 frames=3", "examples/03_super_rebound.lua nodes=60 samples=3 frames=3",
+                                    "examples/04_waves.lua nodes=600 frames=3", "scripts/elasticity.lua samples=1 height=3", "scripts/benchmark.lua nodes=60 samples=1 psi1=0,1 growth=300,600",
                                     "scripts/soft_wall.lua --check samples=1", "scripts/soft_wall.lua samples=2 nodes=60 psi1=0,1,3,6", "scripts/hard_wall.lua samples=2 nodes=60 psi1=0,2,4,6",
                                     "scripts/fixed_normal_speed.lua samples=2 nodes=60 psi1=0,1,3", "scripts/half_size.lua samples=2 nodes=120 psi1=0,1,3,6", "scripts/walton.lua samples=2 nodes=60",
-                                    "scripts/maw.lua samples=2 nodes=60", "scripts/normal_speed.lua samples=2 nodes=60 speed=0.05,0.1", "scripts/radiation.lua", "scripts/hertz_benchmarks.lua",
+                                    "scripts/maw.lua samples=2 nodes=60", "scripts/normal_speed.lua samples=1 nodes=60 speed=0.1 --out one", "scripts/normal_speed.lua samples=2 nodes=60 speed=0.05,0.1", "scripts/radiation.lua", "scripts/hertz_benchmarks.lua",
                                     "scripts/walton.lua --check samples=1", "scripts/normal_speed.lua --check samples=1",
                                     "scripts/which_effects_matter.lua nodes=60 samples=2 speed=0.1,0.2", "examples/effects/gravity.lua nodes=60 samples=2 speed=0.05,0.1,0.2",
                                     "examples/effects/drag.lua samples=1 speed=0.1,0.2", "examples/effects/absorbing.lua samples=2 density=20 depth=1.5,2",
