@@ -365,7 +365,12 @@ TEST_CASE("fifty contexts opened and closed leave the memory where it was") {
   const double before = resident();
   for (int i = 0; i < 50; ++i) drawn({}, mesh, frame_of(mesh));
   INFO(before << " MB before, " << resident() << " MB after");
-  CHECK(resident() < before + 15);  // one context holds more than 10 MB while it is open: fifty kept would be 500
+#ifdef __SANITIZE_ADDRESS__
+  constexpr double kept = 280;  // the sanitizer holds 256 MB of what was freed, to catch whoever uses it
+#else
+  constexpr double kept = 15;
+#endif
+  CHECK(resident() < before + kept);  // one context holds more than 10 MB while it is open: fifty kept would be 500
 }
 
 TEST_CASE("impossible sizes and contradictions are refused") {
