@@ -84,6 +84,7 @@ std::vector<int> indices(hid_t group, const char* name, std::size_t below) {
 
 template <std::size_t N>
 std::vector<std::array<int, N>> tuples(const std::vector<int>& flat) {
+  if (flat.size() % N != 0) throw FileError(fmt::format("{} numbers are no groups of {}", flat.size(), N));
   std::vector<std::array<int, N>> list(flat.size() / N);
   for (std::size_t i = 0; i < list.size() * N; ++i) list[i / N][i % N] = flat[i];
   return list;
