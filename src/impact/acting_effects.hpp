@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/turn.hpp"
 #include "core/error.hpp"
 #include "force/catalogue.hpp"
 #include "impact/outcome.hpp"
@@ -291,9 +292,8 @@ class ActingEffects {
       if (!vibrations_[body]) vibrations_[body] = std::make_shared<Vibrations>(*moving.lattice);
       const Vibrations::Sample sample = vibrations_[body]->draw(warm.temperature, moving.stiffness[lane], warm.seed, body);
       const double c = std::cos(body == 0 ? angle : 0.0), s = std::sin(body == 0 ? angle : 0.0);
-      const auto turned = [&](const Vec2& v) { return Vec2(c * v.x() - s * v.y(), s * v.x() + c * v.y()); };
       check_small(*moving.lattice, sample.displacement, warm.temperature);
-      for (int i = 0; i < moving.lattice->free; ++i) moving.position.add(i, lane, turned(sample.displacement[i])), moving.velocity.add(i, lane, turned(sample.velocity[i]));
+      for (int i = 0; i < moving.lattice->free; ++i) moving.position.add(i, lane, turned(sample.displacement[i], c, s)), moving.velocity.add(i, lane, turned(sample.velocity[i], c, s));
     }
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/turn.hpp"
 #include "force/contact/candidates.hpp"
 #include "lattice/outline.hpp"
 
@@ -22,7 +23,7 @@ bool stays_clear(const Points& projectile, const Flight& flight, const Vec2& n, 
     if (height > radius) return true;
     const double c = std::cos(flight.spin * time), s = std::sin(flight.spin * time);
     double lowest = radius;
-    for (const Vec2& a : arms) lowest = std::min(lowest, n.dot(Vec2(c * a.x() - s * a.y(), s * a.x() + c * a.y())));
+    for (const Vec2& a : arms) lowest = std::min(lowest, n.dot(turned(a, c, s)));
     if (height + lowest <= 0) return false;
     time += flight.spin == 0 ? radius / speed : std::min((height + lowest) / (std::abs(flight.spin) * radius), radius / speed);
   }

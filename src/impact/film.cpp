@@ -1,12 +1,12 @@
 #include "impact/film.hpp"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/turn.hpp"
 #include "impact/batch.hpp"
 #include "impact/launch.hpp"
 
@@ -34,11 +34,11 @@ Frame frame_of(const Snapshot& shot) {
 // The projectile's nodes as they were before, when it flew and turned freely.
 Frame moved_back(const Snapshot& shot, const Start& start, double time) {
   Snapshot earlier = shot;
-  const Eigen::Rotation2Dd turn(start.spin * time);
+  const double c = std::cos(start.spin * time), s = std::sin(start.spin * time);
   Vec2 centre = Vec2::Zero();
   for (const Vec2& p : shot.projectile) centre += p / static_cast<double>(shot.projectile.size());
-  for (Vec2& p : earlier.projectile) p = centre + time * start.velocity + turn * (p - centre);
-  for (Vec2& v : earlier.projectile_velocity) v = start.velocity + turn * (v - start.velocity);
+  for (Vec2& p : earlier.projectile) p = centre + time * start.velocity + turned(p - centre, c, s);
+  for (Vec2& v : earlier.projectile_velocity) v = start.velocity + turned(v - start.velocity, c, s);
   earlier.time = time, earlier.step = static_cast<std::int64_t>(std::floor(time / start.step));
   return frame_of(earlier);
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/turn.hpp"
 #include "force/contact/candidates.hpp"
 #include "integrate/step_limit.hpp"
 #include "lattice/outline.hpp"
@@ -107,10 +108,7 @@ Points posed(const Points& points, const Vec2& centre, const Pose& pose) {
   }
   const double c = std::cos(pose.angle), s = std::sin(pose.angle);
   Points moved;
-  for (const Vec2& p : points) {
-    const Vec2 d = p - centre;
-    moved.push_back(pose.centre + Vec2(c * d.x() - s * d.y(), s * d.x() + c * d.y()));
-  }
+  for (const Vec2& p : points) moved.push_back(pose.centre + turned(p - centre, c, s));
   return moved;
 }
 
