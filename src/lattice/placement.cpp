@@ -43,6 +43,18 @@ class Inside {
     return inside;
   }
 
+  /// Where the outline crosses the height y, from left to right: a line at y is inside from the first to the second, and so on.
+  std::vector<double> crossings(double y) const {
+    std::vector<double> xs;
+    if (y < box_.low.y() || y > box_.high.y()) return xs;
+    for (const std::size_t i : strips_[strip(y)]) {
+      const Vec2 &a = outline_[(i + 1) % outline_.size()], &b = outline_[i];
+      if ((a.y() > y) != (b.y() > y)) xs.push_back(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
+    }
+    std::sort(xs.begin(), xs.end());
+    return xs;
+  }
+
   const Box& box() const { return box_; }
 
  private:
@@ -107,35 +119,49 @@ class Neighbours {
 };
 
 /// Squares of an outline's box that lie wholly inside and wholly nearer than some distance to a point: darts at a nearly full surface mostly
-/// fall there, and one bit tells.
+/// fall there, and one bit tells. Another tells of most darts whether they are inside at all.
 class Covered {
  public:
   Covered(const Points& outline, const Inside& inside, double side) : low_(inside.box().low), side_(side) {
     const Vec2 size = (inside.box().high - low_) / side_;
     columns_ = static_cast<std::int64_t>(size.x()) + 1, rows_ = static_cast<std::int64_t>(size.y()) + 1;
     covered_.resize(static_cast<std::size_t>(columns_ * rows_ / 64 + 1));
-    inside_ = covered_;
-    for (std::int64_t j = 0; j < rows_; ++j)
-      for (std::int64_t i = 0; i < columns_; ++i)
-        if (inside(low_ + side_ * Vec2(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5))) set(inside_, j * columns_ + i);
+    inside_ = divided_ = covered_;
+    for (std::int64_t j = 0; j < rows_; ++j) {
+      const std::vector<double> xs = inside.crossings(low_.y() + side_ * (static_cast<double>(j) + 0.5));
+      for (std::size_t k = 0; k + 1 < xs.size(); k += 2)
+        for (std::int64_t i = column(Vec2(xs[k], 0)), last = column(Vec2(xs[k + 1], 0)); i <= last; ++i) set(inside_, j * columns_ + i);
+    }
     // An edge divides only squares that its stretches of less than a side reach.
     for (std::size_t k = 0; k < outline.size(); ++k) {
       const Vec2 &a = outline[k], edge = outline[(k + 1) % outline.size()] - a;
       const int pieces = static_cast<int>(edge.norm() / side_) + 1;
-      for (int piece = 0; piece <= pieces; ++piece) around(a + edge * piece / pieces, 1, [&](std::int64_t square, const Vec2&) { unset(inside_, square); });
+      for (int piece = 0; piece <= pieces; ++piece) around(a + edge * piece / pieces, 1, [&](std::int64_t square) { unset(inside_, square), set(divided_, square); });
     }
   }
   void clear() { std::fill(covered_.begin(), covered_.end(), 0); }
+  // Row by row the squares between the two ends of the disk there, a word of them at a time.
   void add(const Vec2& p, double distance) {
     const double within = distance * (1 - 1e-9);  // the squares' corners are rounded
-    around(p, static_cast<std::int64_t>(within / side_) + 1, [&](std::int64_t square, const Vec2& corner) {
-      const Vec2 farthest = (corner - p).cwiseAbs().cwiseMax(((corner - p).array() + side_).abs().matrix());
-      if (farthest.squaredNorm() < within * within && is_set(inside_, square)) set(covered_, square);
-    });
+    const std::int64_t reach = static_cast<std::int64_t>(within / side_) + 1;
+    for (std::int64_t j = std::max<std::int64_t>(0, row(p) - reach), last = std::min(rows_ - 1, row(p) + reach); j <= last; ++j) {
+      const double below = low_.y() + side_ * static_cast<double>(j) - p.y(), farthest = std::max(-below, below + side_);
+      const double half = std::sqrt(std::max(0.0, within * within - farthest * farthest));
+      const std::int64_t from = std::max<std::int64_t>(0, static_cast<std::int64_t>(std::ceil((p.x() - half - low_.x()) / side_)));
+      const std::int64_t to = std::min(columns_, static_cast<std::int64_t>(std::floor((p.x() + half - low_.x()) / side_)));
+      for (std::int64_t i = j * columns_ + from, end = j * columns_ + to; i < end;) {
+        const std::int64_t next = std::min(end, (i / 64 + 1) * 64);
+        const auto word = static_cast<std::size_t>(i / 64);
+        covered_[word] |= inside_[word] & (~std::uint64_t{0} >> (64 - (next - i)) << (i % 64));
+        i = next;
+      }
+    }
   }
   std::int64_t square_of(const Vec2& p) const { return row(p) * columns_ + column(p); }
   void expect(std::int64_t square) const { __builtin_prefetch(&covered_[static_cast<std::size_t>(square / 64)]); }
   bool operator()(std::int64_t square) const { return is_set(covered_, square); }
+  /// Whether p, which lies in that square, is inside the outline.
+  bool inside(std::int64_t square, const Vec2& p, const Inside& inside) const { return is_set(inside_, square) || (is_set(divided_, square) && inside(p)); }
 
  private:
   using Bits = std::vector<std::uint64_t>;
@@ -145,18 +171,18 @@ class Covered {
   std::int64_t column(const Vec2& p) const { return std::clamp<std::int64_t>(static_cast<std::int64_t>((p.x() - low_.x()) / side_), 0, columns_ - 1); }
   std::int64_t row(const Vec2& p) const { return std::clamp<std::int64_t>(static_cast<std::int64_t>((p.y() - low_.y()) / side_), 0, rows_ - 1); }
 
-  // Calls use(square, its lowest corner) for those at most `reach` from that of p.
+  // Calls use(square) for those at most `reach` from that of p.
   template <class Use>
   void around(const Vec2& p, std::int64_t reach, Use&& use) {
     for (std::int64_t j = std::max<std::int64_t>(0, row(p) - reach); j <= std::min(rows_ - 1, row(p) + reach); ++j)
       for (std::int64_t i = std::max<std::int64_t>(0, column(p) - reach); i <= std::min(columns_ - 1, column(p) + reach); ++i)
-        use(j * columns_ + i, low_ + side_ * Vec2(static_cast<double>(i), static_cast<double>(j)));
+        use(j * columns_ + i);
   }
 
   Vec2 low_;
   double side_;
   std::int64_t columns_ = 0, rows_ = 0;
-  Bits covered_, inside_;  // [row * columns + column]
+  Bits covered_, inside_, divided_;  // [row * columns + column]; inside: wholly; divided: perhaps, by an edge
 };
 
 Points place_uniform(const Inside& inside, int count, Random& random) {
@@ -174,7 +200,7 @@ Points place_poisson_disk(const Points& outline, const Inside& inside, int count
   double distance = 0.82 * spacing;
   Neighbours neighbours(inside.box(), distance);
   for (const Vec2& p : outline) neighbours.add(p);
-  Covered covered(outline, inside, distance / 4);
+  Covered covered(outline, inside, distance / 3);
   Points points;
   const auto cover_again = [&] {
     covered.clear();
@@ -192,7 +218,7 @@ Points place_poisson_disk(const Points& outline, const Inside& inside, int count
     for (const auto& [p, square] : darts) {
       if (static_cast<int>(points.size()) == count) return points;
       const bool miss = covered(square);
-      if (!miss && !inside(p)) continue;
+      if (!miss && !covered.inside(square, p, inside)) continue;
       if (!miss && !neighbours.any_nearer(p, distance)) {
         neighbours.add(p), covered.add(p, distance);
         points.push_back(p);
