@@ -85,7 +85,7 @@ function ricochet.wall(t) end
 ---@field launch? ricochet.launch_fields how the projectile comes in (default {})
 ---@field contact? ricochet.contact_fields how the bodies repel each other (default {})
 ---@field effects? ricochet.effect[] list of what else acts, e.g. { ricochet.gravity { g = 1e-4 } }; what is not named is not computed (default {})
----@field method? "auto"|"pefrl"|"forest_ruth"|"verlet"|"takahashi_imada"|"chin_4a"|"mclachlan_sb3a4"|"blanes_moan_s6"|"blanes_moan_srkn6b"|"okunbor_skeel_13"|"blanes_moan_srkn11b"|"blanes_moan_srkn14a"|"multirate_2"|"multirate_4"|"multirate_8"|"rk4"|"dop853" integrator; auto is pefrl, or the cheapest one for `accuracy` (default auto)
+---@field method? "auto"|"pefrl"|"forest_ruth"|"verlet"|"takahashi_imada"|"chin_4a"|"mclachlan_sb3a4"|"blanes_moan_s6"|"blanes_moan_srkn6b"|"okunbor_skeel_13"|"blanes_moan_srkn11b"|"blanes_moan_srkn14a"|"multirate_2"|"multirate_3"|"multirate_5"|"multirate_8"|"rk4"|"dop853" integrator; auto is pefrl, or the cheapest one for `accuracy` (default auto)
 ---@field step? number time step; chosen from the stiffest node and the contact's onset unless given [R/c]
 ---@field theta? number time step times the bound of the highest frequency of this scene's lattices, instead of a step: equal for lattices of one kind
 ---@field accuracy? number wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs

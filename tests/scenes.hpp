@@ -13,6 +13,13 @@
 
 namespace ricochet::test {
 
+/// Under a sanitizer a sweep takes up to a hundred times longer, so tests that repeat it take fewer of its kinds there.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+
 inline Points circle(double radius = 1, int corners = 400) {
   Points points;
   for (int i = 0; i < corners; ++i) {

@@ -25,16 +25,15 @@ double value_of(const Outcome& outcome, const std::string& column) {
 double richardson(double at_step, double at_half, int order) { return std::abs(at_step - at_half) / (1 - std::pow(2.0, -order)); }
 
 std::vector<std::string> methods_for(double accuracy) {
-  if (accuracy >= 2e-4) return {"multirate_8", "multirate_4", "multirate_2", "verlet", "takahashi_imada"};
-  if (accuracy >= 1e-5) return {"verlet", "takahashi_imada"};
-  if (accuracy >= 1e-8) return {"takahashi_imada", "chin_4a"};
+  if (accuracy >= 1e-5) return {"multirate_8", "multirate_5", "multirate_3", "multirate_2", "verlet", "takahashi_imada"};
+  if (accuracy >= 1e-8) return {"multirate_3", "multirate_2", "takahashi_imada", "chin_4a"};
   return {"blanes_moan_srkn6b"};
 }
 
 double work_of_step(const Method& method, const Lattice& projectile, const Lattice& target) {
   if (!method.multirate()) return method.evaluations();
   const double fast = static_cast<double>(projectile.spring.size()), slow = static_cast<double>(target.spring.size());
-  return (method.evaluations() * fast + slow) / (fast + slow);
+  return (method.evaluations() * fast + method.slow_evaluations() * slow) / (fast + slow);
 }
 
 namespace {

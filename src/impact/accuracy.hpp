@@ -31,7 +31,7 @@ double richardson(double at_step, double at_half, int order);
 /// depends on the bodies.
 std::vector<std::string> methods_for(double accuracy);
 
-/// Force evaluations a step, in units of one of both bodies: a multirate method evaluates the target's springs once.
+/// Force evaluations a step, in units of one of both bodies: a multirate method evaluates the target's springs less often.
 double work_of_step(const Method& method, const Lattice& projectile, const Lattice& target);
 
 /// A scene to try steps on, with its lattices.

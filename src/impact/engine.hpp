@@ -84,6 +84,8 @@ class Engine {
         for (int lane = 0; lane < W; ++lane) body.position.set(i, lane, body.lattice->points[i]);
     }
     end_ = body_;
+    std::copy_if(target.rim.begin(), target.rim.end(), std::back_inserter(moving_rim_), [&](int i) { return i < target.free; });
+    for (auto* push : {&push_, &push_displaced_}) (*push)[0].resize(static_cast<int>(projectile.rim.size())), (*push)[1].resize(static_cast<int>(moving_rim_.size()));
     const std::vector<int>& nodes = projectile.rim;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       rim_gap_ = std::max(rim_gap_, (projectile.points[nodes[k]] - projectile.points[nodes[(k + 1) % nodes.size()]]).norm());
@@ -271,26 +273,96 @@ class Engine {
       }
     }
 
-    void fast(const Lane<W>& kick, const Lane<W>& drift, const Lane<W>& rim_drift) const {
-      engine.contact_energy_ = engine.contact_.add_forces(bodies[0], bodies[1]);
+    void displace_fast(const Lane<W>& by) const {
+      std::swap(bodies[0].velocity, engine.displacement_[0]);  // a kick of displacements that were 0
+      push_fast(by, engine.displacement_[1]);
+      ricochet::kick_and_drift(bodies[0], Lane<W>(by / bodies[0].lattice->mass), Lane<W>(Lane<W>::Ones()));
+      engine.find_broken(bodies);
+      std::swap(bodies[0].velocity, engine.displacement_[0]);
+      const NodeVectors<W>& displacement = engine.displacement_[1];
+      for (const int i : engine.moving_rim_) bodies[1].position.x(i) += displacement.x(i), bodies[1].position.y(i) += displacement.y(i);
+    }
+    void put_back_fast() const {
+      const auto back = [&](int b, int i) {
+        NodeVectors<W>&position = bodies[b].position, &displacement = engine.displacement_[b];
+        position.x(i) -= displacement.x(i), position.y(i) -= displacement.y(i);
+        displacement.x(i).setZero(), displacement.y(i).setZero();
+      };
+      for (int i = 0; i < bodies[0].lattice->free; ++i) back(0, i);
+      for (const int i : engine.moving_rim_) back(1, i);
+    }
+    void fast(const Lane<W>& kick, const Lane<W>& drift) const {
+      Moving<W>& target = bodies[1];
+      push_fast(kick, target.velocity);
       ricochet::kick_and_drift(bodies[0], Lane<W>(kick / bodies[0].lattice->mass), drift);
       engine.find_broken(bodies);
-      Moving<W>& target = bodies[1];
-      const Lane<W> per_mass = kick / target.lattice->mass;
-      for (const int i : target.lattice->rim) {
-        if (i >= target.lattice->free) continue;
-        target.velocity.x(i) += per_mass * target.force.x(i), target.velocity.y(i) += per_mass * target.force.y(i);
-        target.force.x(i).setZero(), target.force.y(i).setZero();
-        target.position.x(i) += rim_drift * target.velocity.x(i), target.position.y(i) += rim_drift * target.velocity.y(i);
+      for (const int i : engine.moving_rim_) target.position.x(i) += drift * target.velocity.x(i), target.position.y(i) += drift * target.velocity.y(i);
+    }
+    // The contact's forces, which the target's rim takes at once: v += kick F/m.
+    void push_fast(const Lane<W>& kick, NodeVectors<W>& velocity) const {
+      engine.contact_energy_ = engine.contact_.add_forces(bodies[0], bodies[1]);
+      NodeVectors<W>& force = bodies[1].force;
+      const Lane<W> per_mass = kick / bodies[1].lattice->mass;
+      for (const int i : engine.moving_rim_) {
+        velocity.x(i) += per_mass * force.x(i), velocity.y(i) += per_mass * force.y(i);
+        force.x(i).setZero(), force.y(i).setZero();
       }
     }
-    void slow(const Lane<W>& kick, const Lane<W>& drift, const Lane<W>& rim_drift) const {
-      Moving<W>& target = bodies[1];
+    void slow(const Lane<W>& kick, const Lane<W>& drift, const Lane<W>& outer_drift, const Lane<W>& gradient, double mixed) const {
+      Moving<W>&projectile = bodies[0], &target = bodies[1];
+      NodeVectors<W>& displacement = engine.displacement_[1];
+      const Lane<W> displace = gradient / target.lattice->mass;
+      const bool contact = (engine.contact_energy_ != 0).any();
+      if (contact) take_contact(engine.push_);
+      std::swap(target.velocity, displacement);
+      ricochet::kick_and_drift(target, displace, Lane<W>(Lane<W>::Ones()));
+      engine.find_broken(bodies);
+      std::swap(target.velocity, displacement);
+      if (contact) mix(kick, displace, mixed);
       ricochet::kick_and_drift(target, Lane<W>(kick / target.lattice->mass), drift);
       engine.find_broken(bodies);
-      const Lane<W> back = rim_drift - drift;
-      for (const int i : target.lattice->rim)
-        if (i < target.lattice->free) target.position.x(i) += back * target.velocity.x(i), target.position.y(i) += back * target.velocity.y(i);
+      for (int i = 0; i < target.lattice->free; ++i) {
+        target.position.x(i) -= displacement.x(i), target.position.y(i) -= displacement.y(i);
+        displacement.x(i).setZero(), displacement.y(i).setZero();
+      }
+      for (int i = 0; i < projectile.lattice->free; ++i)
+        projectile.position.x(i) += outer_drift * projectile.velocity.x(i), projectile.position.y(i) += outer_drift * projectile.velocity.y(i);
+      const Lane<W> back = outer_drift - drift;
+      for (const int i : engine.moving_rim_) target.position.x(i) += back * target.velocity.x(i), target.position.y(i) += back * target.velocity.y(i);
+    }
+    // What contact and the target's springs have to do with each other, the target being displaced by its springs.
+    void mix(const Lane<W>& kick, const Lane<W>& displace, double mixed) const {
+      Moving<W>&projectile = bodies[0], &target = bodies[1];
+      NodeVectors<W>& displacement = engine.displacement_[1];
+      const auto move_rim = [&](double share) {
+        for (const int i : engine.moving_rim_) target.position.x(i) += share * displacement.x(i), target.position.y(i) += share * displacement.y(i);
+      };
+      move_rim(mixed - 1), take_contact(engine.push_displaced_), move_rim(1 - mixed);
+      const Lane<W> per_mass = kick / projectile.lattice->mass, mixed_displace = mixed * displace;
+      for (int k = 0; k < engine.push_[0].nodes(); ++k) {
+        const int i = projectile.lattice->rim[static_cast<std::size_t>(k)];
+        projectile.velocity.x(i) += per_mass * (engine.push_displaced_[0].x(k) - engine.push_[0].x(k));
+        projectile.velocity.y(i) += per_mass * (engine.push_displaced_[0].y(k) - engine.push_[0].y(k));
+      }
+      for (int k = 0; k < engine.push_[1].nodes(); ++k) {
+        const int i = engine.moving_rim_[static_cast<std::size_t>(k)];
+        target.force.x(i) = engine.push_displaced_[1].x(k) - engine.push_[1].x(k), target.force.y(i) = engine.push_displaced_[1].y(k) - engine.push_[1].y(k);
+        const Lane<W> dx = mixed_displace * engine.push_[1].x(k), dy = mixed_displace * engine.push_[1].y(k);
+        displacement.x(i) += dx, displacement.y(i) += dy;
+        target.position.x(i) += dx, target.position.y(i) += dy;
+      }
+    }
+    // The contact's forces at the rims, [projectile's rim] and [target's moving rim].
+    void take_contact(std::array<NodeVectors<W>, 2>& taken) const {
+      engine.contact_.add_forces(bodies[0], bodies[1]);
+      for (int b : {0, 1}) {
+        const std::vector<int>& rim = b == 0 ? bodies[0].lattice->rim : engine.moving_rim_;
+        for (int k = 0; k < taken[b].nodes(); ++k) {
+          const int i = rim[static_cast<std::size_t>(k)];
+          taken[b].x(k) = bodies[b].force.x(i), taken[b].y(k) = bodies[b].force.y(i);
+          bodies[b].force.x(i).setZero(), bodies[b].force.y(i).setZero();
+        }
+      }
     }
 
     void remember() const { engine.remembered_ = bodies; }
@@ -365,12 +437,11 @@ class Engine {
       const bool inside_further = method_.multirate() && &body == &bodies[1];
       for (int i = 0; i < body.lattice->free; ++i) drift(body, i, inside_further ? Lane<W>(-h_) : back);
       if (!inside_further) continue;
-      for (const int i : body.lattice->rim)
-        if (i < body.lattice->free) drift(body, i, Lane<W>(back + h_));
+      for (const int i : moving_rim_) drift(body, i, Lane<W>(back + h_));
     }
     if (effects_.shakes()) effects_.drift_anchors(bodies[1], back);
     const Lane<W> contact_energy = contact_energy_, still = Lane<W>::Zero();
-    if (method_.multirate()) Mover{*this, bodies}.slow(Lane<W>(-0.5 * h_), still, still);
+    if (method_.multirate()) kick_slowly(method_, h_, Lane<W>(-0.5 * h_), still, still, Mover{*this, bodies});
     if (method_.ahead_kick != 0) Mover{*this, bodies}.kick_and_drift(-method_.ahead_kick * h_, still);
     contact_energy_ = contact_energy;
   }
@@ -587,6 +658,8 @@ class Engine {
 
   Bodies body_, end_;  // where the run is; at the end of a step
   std::array<NodeVectors<W>, 2> displacement_;  // of a force-gradient kick; 0 between kicks
+  std::vector<int> moving_rim_;                 // the target's rim nodes that are not anchored
+  std::array<NodeVectors<W>, 2> push_, push_displaced_;  // contact's forces at the rims, of a multirate method's slow kick
   Bodies remembered_;                           // of a Runge-Kutta step: its beginning
   std::vector<std::array<Rates, 2>> rates_;     // [stage]
   const Method& method_;

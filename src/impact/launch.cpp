@@ -63,7 +63,7 @@ Step choose_step(const Scene& scene, const Lattice& projectile, const Lattice& t
   FrequencyBound b = frequency_bound(target, scene.target->numbers.stiffness);
   b.omega *= slower_by(method);
   const double omega = std::max(a.omega, b.omega);
-  const double contacts = method.multirate() ? method.evaluations() : 1;  // evaluations that share a step evenly
+  const double contacts = method.multirate() ? static_cast<double>(method.stages.size()) : 1;  // kicks that share a step evenly
   const Integration& wanted = scene.integration;
   const double step = !std::isnan(wanted.step)    ? wanted.step
                       : !std::isnan(wanted.theta) ? wanted.theta / omega

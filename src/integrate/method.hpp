@@ -32,16 +32,18 @@ struct Method {
   /// At which e, v and spin converge; above `order` for a method that is conjugate to a better one.
   int outcome_order = order;
 
-  /// Above 0 for a multirate method: the target's springs are kicked once a step, while `stages` move the projectile, the contact and
-  /// the target's rim. Largest h omega of the target at which errors still fall with the step.
+  /// Above 0 for a multirate method: the target's springs kick once a step, while `stages` move the projectile, the contact and
+  /// the target's rim. Largest h omega of the target at which it is of use: errors grow by the fourth power, and leap beyond.
   double slow_limit = 0;
   bool multirate() const { return slow_limit > 0; }
 
   Tableau tableau = {};  ///< of a method that is not symplectic: its energy drifts
   bool symplectic() const { return tableau.b.empty(); }
 
-  /// Evaluations of the force a step; for a multirate method those of the projectile and the contact.
+  /// Evaluations of the force a step; for a multirate method those of the projectile and the contact...
   int evaluations() const;
+  /// ... and those of the target's springs.
+  int slow_evaluations() const { return multirate() ? 2 : evaluations(); }
   static constexpr double usual_accuracy = 1e-4;
 };
 

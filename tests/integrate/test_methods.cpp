@@ -82,6 +82,67 @@ TEST_CASE("a method that is not symplectic loses energy for good") {
   }
 }
 
+namespace {
+
+using Four = Eigen::Array<long double, 4, 1>;
+
+/// Two masses on a stiff spring that hit the first of two on soft ones, in a line, for a multirate method to move.
+/// x: the projectile's far and near mass, the target's rim and inside.
+struct Hammer : Particle<Four, Four (*)(const Four&)> {
+  explicit Hammer(bool mixes_ = true) : Particle{{2.9L, 1.9L, 0, -1}, {-1, -1, 0, 0}, [](const Four& at) -> Four { return -fast_force(at) - slow_force(at); }}, mixes(mixes_) {}
+  bool mixes;
+
+  static Four contact(const Four& at) {
+    const long double push = 5 * std::exp(-5 * (at[1] - at[2]));
+    return {0, push, -push, 0};
+  }
+  static Four fast_force(const Four& at) {
+    const long double pull = 150 * (at[0] - at[1] - 1);
+    return contact(at) + Four{-pull, pull, 0, 0};
+  }
+  static Four slow_force(const Four& at) {
+    const long double upper = 2 * (at[2] - at[3] - 1), lower = 2 * (at[3] + 1);
+    return {0, 0, -upper, upper - lower};
+  }
+
+  void displace_fast(long double by) { displacement = by * fast_force(x), x += displacement; }
+  void fast(long double kick, long double drift) {
+    v += kick * fast_force(x);
+    x += Four{drift, drift, drift, 0} * v;
+  }
+  void slow(long double kick, long double drift, long double outer_drift, long double gradient, double mixed) {
+    const long double mix = mixes ? mixed * gradient : 0;
+    const Four rim{0, 0, 1, 0};
+    v += kick * (slow_force(x + gradient * slow_force(x) + mix * rim * contact(x)) + contact(x + mix * rim * slow_force(x)) - contact(x));
+    x += Four{outer_drift, outer_drift, outer_drift, drift} * v;
+  }
+};
+
+/// Momentum of the projectile after it.
+double rebound(const Method& method, double h, bool mixes = true) {
+  Hammer hammer(mixes);
+  get_ahead(method, h, hammer);
+  for (int i = 0, steps = static_cast<int>(std::lround(18 / h)); i < steps; ++i) step(method, h, hammer);
+  return static_cast<double>(hammer.v[0] + hammer.v[1]);
+}
+
+}  // namespace
+
+TEST_CASE("the rebound of a stiff projectile from a soft target converges at order 4 by multirate methods, and at 2 without their mixed term") {
+  const double exact = rebound(method_named("blanes_moan_srkn14a"), 0.01);
+  CHECK(exact > 0.5);
+  for (const Method& m : methods()) {
+    if (!m.multirate()) continue;
+    const auto order = [&](double share, bool mixes) {
+      const double h = share * static_cast<double>(m.stages.size());
+      return std::log2(std::abs((rebound(m, h, mixes) - exact) / (rebound(m, h / 2, mixes) - exact)));
+    };
+    INFO(m.name);
+    CHECK(order(0.01, true) == Catch::Detail::Approx(4).margin(0.2));
+    CHECK(order(0.005, false) == Catch::Detail::Approx(2).margin(0.2));
+  }
+}
+
 TEST_CASE("an unknown method is refused with the nearest name") {
   CHECK_THROWS_WITH(method_named("forrest_ruth"), Catch::Matchers::Contains("did you mean 'forest_ruth'"));
 }

@@ -54,7 +54,7 @@ const std::vector<Mistake> mistakes{
     {"two ways to say the angle", "local s = ricochet.scene { projectile = d, target = w,\n launch = { psi1 = 1, angle = 3 } }",
      "error: s.lua:4: scene: 'angle': give psi1 or angle, not both"},
     {"misspelt method", "local s = ricochet.scene { projectile = d, target = w, method = 'verlett' }",
-     "error: s.lua:3: scene: 'method' must be one of auto, pefrl, forest_ruth, verlet, takahashi_imada, chin_4a, mclachlan_sb3a4, blanes_moan_s6, blanes_moan_srkn6b, okunbor_skeel_13, blanes_moan_srkn11b, blanes_moan_srkn14a, multirate_2, multirate_4, multirate_8, rk4, dop853, is 'verlett' (did you mean 'verlet'?)"},
+     "error: s.lua:3: scene: 'method' must be one of auto, pefrl, forest_ruth, verlet, takahashi_imada, chin_4a, mclachlan_sb3a4, blanes_moan_s6, blanes_moan_srkn6b, okunbor_skeel_13, blanes_moan_srkn11b, blanes_moan_srkn14a, multirate_2, multirate_3, multirate_5, multirate_8, rk4, dop853, is 'verlett' (did you mean 'verlet'?)"},
     {"overlapping bodies", "local s = ricochet.scene { projectile = d, target = w,\n  launch = { height = -0.5 } }\ns:run()",
      "error: s.lua:4: scene: 'height': the bodies overlap at the start (rims *"},
     {"unknown method of a scene", "local s = ricochet.scene { projectile = d, target = w }\ns:runn()", "error: s.lua:4: a scene has no 'runn' (did you mean 'run'?)"},
