@@ -86,6 +86,7 @@ class Engine {
     end_ = body_;
     std::copy_if(target.rim.begin(), target.rim.end(), std::back_inserter(moving_rim_), [&](int i) { return i < target.free; });
     for (auto* push : {&push_, &push_displaced_}) (*push)[0].resize(static_cast<int>(projectile.rim.size())), (*push)[1].resize(static_cast<int>(moving_rim_.size()));
+    rim_.resize(static_cast<int>(moving_rim_.size()));
     const std::vector<int>& nodes = projectile.rim;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       rim_gap_ = std::max(rim_gap_, (projectile.points[nodes[k]] - projectile.points[nodes[(k + 1) % nodes.size()]]).norm());
@@ -334,10 +335,17 @@ class Engine {
     void mix(const Lane<W>& kick, const Lane<W>& displace, double mixed) const {
       Moving<W>&projectile = bodies[0], &target = bodies[1];
       NodeVectors<W>& displacement = engine.displacement_[1];
-      const auto move_rim = [&](double share) {
-        for (const int i : engine.moving_rim_) target.position.x(i) += share * displacement.x(i), target.position.y(i) += share * displacement.y(i);
-      };
-      move_rim(mixed - 1), take_contact(engine.push_displaced_), move_rim(1 - mixed);
+      // Places are put back, not moved back: rounding would tell a lane without contact that another one has it.
+      for (int k = 0; k < engine.rim_.nodes(); ++k) {
+        const int i = engine.moving_rim_[static_cast<std::size_t>(k)];
+        engine.rim_.x(k) = target.position.x(i), engine.rim_.y(k) = target.position.y(i);
+        target.position.x(i) += (mixed - 1) * displacement.x(i), target.position.y(i) += (mixed - 1) * displacement.y(i);
+      }
+      take_contact(engine.push_displaced_);
+      for (int k = 0; k < engine.rim_.nodes(); ++k) {
+        const int i = engine.moving_rim_[static_cast<std::size_t>(k)];
+        target.position.x(i) = engine.rim_.x(k), target.position.y(i) = engine.rim_.y(k);
+      }
       const Lane<W> per_mass = kick / projectile.lattice->mass, mixed_displace = mixed * displace;
       for (int k = 0; k < engine.push_[0].nodes(); ++k) {
         const int i = projectile.lattice->rim[static_cast<std::size_t>(k)];
@@ -660,6 +668,7 @@ class Engine {
   std::array<NodeVectors<W>, 2> displacement_;  // of a force-gradient kick; 0 between kicks
   std::vector<int> moving_rim_;                 // the target's rim nodes that are not anchored
   std::array<NodeVectors<W>, 2> push_, push_displaced_;  // contact's forces at the rims, of a multirate method's slow kick
+  NodeVectors<W> rim_;                                   // places of the target's moving rim
   Bodies remembered_;                           // of a Runge-Kutta step: its beginning
   std::vector<std::array<Rates, 2>> rates_;     // [stage]
   const Method& method_;

@@ -26,6 +26,7 @@ std::vector<Scene> scenes() {
       Scene scene = small_scene(seed, psi1);
       if (psi1 == 0.7 || psi1 == 0.0) scene.integration.method = std::array{"takahashi_imada", "multirate_3", "rk4"}[seed - 1];
       if (psi1 == 1.5) scene.launch.speed = 0.2;
+      if (psi1 == 0.7) scene.launch.speed = 0.03;  // in contact while its neighbours ring
       if (psi1 == 3.0) {
         Body stiff = *scene.target;
         stiff.numbers.stiffness = 2000;
