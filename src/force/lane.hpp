@@ -16,6 +16,9 @@ using Lane = Eigen::Array<double, W, 1>;
 
 /// W, chosen when the project is configured. 4 doubles fill an AVX2 register.
 inline constexpr int lanes = RICOCHET_LANES;
+#ifdef EIGEN_VECTORIZE_AVX512
+static_assert(lanes < 8, "Eigen 3.4 estimates the square root of eight numbers on AVX-512, in other bits; configure with RICOCHET_LANES=4");
+#endif
 
 /// A vector of every node in every lane: [node][x|y][lane].
 template <int W>
