@@ -89,7 +89,7 @@ using Four = Eigen::Array<long double, 4, 1>;
 /// Two masses on a stiff spring that hit the first of two on soft ones, in a line, for a multirate method to move.
 /// x: the projectile's far and near mass, the target's rim and inside.
 struct Hammer : Particle<Four, Four (*)(const Four&)> {
-  explicit Hammer(bool mixes_ = true) : Particle{{2.9L, 1.9L, 0, -1}, {-1, -1, 0, 0}, [](const Four& at) -> Four { return -fast_force(at) - slow_force(at); }}, mixes(mixes_) {}
+  explicit Hammer(bool mixes_ = true) : Particle{{6, 5, 0, -1}, {-1, -1, 0, 0}, [](const Four& at) -> Four { return -fast_force(at) - slow_force(at); }}, mixes(mixes_) {}
   bool mixes;
 
   static Four contact(const Four& at) {
