@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/turn.hpp"
 #include "core/error.hpp"
+#include "core/turn.hpp"
 #include "force/catalogue.hpp"
 #include "impact/outcome.hpp"
 #include "lattice/vibration.hpp"

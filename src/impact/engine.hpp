@@ -15,6 +15,7 @@
 #include "impact/endings.hpp"
 #include "impact/inversion.hpp"
 #include "impact/launch.hpp"
+#include "impact/multirate.hpp"
 #include "impact/rigid_motion.hpp"
 #include "integrate/compose.hpp"
 #include "integrate/step_limit.hpp"
@@ -76,7 +77,7 @@ class Engine {
   using Bodies = std::array<Moving<W>, 2>;  ///< projectile, target
 
   Engine(const Lattice& projectile, const Lattice& target, const Method& method, const std::vector<Effect>& effects)
-      : body_{Moving<W>{&projectile}, Moving<W>{&target}}, method_(method), contact_(projectile, target, find_effect<Adhesion>(effects), find_effect<Friction>(effects)), effects_(effects, projectile, target) {
+      : body_{Moving<W>{&projectile}, Moving<W>{&target}}, method_(method), multirate_(projectile, target), contact_(projectile, target, find_effect<Adhesion>(effects), find_effect<Friction>(effects)), effects_(effects, projectile, target) {
     for (int b : {0, 1}) {
       Moving<W>& body = body_[b];
       for (NodeVectors<W>* values : {&body.position, &body.velocity, &body.force, &displacement_[b]}) values->resize(body.lattice->nodes());
@@ -84,9 +85,6 @@ class Engine {
         for (int lane = 0; lane < W; ++lane) body.position.set(i, lane, body.lattice->points[i]);
     }
     end_ = body_;
-    std::copy_if(target.rim.begin(), target.rim.end(), std::back_inserter(moving_rim_), [&](int i) { return i < target.free; });
-    for (auto* push : {&push_, &push_displaced_}) (*push)[0].resize(static_cast<int>(projectile.rim.size())), (*push)[1].resize(static_cast<int>(moving_rim_.size()));
-    rim_.resize(static_cast<int>(moving_rim_.size()));
     const std::vector<int>& nodes = projectile.rim;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       rim_gap_ = std::max(rim_gap_, (projectile.points[nodes[k]] - projectile.points[nodes[(k + 1) % nodes.size()]]).norm());
@@ -265,113 +263,16 @@ class Engine {
       swap(), kick_and_drift(by, Lane<W>::Ones()), swap();
     }
     void put_back() const {
-      for (int b : {0, 1}) {
-        NodeVectors<W>&position = bodies[b].position, &displacement = engine.displacement_[b];
-        for (int i = 0; i < bodies[b].lattice->free; ++i) {
-          position.x(i) -= displacement.x(i), position.y(i) -= displacement.y(i);
-          displacement.x(i).setZero(), displacement.y(i).setZero();
-        }
-      }
+      for (int b : {0, 1})
+        for (int i = 0; i < bodies[b].lattice->free; ++i) ricochet::put_back(bodies[b].position, engine.displacement_[b], i);
     }
 
-    void displace_fast(const Lane<W>& by) const {
-      std::swap(bodies[0].velocity, engine.displacement_[0]);  // a kick of displacements that were 0
-      push_fast(by, engine.displacement_[1]);
-      ricochet::kick_and_drift(bodies[0], Lane<W>(by / bodies[0].lattice->mass), Lane<W>(Lane<W>::Ones()));
-      engine.find_broken(bodies);
-      std::swap(bodies[0].velocity, engine.displacement_[0]);
-      const NodeVectors<W>& displacement = engine.displacement_[1];
-      for (const int i : engine.moving_rim_) bodies[1].position.x(i) += displacement.x(i), bodies[1].position.y(i) += displacement.y(i);
-    }
-    void put_back_fast() const {
-      const auto back = [&](int b, int i) {
-        NodeVectors<W>&position = bodies[b].position, &displacement = engine.displacement_[b];
-        position.x(i) -= displacement.x(i), position.y(i) -= displacement.y(i);
-        displacement.x(i).setZero(), displacement.y(i).setZero();
-      };
-      for (int i = 0; i < bodies[0].lattice->free; ++i) back(0, i);
-      for (const int i : engine.moving_rim_) back(1, i);
-    }
-    void fast(const Lane<W>& kick, const Lane<W>& drift) const {
-      Moving<W>& target = bodies[1];
-      push_fast(kick, target.velocity);
-      ricochet::kick_and_drift(bodies[0], Lane<W>(kick / bodies[0].lattice->mass), drift);
-      engine.find_broken(bodies);
-      for (const int i : engine.moving_rim_) target.position.x(i) += drift * target.velocity.x(i), target.position.y(i) += drift * target.velocity.y(i);
-    }
-    // The contact's forces, which the target's rim takes at once: v += kick F/m.
-    void push_fast(const Lane<W>& kick, NodeVectors<W>& velocity) const {
-      engine.contact_energy_ = engine.contact_.add_forces(bodies[0], bodies[1]);
-      NodeVectors<W>& force = bodies[1].force;
-      const Lane<W> per_mass = kick / bodies[1].lattice->mass;
-      for (const int i : engine.moving_rim_) {
-        velocity.x(i) += per_mass * force.x(i), velocity.y(i) += per_mass * force.y(i);
-        force.x(i).setZero(), force.y(i).setZero();
-      }
-    }
-    void slow(const Lane<W>& kick, const Lane<W>& drift, const Lane<W>& outer_drift, const Lane<W>& gradient, double mixed) const {
-      Moving<W>&projectile = bodies[0], &target = bodies[1];
-      NodeVectors<W>& displacement = engine.displacement_[1];
-      const Lane<W> displace = gradient / target.lattice->mass;
-      const bool contact = (engine.contact_energy_ != 0).any();
-      if (contact) take_contact(engine.push_);
-      std::swap(target.velocity, displacement);
-      ricochet::kick_and_drift(target, displace, Lane<W>(Lane<W>::Ones()));
-      engine.find_broken(bodies);
-      std::swap(target.velocity, displacement);
-      if (contact) mix(kick, displace, mixed);
-      ricochet::kick_and_drift(target, Lane<W>(kick / target.lattice->mass), drift);
-      engine.find_broken(bodies);
-      for (int i = 0; i < target.lattice->free; ++i) {
-        target.position.x(i) -= displacement.x(i), target.position.y(i) -= displacement.y(i);
-        displacement.x(i).setZero(), displacement.y(i).setZero();
-      }
-      for (int i = 0; i < projectile.lattice->free; ++i)
-        projectile.position.x(i) += outer_drift * projectile.velocity.x(i), projectile.position.y(i) += outer_drift * projectile.velocity.y(i);
-      const Lane<W> back = outer_drift - drift;
-      for (const int i : engine.moving_rim_) target.position.x(i) += back * target.velocity.x(i), target.position.y(i) += back * target.velocity.y(i);
-    }
-    // What contact and the target's springs have to do with each other, the target being displaced by its springs.
-    void mix(const Lane<W>& kick, const Lane<W>& displace, double mixed) const {
-      Moving<W>&projectile = bodies[0], &target = bodies[1];
-      NodeVectors<W>& displacement = engine.displacement_[1];
-      // Places are put back, not moved back: rounding would tell a lane without contact that another one has it.
-      for (int k = 0; k < engine.rim_.nodes(); ++k) {
-        const int i = engine.moving_rim_[static_cast<std::size_t>(k)];
-        engine.rim_.x(k) = target.position.x(i), engine.rim_.y(k) = target.position.y(i);
-        target.position.x(i) += (mixed - 1) * displacement.x(i), target.position.y(i) += (mixed - 1) * displacement.y(i);
-      }
-      take_contact(engine.push_displaced_);
-      for (int k = 0; k < engine.rim_.nodes(); ++k) {
-        const int i = engine.moving_rim_[static_cast<std::size_t>(k)];
-        target.position.x(i) = engine.rim_.x(k), target.position.y(i) = engine.rim_.y(k);
-      }
-      const Lane<W> per_mass = kick / projectile.lattice->mass, mixed_displace = mixed * displace;
-      for (int k = 0; k < engine.push_[0].nodes(); ++k) {
-        const int i = projectile.lattice->rim[static_cast<std::size_t>(k)];
-        projectile.velocity.x(i) += per_mass * (engine.push_displaced_[0].x(k) - engine.push_[0].x(k));
-        projectile.velocity.y(i) += per_mass * (engine.push_displaced_[0].y(k) - engine.push_[0].y(k));
-      }
-      for (int k = 0; k < engine.push_[1].nodes(); ++k) {
-        const int i = engine.moving_rim_[static_cast<std::size_t>(k)];
-        target.force.x(i) = engine.push_displaced_[1].x(k) - engine.push_[1].x(k), target.force.y(i) = engine.push_displaced_[1].y(k) - engine.push_[1].y(k);
-        const Lane<W> dx = mixed_displace * engine.push_[1].x(k), dy = mixed_displace * engine.push_[1].y(k);
-        displacement.x(i) += dx, displacement.y(i) += dy;
-        target.position.x(i) += dx, target.position.y(i) += dy;
-      }
-    }
-    // The contact's forces at the rims, [projectile's rim] and [target's moving rim].
-    void take_contact(std::array<NodeVectors<W>, 2>& taken) const {
-      engine.contact_.add_forces(bodies[0], bodies[1]);
-      for (int b : {0, 1}) {
-        const std::vector<int>& rim = b == 0 ? bodies[0].lattice->rim : engine.moving_rim_;
-        for (int k = 0; k < taken[b].nodes(); ++k) {
-          const int i = rim[static_cast<std::size_t>(k)];
-          taken[b].x(k) = bodies[b].force.x(i), taken[b].y(k) = bodies[b].force.y(i);
-          bodies[b].force.x(i).setZero(), bodies[b].force.y(i).setZero();
-        }
-      }
-    }
+    Displaceable<W, Contact<W, Effects::catalogue>> displaceable() const { return {bodies, engine.displacement_, engine.contact_}; }
+    void displace_fast(const Lane<W>& by) const { engine.contact_energy_ = engine.multirate_.displace(displaceable(), by), engine.find_broken(bodies); }
+    void put_back_fast() const { engine.multirate_.put_back(displaceable()); }
+    void fast(const Lane<W>& kick, const Lane<W>& drift) const { engine.contact_energy_ = engine.multirate_.kick(displaceable(), kick, drift), engine.find_broken(bodies); }
+    void displace_slow(const Lane<W>& kick, const Lane<W>& gradient, double mixed) const { engine.multirate_.displace_slow(displaceable(), kick, gradient, mixed), engine.find_broken(bodies); }
+    void slow(const Lane<W>& kick, const Lane<W>& drift, const Lane<W>& outer_drift) const { engine.multirate_.kick_slow(displaceable(), kick, drift, outer_drift), engine.find_broken(bodies); }
 
     void remember() const { engine.remembered_ = bodies; }
     // Through a kick of velocities that were 0, for a unit of time.
@@ -445,7 +346,7 @@ class Engine {
       const bool inside_further = method_.multirate() && &body == &bodies[1];
       for (int i = 0; i < body.lattice->free; ++i) drift(body, i, inside_further ? Lane<W>(-h_) : back);
       if (!inside_further) continue;
-      for (const int i : moving_rim_) drift(body, i, Lane<W>(back + h_));
+      for (const int i : multirate_.moving_rim()) drift(body, i, Lane<W>(back + h_));
     }
     if (effects_.shakes()) effects_.drift_anchors(bodies[1], back);
     const Lane<W> contact_energy = contact_energy_, still = Lane<W>::Zero();
@@ -666,12 +567,10 @@ class Engine {
 
   Bodies body_, end_;  // where the run is; at the end of a step
   std::array<NodeVectors<W>, 2> displacement_;  // of a force-gradient kick; 0 between kicks
-  std::vector<int> moving_rim_;                 // the target's rim nodes that are not anchored
-  std::array<NodeVectors<W>, 2> push_, push_displaced_;  // contact's forces at the rims, of a multirate method's slow kick
-  NodeVectors<W> rim_;                                   // places of the target's moving rim
   Bodies remembered_;                           // of a Runge-Kutta step: its beginning
   std::vector<std::array<Rates, 2>> rates_;     // [stage]
   const Method& method_;
+  Multirate<W> multirate_;
   Contact<W, Effects::catalogue> contact_;
   Effects effects_;
   double rim_gap_ = 0;  // the longest distance of neighbours in the projectile's rim [R]

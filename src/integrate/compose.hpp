@@ -16,15 +16,18 @@ namespace ricochet {
 ///   displace_fast(a)      x += d, d = a F(x)/m, of the projectile and the target's rim; remembers d
 ///   put_back_fast()       x -= d
 ///   fast(a, b)            v += a F(x)/m; x += b v, of the same
-///   slow(a, b, c, g, k)   v += a F(x')/m; x += b v inside the target, x += c v of the others. x': x displaced by g F(x)/m, and by k g times the
-///                         contact's; and the contact kicks by a times what it gains when the target's rim is displaced by k g F(x)/m
+///   displace_slow(a, g, k)  x += d of the target, d = g F(x)/m and k g times the contact's; the contact kicks by a times what it gains when the
+///                         target's rim is displaced by k g F(x)/m instead; remembers d
+///   slow(a, b, c)         v += a F(x)/m, x -= d; x += b v inside the target, x += c v of the others
+
 /// The slow kick of a multirate method with step h. Both levels are Takahashi & Imada's: with the force at x + h^2/12 F(x)/m each is conjugate
 /// to order 4. What the inner level is conjugate by does not commute with the slow force, though; it leaves (h/n)^2/24 grad V_fast grad V_slow / m
-/// in the energy that the method keeps, which would be of order 2. The last argument of slow() takes it off.
+/// in the energy that the method keeps, which would be of order 2. The last argument of displace_slow() takes it off.
 template <class Number, class System>
 void kick_slowly(const Method& method, const Number& h, const Number& kick, const Number& drift, const Number& outer_drift, System&& system) {
   const double inner = method.stages.front().drift;
-  system.slow(kick, drift, outer_drift, Number(h * h / 12), -inner * inner / 2);
+  system.displace_slow(kick, Number(h * h / 12), -inner * inner / 2);
+  system.slow(kick, drift, outer_drift);
 }
 
 /// One step h of the composition, for a state that is ahead of the step's beginning (get_ahead).

@@ -36,10 +36,7 @@ class Inside {
   bool operator()(const Vec2& p) const {
     if (p.y() < box_.low.y() || p.y() > box_.high.y()) return false;
     bool inside = false;
-    for (const std::size_t i : strips_[strip(p.y())]) {
-      const Vec2 &a = outline_[(i + 1) % outline_.size()], &b = outline_[i];
-      if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) inside = !inside;
-    }
+    each_crossing(p.y(), [&](double x) { inside = inside != (p.x() < x); });
     return inside;
   }
 
@@ -47,10 +44,7 @@ class Inside {
   std::vector<double> crossings(double y) const {
     std::vector<double> xs;
     if (y < box_.low.y() || y > box_.high.y()) return xs;
-    for (const std::size_t i : strips_[strip(y)]) {
-      const Vec2 &a = outline_[(i + 1) % outline_.size()], &b = outline_[i];
-      if ((a.y() > y) != (b.y() > y)) xs.push_back(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
-    }
+    each_crossing(y, [&](double x) { xs.push_back(x); });
     std::sort(xs.begin(), xs.end());
     return xs;
   }
@@ -58,6 +52,15 @@ class Inside {
   const Box& box() const { return box_; }
 
  private:
+  // Calls use(x) wherever an edge crosses the height y of the box.
+  template <class Use>
+  void each_crossing(double y, Use&& use) const {
+    for (const std::size_t i : strips_[strip(y)]) {
+      const Vec2 &a = outline_[(i + 1) % outline_.size()], &b = outline_[i];
+      if ((a.y() > y) != (b.y() > y)) use(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
+    }
+  }
+
   std::size_t strip(double y) const {
     const double s = std::clamp((y - box_.low.y()) / height_, 0.0, static_cast<double>(strips_.size() - 1));
     return static_cast<std::size_t>(s);

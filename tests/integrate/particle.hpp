@@ -27,7 +27,8 @@ struct Particle {
   void displace_fast(long double by) { displace(by); }
   void put_back_fast() { put_back(); }
   void fast(long double kick, long double drift) { kick_and_drift(kick, drift); }
-  void slow(long double, long double, long double by, long double, double) { drift(by); }
+  void displace_slow(long double, long double, double) {}
+  void slow(long double, long double, long double by) { drift(by); }
 
   State x0 = {}, v0 = {};
   std::vector<State> velocities = {}, accelerations = {};

@@ -110,10 +110,15 @@ struct Hammer : Particle<Four, Four (*)(const Four&)> {
     v += kick * fast_force(x);
     x += Four{drift, drift, drift, 0} * v;
   }
-  void slow(long double kick, long double drift, long double outer_drift, long double gradient, double mixed) {
+  void displace_slow(long double kick, long double gradient, double mixed) {
     const long double mix = mixes ? mixed * gradient : 0;
     const Four rim{0, 0, 1, 0};
-    v += kick * (slow_force(x + gradient * slow_force(x) + mix * rim * contact(x)) + contact(x + mix * rim * slow_force(x)) - contact(x));
+    v += kick * (contact(x + mix * rim * slow_force(x)) - contact(x));
+    displacement = gradient * slow_force(x) + mix * rim * contact(x), x += displacement;
+  }
+  void slow(long double kick, long double drift, long double outer_drift) {
+    v += kick * slow_force(x);
+    put_back();
     x += Four{outer_drift, outer_drift, outer_drift, drift} * v;
   }
 };
