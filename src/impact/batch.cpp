@@ -56,7 +56,7 @@ bool drain(Engine<W>& engine, const Work& work, int width) {
         return drain(narrow, work, W / 2);
       }
     const int steps = engine.steps_between_looks();
-    for (int i = 0; i < steps; ++i) engine.advance_one_step();
+    for (int i = 1; i <= steps; ++i) engine.advance_one_step(i == steps);
     const auto now = Clock::now();
     for (const int lane : busy) engine.spend(lane, std::chrono::duration<double>(now - counted).count() / static_cast<double>(busy.size()));
     counted = now;

@@ -121,6 +121,11 @@ class Engine {
     threshold_[lane] = touch_share * run.start.energy;
     Lane<W> alone = Lane<W>::Zero();  // a step of 0 leaves the other lanes as they are, bit for bit
     alone[lane] = h_[lane];
+    for (int b : {0, 1}) {
+      end_[b].stiffness[lane] = body_[b].stiffness[lane];
+      for (int i = 0; i < body_[b].lattice->nodes(); ++i)
+        end_[b].position.set(i, lane, body_[b].position.at(i, lane)), end_[b].velocity.set(i, lane, body_[b].velocity.at(i, lane));
+    }
     if (!effects_.split()) get_ahead(method_, alone, Mover{*this, body_});
     return std::nullopt;
   }
@@ -147,7 +152,9 @@ class Engine {
 
   void clear(int lane) { runs_[lane] = Run{}, h_[lane] = 0, contact_.set(lane, nullptr); }
 
-  [[gnu::noinline]] void advance_one_step() {
+  /// `seen`: a look or a snapshot follows.
+  [[gnu::noinline]] void advance_one_step(bool seen = true) {
+    passing_end_ = seen && method_.multirate();
     const Mover mover{*this, body_};
     const Lane<W> contact_before = contact_energy_;
     if (effects_.split()) {
@@ -158,6 +165,7 @@ class Engine {
     } else {
       step(method_, h_, mover);
     }
+    passing_end_ = false;
     for (int lane = 0; lane < W; ++lane) {
       Run& run = runs_[lane];
       if (!run.scene || run.broken) continue;
@@ -222,8 +230,9 @@ class Engine {
   /// Test hook: changes the bodies at the end of the last step by `change(bodies)`, in every lane.
   template <class Change>
   void change(Change&& change) {
-    if (!effects_.split()) fall_back(body_);
-    change(body_);
+    go_to_step_end();
+    change(end_);
+    for (int b : {0, 1}) body_[b].position = end_[b].position, body_[b].velocity = end_[b].velocity;
     if (!effects_.split()) get_ahead(method_, h_, Mover{*this, body_});
   }
 
@@ -271,8 +280,20 @@ class Engine {
     void displace_fast(const Lane<W>& by) const { engine.contact_energy_ = engine.multirate_.displace(displaceable(), by), engine.find_broken(bodies); }
     void put_back_fast() const { engine.multirate_.put_back(displaceable()); }
     void fast(const Lane<W>& kick, const Lane<W>& drift) const { engine.contact_energy_ = engine.multirate_.kick(displaceable(), kick, drift), engine.find_broken(bodies); }
-    void displace_slow(const Lane<W>& kick, const Lane<W>& gradient, double mixed) const { engine.multirate_.displace_slow(displaceable(), kick, gradient, mixed), engine.find_broken(bodies); }
-    void slow(const Lane<W>& kick, const Lane<W>& drift, const Lane<W>& outer_drift) const { engine.multirate_.kick_slow(displaceable(), kick, drift, outer_drift), engine.find_broken(bodies); }
+    // A step ends in the middle of the slow kick, where no drift is under way.
+    void displace_slow(const Lane<W>& kick, const Lane<W>& gradient, double mixed) const {
+      if (engine.passing_end_) engine.copy_to_end();
+      engine.multirate_.displace_slow(displaceable(), kick, gradient, mixed), engine.find_broken(bodies);
+    }
+    void slow(const Lane<W>& kick, const Lane<W>& drift, const Lane<W>& outer_drift) const {
+      engine.multirate_.kick_slow(displaceable(), kick, drift, outer_drift), engine.find_broken(bodies);
+      if (!engine.passing_end_) return;
+      for (int b : {0, 1})
+        for (int i = 0; i < bodies[b].lattice->free; ++i) {
+          NodeVectors<W>& half_kicked = engine.end_[b].velocity;
+          half_kicked.x(i) = 0.5 * (half_kicked.x(i) + bodies[b].velocity.x(i)), half_kicked.y(i) = 0.5 * (half_kicked.y(i) + bodies[b].velocity.y(i));
+        }
+    }
 
     void remember() const { engine.remembered_ = bodies; }
     // Through a kick of velocities that were 0, for a unit of time.
@@ -331,27 +352,26 @@ class Engine {
     effects_.begin(lane, start.step, scene.effects, body_, start.pose.angle);
   }
 
-  // The state at the end of the last step, in end_.
-  void go_to_step_end() {
+  void copy_to_end() {
     for (int b : {0, 1})  // forces are 0 in both
       end_[b].position = body_[b].position, end_[b].velocity = body_[b].velocity, end_[b].stiffness = body_[b].stiffness;
+  }
+
+  // The state at the end of the last step, in end_. A multirate method has left it there when it passed.
+  void go_to_step_end() {
+    if (method_.multirate()) return;
+    copy_to_end();
     if (!effects_.split()) fall_back(end_);
   }
 
   // Undoes what get_ahead had done.
   void fall_back(Bodies& bodies) {
-    const auto drift = [](Moving<W>& body, int i, const Lane<W>& by) { body.position.x(i) += by * body.velocity.x(i), body.position.y(i) += by * body.velocity.y(i); };
     const Lane<W> back = -method_.ahead_drift * h_;
-    for (Moving<W>& body : bodies) {
-      const bool inside_further = method_.multirate() && &body == &bodies[1];
-      for (int i = 0; i < body.lattice->free; ++i) drift(body, i, inside_further ? Lane<W>(-h_) : back);
-      if (!inside_further) continue;
-      for (const int i : multirate_.moving_rim()) drift(body, i, Lane<W>(back + h_));
-    }
+    for (Moving<W>& body : bodies)
+      for (int i = 0; i < body.lattice->free; ++i) body.position.x(i) += back * body.velocity.x(i), body.position.y(i) += back * body.velocity.y(i);
     if (effects_.shakes()) effects_.drift_anchors(bodies[1], back);
-    const Lane<W> contact_energy = contact_energy_, still = Lane<W>::Zero();
-    if (method_.multirate()) kick_slowly(method_, h_, Lane<W>(-0.5 * h_), still, still, Mover{*this, bodies});
-    if (method_.ahead_kick != 0) Mover{*this, bodies}.kick_and_drift(-method_.ahead_kick * h_, still);
+    const Lane<W> contact_energy = contact_energy_;
+    if (method_.ahead_kick != 0) Mover{*this, bodies}.kick_and_drift(-method_.ahead_kick * h_, Lane<W>::Zero());
     contact_energy_ = contact_energy;
   }
 
@@ -573,6 +593,7 @@ class Engine {
   Multirate<W> multirate_;
   Contact<W, Effects::catalogue> contact_;
   Effects effects_;
+  bool passing_end_ = false;  // a multirate method leaves the step's end in end_ when it passes
   double rim_gap_ = 0;  // the longest distance of neighbours in the projectile's rim [R]
   std::array<Run, W> runs_{};
   Lane<W> h_ = Lane<W>::Zero(), contact_energy_ = Lane<W>::Zero(), threshold_ = Lane<W>::Zero();

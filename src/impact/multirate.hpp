@@ -37,9 +37,6 @@ class Multirate {
     place_.resize(static_cast<int>(rims_[1].size()));
   }
 
-  /// The target's rim nodes that are not anchored.
-  const std::vector<int>& moving_rim() const { return rims_[1]; }
-
   // The fast part, as in compose.hpp; displace() and kick() return the contact's energy.
   template <class Contact>
   Lane<W> displace(const Displaceable<W, Contact>& moved, const Lane<W>& by) const {
