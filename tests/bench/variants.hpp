@@ -1,6 +1,10 @@
 #pragma once
 // Other ways to write the spring sweep, for bench_springs: each does what kick_and_drift does, and was slower or no faster.
 
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
+
 #include <numeric>
 
 #include "core/rng.hpp"
@@ -65,9 +69,46 @@ void displacements(Moving<W>& body, const std::vector<Vec2>& rest, const Lane<W>
   }
 }
 
-/// kick_and_drift with the far ends of springs `ahead` of the current one fetched into the cache.
-template <int ahead, int W>
-void prefetching(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
+/// Distance and its inverse from the squared distance, by the processor's root and division.
+struct Divider {
+  template <int W>
+  void operator()(const Lane<W>& squared, Lane<W>& r, Lane<W>& inverse) const {
+    r = squared.sqrt(), inverse = 1.0 / r;
+  }
+};
+
+/// The same to 2 ulp without root or division: Newton's steps for the inverse root from an integer guess (Lomont 2003; its constant for doubles:
+/// Robertson 2012), with the same bits on every processor.
+struct Newton {
+  void operator()(const Lane<4>& squared, Lane<4>& r, Lane<4>& inverse) const {
+    using Bits = long long __attribute__((vector_size(32), may_alias));
+    const Lane<4> half = 0.5 * squared;
+    *reinterpret_cast<Bits*>(inverse.data()) = 0x5fe6eb50c7b537a9 - (*reinterpret_cast<const Bits*>(squared.data()) >> 1);
+    for (int step = 0; step < 3; ++step) inverse = inverse * (1.5 - half * inverse * inverse);
+    inverse += inverse * (0.5 - half * inverse * inverse);
+    r = squared * inverse;
+  }
+};
+
+#ifdef __AVX512F__
+/// The processor's bits without its root: an estimate to 14 bits, two of Goldschmidt's steps, and Markstein's last one, which rounds right.
+struct Estimate {
+  void operator()(const Lane<8>& squared, Lane<8>& r, Lane<8>& inverse) const {
+    const __m512d a = _mm512_load_pd(squared.data()), half = _mm512_set1_pd(0.5), guess = _mm512_rsqrt14_pd(a);
+    __m512d g = _mm512_mul_pd(a, guess), h = _mm512_mul_pd(guess, half);
+    for (int step = 0; step < 2; ++step) {
+      const __m512d rest = _mm512_fnmadd_pd(g, h, half);
+      g = _mm512_fmadd_pd(g, rest, g), h = _mm512_fmadd_pd(h, rest, h);
+    }
+    _mm512_store_pd(r.data(), _mm512_fmadd_pd(_mm512_fnmadd_pd(g, g, a), h, g));
+    inverse = 1.0 / r;
+  }
+};
+#endif
+
+/// kick_and_drift by another root, or with the far ends of springs `ahead` of the current one fetched into the cache.
+template <int ahead, class Root, int W>
+void by_node(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
   const Lattice& lattice = *body.lattice;
   const Quartic law{lattice.quartic};
   const auto* ends = lattice.spring.ends();
@@ -80,11 +121,14 @@ void prefetching(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
     Lane<W> xi, yi, fx, fy;
     xi = position[2 * i], yi = position[2 * i + 1], fx = force[2 * i], fy = force[2 * i + 1];
     for (int n = lattice.first[i + 1] - lattice.first[i]; n > 0; --n, ++s) {
-      const std::size_t j = 2 * static_cast<std::size_t>(ends[s][1]), soon = 2 * static_cast<std::size_t>(ends[std::min(s + ahead, last)][1]);
-      __builtin_prefetch(&position[soon]), __builtin_prefetch(&force[soon], 1);
-      const Lane<W> dx = position[j] - xi, dy = position[j + 1] - yi;
-      const Lane<W> r = (dx * dx + dy * dy).sqrt();
-      const Lane<W> per_distance = 1.0 / r;
+      const std::size_t j = 2 * static_cast<std::size_t>(ends[s][1]);
+      if constexpr (ahead > 0) {
+        const std::size_t soon = 2 * static_cast<std::size_t>(ends[std::min(s + ahead, last)][1]);
+        __builtin_prefetch(&position[soon]), __builtin_prefetch(&force[soon], 1);
+      }
+      const Lane<W> dx = position[j] - xi, dy = position[j + 1] - yi, squared = dx * dx + dy * dy;
+      Lane<W> r, per_distance;
+      Root{}(squared, r, per_distance);
       const Lane<W> pull = stiffness * law.scaled_tension(Lane<W>(r - length[s])) * per_distance;
       const Lane<W> px = pull * dx, py = pull * dy;
       fx += px, fy += py;
