@@ -13,7 +13,7 @@
 
 namespace ricochet::test {
 
-/// Under a sanitizer a sweep takes up to a hundred times longer, so tests that repeat it take fewer of its kinds there.
+/// Under a sanitizer everything takes twenty to a hundred times longer, so the longest tests take fewer steps or kinds there.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool sanitized = true;
 #else

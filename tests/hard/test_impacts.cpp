@@ -160,7 +160,7 @@ TEST_CASE("hard 5: a free disk keeps its momentum and angular momentum over 1e5 
     const auto change = [&](const Vec2& velocity, double spin) {
       const auto alone = free_disk(m.name, 0.4 * m.stability_limit, velocity, spin, 1e-3);
       const Snapshot first = alone->now();
-      alone->steps(100000);
+      alone->steps(sanitized ? 10000 : 100000);
       const Snapshot last = alone->now();
       const Momenta before = momenta(first.projectile, first.projectile_velocity), after = momenta(last.projectile, last.projectile_velocity);
       return std::pair((after.linear - before.linear).norm() / before.linear.norm(), std::abs(after.angular / before.angular - 1));
@@ -266,7 +266,7 @@ TEST_CASE("hard 9: any ratio of stiffness or mass ends finite, and the step foll
   double drift = 0, scaling = 0;
   for (const bool of_mass : {false, true}) {
     const double usual = impact(1, 1).step;
-    for (int decade = -6; decade <= 6; ++decade) {
+    for (int decade = sanitized ? -4 : -6; decade <= (sanitized ? 4 : 6); decade += sanitized ? 2 : 1) {
       const double ratio = std::pow(10, decade);
       const Ratio r = of_mass ? impact(1, ratio) : impact(ratio, 1);
       right += r.right, ++all, drift = std::max(drift, r.drift);

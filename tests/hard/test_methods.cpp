@@ -165,7 +165,7 @@ TEST_CASE("hard 2: every method is bounded up to its stability limit, which is w
   for (const Method& m : methods()) {
     const auto disk = free_disk(m.name, 0.97 * m.stability_limit, Vec2(0, 0), 0, 1e-3);
     const double before = disk->now().energy.total();
-    for (int block = 0; block < 100; ++block) disk->steps(1000), energy = std::max(energy, disk->now().energy.total() / before);
+    for (int block = 0; block < (sanitized ? 10 : 100); ++block) disk->steps(1000), energy = std::max(energy, disk->now().energy.total() / before);
   }
   of.at_most(10, energy, "energy of a vibrating disk, 1e5 steps at theta = 0.97 of the limit, over that at first");
 }
@@ -254,11 +254,12 @@ TEST_CASE("hard 18: Richardson's estimate of e is within 0.5 to 2 of the true er
 TEST_CASE("hard 19: the energy of a long run has no trend") {
   Case of(19, "1e6 steps at rest and in vibration");
   const auto rest = free_disk("pefrl", 1.6, Vec2(0, 0), 0, 0);
-  rest->steps(1000000);
+  rest->steps(sanitized ? 100000 : 1000000);
   // Its velocities walk at random by the rounding of k eps R a step: 1e-26 of an energy each.
   of.at_most(1e-17, rest->now().energy.total() / (60 * 0.1 * 0.1 / 2), "energy of a disk at rest after 1e6 steps, over that of an impact at 0.1 c");
   double worst = 0, least = 0;
-  for (const char* method : {"pefrl", "verlet", "chin_4a"}) {
+  for (const char* method : {"verlet", "pefrl", "chin_4a"}) {
+    if (sanitized && method != std::string("verlet")) continue;
     const auto disk = free_disk(method, 0.3, Vec2(0, 0), 0, 1e-3);
     disk->steps(200000);  // what began as motion alone becomes half stretch
     std::vector<double> block_number, energy;  // means of blocks long enough to be independent
