@@ -14,11 +14,14 @@ local outcome = core.columns()
 for _, name in ipairs { "status", "reason", "scene_hash", "wall_seconds" } do outcome[name] = "" end
 for _, name in ipairs { "psi1", "seed", "step" } do outcome[name] = nil end
 
+local most_combinations = 1e7
+
 -- Names in order, and the list of points: every combination, the last name fastest.
 local function combinations(over)
-  local names = {}
+  local names, count = {}, 1
   for name, values in pairs(over) do
     if type(name) ~= "string" then core.fail("'over' takes name = list of values", "over") end
+    if name == "" or name == "." or name:find "[%c/]" then core.fail(("over: '%s' cannot name a column of results; use letters, digits and _"):format(name:gsub("%c", "?")), "over") end
     if outcome[name] then core.fail(("over.%s: '%s' is a column of the outcome; take another name"):format(name, name), "over", name) end
     if type(values) ~= "table" or #values == 0 then
       core.fail(("over.%s must be a list of values that is not empty, is %s"):format(name, type(values) == "table" and "an empty table" or tostring(values)), "over", name)
@@ -32,7 +35,9 @@ local function combinations(over)
       if value ~= value then core.fail(("over.%s: value %d is not a number (nan)"):format(name, i), "over", name) end
     end
     names[#names + 1] = name
+    count = count * #values
   end
+  if count > most_combinations then core.fail(("'over' has %.3g combinations; a sweep takes at most %.0g of them: give shorter lists, or several sweeps"):format(count, most_combinations), "over") end
   if #names == 0 then core.fail("'over' is empty; give at least one name = list of values", "over") end
   table.sort(names)
   local points = { {} }

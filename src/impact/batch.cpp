@@ -18,6 +18,7 @@ struct Work {
   const std::atomic<bool>& stop;
   const Finished& finished;
   LaneUse& use;
+  std::optional<SceneError>& refused;  ///< the first scene that could not start: nothing is begun after it
 
   template <int W>
   Engine<W> engine() const {
@@ -37,7 +38,10 @@ bool drain(Engine<W>& engine, const Work& work, int width) {
       try {
         if (const auto outcome = engine.begin(lane, work.scenes[*index], *index)) work.finished(*index, *outcome, 0);
       } catch (const FieldError& error) {
-        throw SceneError(error, *index);
+        engine.clear(lane);
+        if (!work.refused) work.refused = SceneError(error, *index);
+        work.queue.close();
+        return;
       }
     }
   };
@@ -73,16 +77,15 @@ bool drain(Engine<W>& engine, const Work& work, int width) {
 
 bool run_queue(const Lattice& projectile, const Lattice& target, const std::vector<Scene>& scenes, Queue& queue, int width, const std::atomic<bool>& stop,
                const Finished& finished, LaneUse& use) {
-  const Work work{projectile, target, scenes, queue, stop, finished, use};
+  std::optional<SceneError> refused;
+  const Work work{projectile, target, scenes, queue, stop, finished, use, refused};
   const int used = std::min<int>(width, static_cast<int>(std::min<std::size_t>(queue.left(), lanes)));
   if (used == 0) return true;
   // One impact alone is faster without lanes; from two on, full registers win even if some lanes idle.
-  if (used == 1) {
-    auto engine = work.engine<1>();
-    return drain(engine, work, 1);
-  }
-  auto engine = work.engine<lanes>();
-  return drain(engine, work, used);
+  const auto run = [&](auto engine) { return drain(engine, work, used); };
+  const bool whole = used == 1 ? run(work.engine<1>()) : run(work.engine<lanes>());
+  if (refused) throw SceneError(*refused);
+  return whole;
 }
 
 Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop, const Observer* observer) {
@@ -103,7 +106,7 @@ Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene&
   return result;
 }
 
-void check_start(const Lattice& projectile, const Lattice& target, const Scene& scene) { launch(scene, projectile, target); }
+void check_start(const Lattice& projectile, const Lattice& target, const Scene& scene) { Engine<1>(projectile, target, scene.method(), scene.effects).begin(0, scene, 0); }
 
 Snapshot run_until(const Lattice& projectile, const Lattice& target, const Scene& scene, double time) {
   Engine<1> engine(projectile, target, scene.method(), scene.effects);

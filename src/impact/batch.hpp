@@ -66,7 +66,7 @@ struct LaneUse {
 
 /// Runs the scenes of a queue, `width` at a time (1 ... lanes), until none is left: a lane whose impact has ended takes the next one. The
 /// outcome of a scene does not depend on `width`, on its neighbours or on when it starts. Returns false if `stop` ended it early.
-/// Throws SceneError with the scene's place in `scenes` if it cannot start.
+/// Throws SceneError with the scene's place in `scenes` if one cannot start, when those that were running have ended.
 bool run_queue(const Lattice& projectile, const Lattice& target, const std::vector<Scene>& scenes, Queue& queue, int width, const std::atomic<bool>& stop,
                const Finished& finished, LaneUse& use);
 

@@ -23,9 +23,6 @@
 
 namespace ricochet {
 
-// Endings and the contact's shape are looked at every so many force evaluations.
-inline constexpr int evaluations_between_looks = 64;
-
 // The ledger is taken at every so many looks, and at the end.
 inline constexpr int looks_between_ledgers = 4;
 
@@ -145,6 +142,7 @@ class Engine {
     };
     for (int b : {0, 1}) copy(from.body_[b], body_[b]);
     runs_[lane] = from.runs_[from_lane], h_[lane] = from.h_[from_lane], threshold_[lane] = from.threshold_[from_lane];
+    contact_energy_[lane] = from.contact_energy_[from_lane];
     contact_.set(lane, &runs_[lane].start.contact);
     contact_.take(lane, from.contact_, from_lane);
     effects_.take(lane, from.effects_, from_lane);
@@ -419,7 +417,8 @@ class Engine {
   Status follow(int lane, const Motions& motions, Taken&& energies, Shares&& inverted, std::string& reason) {
     Run& run = runs_[lane];
     if (run.broken) {
-      reason = fmt::format("{} was no longer finite at t = {:.6g}: the forces had outgrown the time step {:.3g} R/c; give a step half as long or a lower speed", described(run.broken_node), run.time(), run.start.step);
+      reason = run.steps == 0 ? fmt::format("{} was no longer finite at t = 0, in the first step: forces beyond every number; lower contact.V0, the bodies' stiffness or quartic, or the speed", described(run.broken_node))
+                              : fmt::format("{} was no longer finite at t = {:.6g}: the forces had outgrown the time step {:.3g} R/c; give a step half as long or a lower speed", described(run.broken_node), run.time(), run.start.step);
       return Status::not_finite;
     }
     const RigidMotion<W>&p = motions.projectile, &t = motions.target;
@@ -461,6 +460,15 @@ class Engine {
       }
     const double overlap = run.reference_height - (p.y[lane] - t.y[lane]);
     if (run.touches > 0 && (!run.indented || overlap > run.indentation)) measure_contact(lane, p.x[lane], overlap);
+    if (parted && run.touches == 0 && effects_.empty()) {
+      const double touch = std::log(run.start.contact.V0 / threshold_[lane]) / run.start.contact.xi;
+      const double enough = std::max(touch / 2, 1e-4 * run.projectile_radius), least = closest_approach(run.start, *body_[0].lattice, *body_[1].lattice, enough);
+      if (least <= enough) {
+        reason = fmt::format("the projectile flew through the target and no repulsion was seen: it came within {:.2g} R of it; {}", least,
+                             touch > 0 ? fmt::format("give a step below {:.2g}", run.start.step / 4) : "raise contact.V0 or lower the speed");
+        return Status::tunnelled;
+      }
+    }
     if (parted) return run.touches > 0 ? Status::finished : no_contact(reason);
     if (late) {
       reason = fmt::format("the bodies had not parted after {:.6g} R/c; raise time_limit", run.time());

@@ -47,6 +47,23 @@ double resting_lift(const Points& upper, const Points& lower) {
   return lift;
 }
 
+struct Circle {
+  Vec2 centre;
+  double radius;
+};
+
+Circle circle_around(const Points& points) {
+  Vec2 low = points[0], high = points[0];
+  for (const Vec2& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  return {(low + high) / 2, (high - low).norm() / 2};
+}
+
+// A body that flies on with this velocity and reaches so far from its centre comes no nearer any more.
+bool gone_past(const Circle& target, const Pose& pose, const Vec2& velocity, double reach) {
+  const Vec2 offset = pose.centre - target.centre;
+  return offset.dot(velocity) >= 0 && offset.norm() > target.radius + reach;
+}
+
 struct Step {
   double step, theta;
 };
@@ -63,6 +80,7 @@ Step choose_step(const Scene& scene, const Lattice& projectile, const Lattice& t
   FrequencyBound b = frequency_bound(target, scene.target->numbers.stiffness);
   b.omega *= slower_by(method);
   const double omega = std::max(a.omega, b.omega);
+  if (!std::isfinite(omega)) throw FieldError(std::isfinite(a.omega) ? "target" : "projectile", "its stiffness over its mass gives frequencies beyond every number; take a softer or heavier body");
   const double contacts = method.multirate() ? static_cast<double>(method.stages.size()) : 1;  // kicks that share a step evenly
   const Integration& wanted = scene.integration;
   const double step = !std::isnan(wanted.step)    ? wanted.step
@@ -80,12 +98,28 @@ Step choose_step(const Scene& scene, const Lattice& projectile, const Lattice& t
   return {step, theta};
 }
 
+// A given step may be ten times coarser than the contact's onset asks for: the ledger tells what that costs. A coarser one may jump over the contact
+// unseen, or through a body between two looks.
+void check_contact_is_seen(const Scene& scene, double step, double fastest, double radius) {
+  const Integration& wanted = scene.integration;
+  if ((std::isnan(wanted.step) && std::isnan(wanted.theta)) || fastest == 0) return;
+  const Method& method = scene.method();
+  const double kicks = method.multirate() ? static_cast<double>(method.stages.size()) : 1;
+  const double furthest = std::min(10 * onset_share * kicks / scene.contact.xi, radius * method.evaluations() / evaluations_between_looks);
+  if (step * fastest <= furthest) return;
+  const double unit = std::isnan(wanted.step) ? wanted.theta / step : 1;
+  throw FieldError(std::isnan(wanted.step) ? "theta" : "step", fmt::format("the projectile would move by {:.2g} R in a step of {:.3g} R/c and might pass the contact unseen, whose repulsion grows e-fold in {:.2g} R; give {:.2g} or less",
+                                                                           step * fastest, step, 1 / scene.contact.xi, 0.99 * furthest / fastest * unit));
+}
+
 // Time and places must move on in numbers of 53 bits. `size`: of the places [R].
 void check_progress(const Scene& scene, const Start& start, double fastest, double size) {
   constexpr double rounding = std::numeric_limits<double>::epsilon();
   const Integration& wanted = scene.integration;
   const char* given = !std::isnan(wanted.step) ? "step" : !std::isnan(wanted.theta) ? "theta" : nullptr;
   const char* speed = std::isnan(scene.launch.normal_speed) ? "speed" : "normal_speed";
+  if (start.time_limit + start.step == start.time_limit && !given && std::isnan(wanted.time_limit) && start.step < 1e-12)
+    throw FieldError("projectile", fmt::format("the bodies are so stiff that a time step of {:.3g} R/c is lost in rounding at the time limit of {:.3g} R/c; take softer or heavier bodies", start.step, start.time_limit));
   if (start.time_limit + start.step == start.time_limit)
     throw FieldError(given ? given : std::isnan(wanted.time_limit) ? speed : "time_limit",
                      fmt::format("a time step of {:.3g} R/c is lost in rounding at the time limit of {:.3g} R/c: t + step = t; give {}", start.step, start.time_limit,
@@ -167,6 +201,7 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
   const double normal_speed = -start.velocity.y();
   start.time_limit = !std::isnan(scene.integration.time_limit) ? scene.integration.time_limit : 100 + 2 / std::max(normal_speed, 1e-9);
   check_progress(scene, start, fastest, std::max(centre.norm(), radius));
+  check_contact_is_seen(scene, step, fastest, radius);
   // Of the relative motion, in the frame where the energy is least: an anchored target is infinitely heavy.
   const double mass = projectile.total_mass();
   const double reduced = target.anchored() ? mass : mass * target.total_mass() / (mass + target.total_mass());
@@ -224,11 +259,7 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
                                            std::log(scene.contact.V0 / (touch_share * std::max(start.energy, 1e-300))) / scene.contact.xi, 1.01 * high));
   }
 
-  // As far as the projectile can be from the target and still approach it: past that it has passed by.
-  Vec2 low = target_rim[0], high = target_rim[0];
-  for (const Vec2& p : target_rim) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  const Vec2 middle = (low + high) / 2;
-  const double target_radius = (high - low).norm() / 2;
+  const Circle around = circle_around(target_rim);
   // Each advance closes most of the gap unless the flight is almost parallel to the surface.
   constexpr int most_advances = 100000;
   for (int advance = 0; distance > reach; ++advance) {
@@ -236,8 +267,7 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
       throw FieldError("launch", fmt::format("the flight is too shallow to find the first touch (normal speed {:g} of {:g} c)", normal_speed, start.velocity.stableNorm()));
     const double time = std::max(distance - reach, 1e-3 * reach) / fastest;
     pose.centre += time * start.velocity, pose.angle += time * start.spin;
-    const Vec2 offset = pose.centre - middle;
-    if (offset.dot(start.velocity) >= 0 && offset.norm() > radius + target_radius + reach) {
+    if (gone_past(around, pose, start.velocity, radius + reach)) {
       start.touches = false;
       return start;
     }
@@ -245,6 +275,22 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
   }
   start.pose = pose;
   return start;
+}
+
+double closest_approach(const Start& start, const Lattice& projectile, const Lattice& target, double enough) {
+  const Points rim = rim_of(projectile), target_rim = rim_of(target);
+  const Vec2 centre = projectile.centre();
+  double radius = 0, least = std::numeric_limits<double>::infinity();
+  for (const Vec2& p : rim) radius = std::max(radius, (p - centre).norm());
+  const double fastest = start.velocity.stableNorm() + std::abs(start.spin) * radius;
+  const Circle around = circle_around(target_rim);
+  for (Pose pose = start.pose;;) {
+    const double distance = chain_distance(posed(rim, centre, pose), target_rim);
+    least = std::min(least, distance);
+    if (least <= enough || gone_past(around, pose, start.velocity, radius)) return least;
+    const double time = std::max(distance - enough, 0.05 * enough) / fastest;
+    pose.centre += time * start.velocity, pose.angle += time * start.spin;
+  }
 }
 
 }  // namespace ricochet

@@ -11,6 +11,9 @@ inline double slower_by(const Method& method) { return method.multirate() ? meth
 /// Contact shows when its energy exceeds this share of the energy at launch.
 inline constexpr double touch_share = 1e-6;
 
+/// Endings and the contact's shape are looked at every so many force evaluations.
+inline constexpr int evaluations_between_looks = 64;
+
 /// A rigid motion of the projectile from its lattice's rest position.
 struct Pose {
   Vec2 centre = Vec2::Zero();   ///< of mass
@@ -32,8 +35,11 @@ struct Start {
 
 /// Places the projectile upstream of where it is to land, and skips the free flight up to the first approach within reach:
 /// a conservative advancement over the rigid rims, which cannot step over a touch even with spin.
-/// Throws Error if the bodies overlap at the start or the time step exceeds the stability limit.
+/// Throws Error if the bodies overlap at the start, or a given time step exceeds the stability limit or what resolves the contact.
 Start launch(const Scene& scene, const Lattice& projectile, const Lattice& target);
+
+/// The least distance of the rims [R] on the straight flight from a start, or the first one found that is at most `enough` (above 0).
+double closest_approach(const Start& start, const Lattice& projectile, const Lattice& target, double enough);
 
 /// Rim points of a body in a pose.
 Points posed(const Points& points, const Vec2& centre, const Pose& pose);

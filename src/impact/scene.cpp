@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/error.hpp"
@@ -75,7 +76,7 @@ const std::vector<Member<Integration>>& Integration::fields() {
        &Integration::accuracy_of},
       {{"time_limit", "number", "R/c", "an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given", positive, "", true},
        &Integration::time_limit},
-      {{"energy_tolerance", "number", "", "an impact whose total energy strays further, relative to its start, ends energy_drift", positive, "0.01"},
+      {{"energy_tolerance", "number", "", "an impact whose total energy strays further, relative to its start, ends energy_drift", {1e-13, std::numeric_limits<double>::infinity()}, "0.01"},
        &Integration::energy_tolerance},
   };
   return list;

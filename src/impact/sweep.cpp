@@ -133,6 +133,10 @@ bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, 
         schedule.leave(*group);
       }
       hand_over();
+    } catch (const SceneError&) {
+      schedule.close();
+      hand_over();
+      throw;
     } catch (...) {
       schedule.close();
       throw;
@@ -154,7 +158,7 @@ void check_scenes(const std::vector<Scene>& scenes, const std::vector<bool>& whi
     if (stop) return;
     build(*group, scenes);
     for (const std::size_t i : group->scenes) try {
-        launch(scenes[i], *group->projectile, *group->target);
+        check_start(*group->projectile, *group->target, scenes[i]);
       } catch (const FieldError& error) {
         throw SceneError(error, i);
       }

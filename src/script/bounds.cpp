@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <ctime>
 #include <string_view>
 
 #include "script/pattern.hpp"
@@ -31,6 +34,13 @@ std::string line_of(lua_State* L) {
   return line;
 }
 
+// Of this thread's own work.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 void raise_over_budget(lua_State* L) {
   lua_sethook(L, watch, LUA_MASKCOUNT, 1);
   const std::string line = line_of(L);
@@ -41,14 +51,56 @@ void raise_over_budget(lua_State* L) {
 // Calls the library's own function in the wrapper's place, so that its errors name the script's line.
 int original(lua_State* L) { return lua_tocfunction(L, lua_upvalueindex(1))(L); }
 
+// Argument `n` is a text that the original reads.
+template <int n>
+int reading(lua_State* L) {
+  std::size_t length = 0;
+  if (lua_type(L, n) == LUA_TSTRING) lua_tolstring(L, n, &length);
+  spend(L, work_a_byte_read * static_cast<double>(length));
+  return original(L);
+}
+
+int concat(lua_State* L) {
+  if (lua_istable(L, 1)) {
+    const lua_Integer first = lua_isinteger(L, 3) ? lua_tointeger(L, 3) : 1, last = lua_isinteger(L, 4) ? lua_tointeger(L, 4) : luaL_len(L, 1);
+    if (last > first) spend(L, work_an_element * (static_cast<double>(last) - static_cast<double>(first)));
+  }
+  return original(L);
+}
+
+int sort(lua_State* L) {
+  if (lua_istable(L, 1) && lua_isnoneornil(L, 2)) {  // a function that compares counts itself
+    const double length = static_cast<double>(luaL_len(L, 1));
+    if (length > 1) spend(L, work_a_comparison * length * std::log2(length));
+  }
+  return original(L);
+}
+
+// string.find(text, words, from, true). Lua's own takes as long as both lengths' product.
+int find_plain(lua_State* L) {
+  std::size_t length = 0, words_length = 0;
+  const char *text = luaL_checklstring(L, 1, &length), *words = luaL_checklstring(L, 2, &words_length);
+  const lua_Integer whole = static_cast<lua_Integer>(length), asked = luaL_optinteger(L, 3, 1);
+  const lua_Integer begin = asked > 0 ? asked - 1 : asked == 0 || asked < -whole ? 0 : whole + asked;
+  spend(L, work_a_byte_read * static_cast<double>(words_length + (begin < whole ? length - static_cast<std::size_t>(begin) : 0)));
+  const void* found = begin > whole ? nullptr : memmem(text + begin, static_cast<std::size_t>(whole - begin), words, words_length);
+  if (!found) {
+    luaL_pushfail(L);
+    return 1;
+  }
+  const lua_Integer at = static_cast<const char*>(found) - text;
+  lua_pushinteger(L, at + 1), lua_pushinteger(L, at + static_cast<lua_Integer>(words_length));
+  return 2;
+}
+
 enum class Search { find, match, gmatch, gsub };
 
 template <Search search>
 int pattern_function(lua_State* L) {
   constexpr bool all = search == Search::gsub || search == Search::gmatch;
   constexpr int begin_at = search == Search::gsub ? 0 : 3;  // argument
-  const bool plain = search == Search::find && lua_toboolean(L, 4);
-  if (lua_isstring(L, 1) && lua_isstring(L, 2) && !plain) {
+  if (search == Search::find && lua_toboolean(L, 4)) return find_plain(L);
+  if (lua_isstring(L, 1) && lua_isstring(L, 2)) {
     std::size_t text_length = 0, pattern_length = 0;
     const char *text = lua_tolstring(L, 1, &text_length), *pattern = lua_tolstring(L, 2, &pattern_length);
     const lua_Integer asked = begin_at && lua_isinteger(L, begin_at) ? lua_tointeger(L, begin_at) : 1;
@@ -167,8 +219,23 @@ void watch(lua_State* L, lua_Debug*) {
   }
   Limits& limits = limits_of(L);
   limits.work += hook_period;
+  if (limits.budget > 0) {
+    const double now = thread_seconds(), own = now - limits.seconds - limits.engine_seconds;
+    if (own > hook_period * slowest_instruction) limits.work += own / usual_instruction;
+    limits.seconds = now, limits.engine_seconds = 0;
+  }
   if (limits.budget <= 0 || limits.work <= limits.budget) return;
   raise_over_budget(L);
+}
+
+EngineTime::EngineTime(lua_State* L) : limits_(limits_of(L)), began_(limits_.budget > 0 ? thread_seconds() : 0) {}
+EngineTime::~EngineTime() {
+  if (limits_.budget > 0) limits_.engine_seconds += thread_seconds() - began_;
+}
+
+void start_counting(lua_State* L) {
+  limits_of(L).seconds = thread_seconds();
+  lua_sethook(L, watch, LUA_MASKCOUNT, hook_period);
 }
 
 void bound_libraries(lua_State* L) {
@@ -177,7 +244,12 @@ void bound_libraries(lua_State* L) {
   replace(L, "string", "gmatch", pattern_function<Search::gmatch>);
   replace(L, "string", "gsub", pattern_function<Search::gsub>);
   replace(L, "string", "rep", rep);
+  for (const char* name : {"pack", "packsize", "unpack"}) replace(L, "string", name, reading<1>);
+  for (const char* name : {"len", "codepoint", "offset", "codes"}) replace(L, "utf8", name, reading<1>);
+  replace(L, LUA_GNAME, "tonumber", reading<1>);
   replace(L, "os", "date", date);
+  replace(L, "table", "concat", concat);
+  replace(L, "table", "sort", sort);
   replace(L, "table", "insert", shift<3>);
   replace(L, "table", "remove", shift<2>);
   replace(L, "table", "move", move);

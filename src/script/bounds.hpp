@@ -12,6 +12,7 @@ struct Limits {
   std::size_t used = 0, most = std::size_t{2} << 30;  ///< bytes of Lua's own memory
   double work = 0;                                    ///< Lua instructions executed so far, and what else costs as much
   double budget = 0;                                  ///< greatest work; 0: no limit
+  double seconds = 0, engine_seconds = 0;             ///< of this thread at the last look; since then spent in our own functions
   lua_State* state = nullptr;
   std::string refused_at;                             ///< "file:line" of the last refusal of memory
   bool over_budget = false;                           ///< that refusal was for the work of filling so much
@@ -25,7 +26,28 @@ inline constexpr double work_a_pattern_step = 1 / 3.0;   // of a search
 inline constexpr double work_a_file = 1e4;               // written
 inline constexpr double work_a_node = 20;                // placed
 
+inline constexpr double work_a_byte_read = 1;            // of a text read by one of Lua's own functions
+inline constexpr double work_an_element = 4;             // of a table joined
+inline constexpr double work_a_comparison = 10;          // of a table sorted
+// Instructions that take longer than this on average have done what nobody counted (comparing long strings, searching emptied tables), and cost their time.
+inline constexpr double slowest_instruction = 1e-6, usual_instruction = 5e-9;  // [s]
+
 Limits& limits_of(lua_State* L);
+
+/// While it lives, time is our own functions', which count their work themselves or are not bounded (impacts).
+class EngineTime {
+ public:
+  explicit EngineTime(lua_State* L);
+  ~EngineTime();
+  EngineTime(const EngineTime&) = delete;
+
+ private:
+  Limits& limits_;
+  double began_;
+};
+
+/// Begins to count; call it when the hook is set.
+void start_counting(lua_State* L);
 
 /// Allocates for Lua within the limits; what new memory costs to fill counts as work.
 void* allocate(void* limits, void* block, std::size_t old_size, std::size_t size);
@@ -35,7 +57,7 @@ void spend(lua_State* L, double work);
 
 /// The hook that counts instructions and sees ^C.
 void watch(lua_State* L, lua_Debug*);
-inline constexpr int hook_period = 10000;
+inline constexpr int hook_period = 2000;
 
 /// Replaces functions of Lua's libraries that may run for ever without an instruction by those that cannot.
 void bound_libraries(lua_State* L);

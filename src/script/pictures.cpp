@@ -160,8 +160,7 @@ int push_rows(lua_State* L, const std::vector<Take>& takes) {
 fs::path claimed(lua_State* L, const char* field, const std::string& name) {
   Session& session = session_of(L);
   const fs::path path = below_folder(L, name);
-  for (const char* own : {"results.h5", "results.csv", "run.log", "parts"})
-    if (*fs::path(name).begin() == own) throw_at(session, call_site(L), FieldError(field, fmt::format("'{}' is the name of a file that runs leave themselves; give another", name)));
+  if (is_of_the_run(name)) throw_at(session, call_site(L), FieldError(field, fmt::format("'{}' is the name of a file that runs leave themselves; give another", name)));
   if (!session.first_picture_named(path)) throw_at(session, call_site(L), FieldError(field, fmt::format("'{}' was made, or holds what was made, by an earlier call of this script; give this one another name", name)));
   session.claim(session.own_folder());
   make_folder(path.parent_path());

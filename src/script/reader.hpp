@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "script/bounds.hpp"
 #include "script/session.hpp"
 #include "script/source.hpp"
 #include "script/specification.hpp"
@@ -69,6 +70,7 @@ std::string shown(lua_State* L, int index);
 /// A C++ function that Lua may call: exceptions become Lua errors, and the error text is that of the exception.
 template <int (*function)(lua_State*)>
 int guarded(lua_State* L) {
+  const EngineTime ours(L);
   try {
     return function(L);
   } catch (const std::exception& error) {

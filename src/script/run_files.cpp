@@ -21,7 +21,7 @@ fs::path below_folder(lua_State* L, const std::string& name) {
   const fs::path path(name);
   bool plain = !name.empty() && path.is_relative() && name.find('\\') == std::string::npos && name.find('\0') == std::string::npos;
   for (const fs::path& part : path) plain = plain && part != ".." && part != ".";
-  if (!plain) throw at_line(L, fmt::format("'{}' is no name below the run's folder; give a relative name without '..'", name));
+  if (!plain) throw at_line(L, fmt::format("'{}' is no name below the run's folder; give a relative name without '..'", name.c_str()));
   // A link inside the folder must not lead out of it.
   const fs::path whole = session.own_folder() / path;
   std::error_code error;
@@ -29,6 +29,11 @@ fs::path below_folder(lua_State* L, const std::string& name) {
   if (error || std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end())
     throw FileError(fmt::format("'{}' leads out of the run's folder {}", name, session.own_folder().string()));
   return whole;
+}
+
+bool is_of_the_run(const fs::path& name) {
+  const std::string first = name.begin()->string();
+  return first == "results.h5" || first == "results.csv" || first == "run.log" || first == "parts";
 }
 
 namespace {
@@ -59,8 +64,11 @@ int gnuplot(lua_State* L) {
 
 int file_write(lua_State* L) {
   Session& session = session_of(L);
-  const fs::path path = below_folder(L, luaL_checkstring(L, 1));
   std::size_t length = 0;
+  const char* given = luaL_checklstring(L, 1, &length);
+  const std::string name(given, length);
+  const fs::path path = below_folder(L, name);
+  if (is_of_the_run(name)) throw at_line(L, fmt::format("'{}' is the name of a file that runs leave themselves; give another", name));
   const char* text = luaL_checklstring(L, 2, &length);
   if (session.options.check) return 0;
   spend(L, work_a_file + static_cast<double>(length) / 8);

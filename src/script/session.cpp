@@ -131,6 +131,8 @@ void Session::write_log() const {
   write_atomically(place / "run.log", log_);
 }
 
+Provenance Session::made_by() { return {{"version", version_number}, {"commit", version_commit}}; }
+
 Provenance Session::provenance() const {
   char host[256] = "unknown";
   gethostname(host, sizeof host - 1);
@@ -142,7 +144,8 @@ Provenance Session::provenance() const {
   for (const auto& [name, required] : sources)
     if (name != script.string()) p["required_files"] += fmt::format("{} {}\n", hash_text(required), name);
   for (const std::string& argument : arguments) p["arguments"] += argument + "\n";
-  p["version"] = version_number, p["commit"] = version_commit, p["compiler"] = version_compiler, p["host"] = host;
+  p.merge(made_by());
+  p["compiler"] = version_compiler, p["host"] = host;
   p["start"] = start_, p["end"] = now_utc();
   return p;
 }

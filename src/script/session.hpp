@@ -81,6 +81,8 @@ class Session {
   /// Writes run.log, if the run has written anything else.
   void write_log() const;
 
+  /// Version and commit of this program.
+  static Provenance made_by();
   Provenance provenance() const;
 
  private:

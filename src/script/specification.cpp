@@ -207,14 +207,7 @@ std::string lua_type(const std::string& type) {
   return type;
 }
 
-std::string number_text(double value) {
-  std::string text = std::to_string(value);
-  if (text.find('.') != std::string::npos) {
-    while (text.back() == '0') text.pop_back();
-    if (text.back() == '.') text.pop_back();
-  }
-  return text;
-}
+std::string number_text(double value) { return fmt::format("{:.10g}", value); }
 
 std::string range_text(const Range& range) {
   const bool low = range.min > any_number.min, high = range.max < any_number.max;

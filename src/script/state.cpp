@@ -372,7 +372,7 @@ State::State(Session& session) : session_(session) {
   lua_pop(L_, 1);
   close_libraries(L_);
   close_globals(L_);
-  lua_sethook(L_, watch, LUA_MASKCOUNT, hook_period);
+  start_counting(L_);
 }
 
 State::~State() {

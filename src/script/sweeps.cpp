@@ -140,7 +140,7 @@ class Store {
     std::string key;
     for (const auto& [index, row] : batch) rows.push_back(&row), key += row.hash;
     make_folder(folder_ / "parts");
-    write_table(folder_ / "parts" / (hash_text(key) + ".h5"), table_of(rows), {});
+    write_table(folder_ / "parts" / (hash_text(key) + ".h5"), table_of(rows), session_.made_by());
     for (const auto& [index, row] : batch) take(row);
   }
 
@@ -187,8 +187,14 @@ class Store {
       for (const auto& entry : fs::directory_iterator(folder_ / "parts"))
         if (entry.path().extension() == ".h5") files.push_back(entry.path());
     std::size_t strangers = 0;
-    for (const fs::path& file : files)
+    for (const fs::path& file : files) {
+      const Provenance theirs = read_provenance(file);
+      for (const auto& [name, value] : session_.made_by())
+        if (const auto it = theirs.find(name); it == theirs.end() || it->second != value)
+          throw FileError(fmt::format("{} was written by {} {}, and this is {}: rows of both would stand side by side; finish it by that one, or run again with --force or another --out", file.string(), name,
+                                      it == theirs.end() ? "unknown" : it->second, value));
       for (const Row& row : rows_of(file)) strangers += !take(row);
+    }
     if (strangers > 0)
       throw FileError(fmt::format("{} holds {} rows of other scenes than this sweep's, which --resume would lose; use the same parameters, --force, or another --out",
                                   folder_.string(), strangers));
@@ -365,6 +371,7 @@ int run_sweep_from_lua(lua_State* L) {
   std::vector<Scene> scenes = scenes_at(L, 4);
   std::vector<std::string> hashes;
   std::vector<Row> rows;
+  std::string stored;
   try {
     if (!session.options.check) scenes = with_chosen_steps(session, scenes);
     for (const Scene& scene : scenes) hashes.push_back(scene.hash());
@@ -386,6 +393,10 @@ int run_sweep_from_lua(lua_State* L) {
         use = run_and_store(session, store, name, scenes, hashes);
       } catch (const FileError& error) {
         throw FileError(fmt::format("{}\n  {}", error.what(), left_behind(store, scenes.size())));
+      } catch (const SceneError&) {
+        store.assemble();
+        stored = "\n  " + left_behind(store, scenes.size());
+        throw;
       }
       store.assemble();
       rows = store.rows();
@@ -399,7 +410,7 @@ int run_sweep_from_lua(lua_State* L) {
     }
   } catch (const SceneError& error) {
     lua_geti(L, 4, static_cast<lua_Integer>(error.scene) + 1);
-    throw_at(session, scene_at(L, -1).site, FieldError(error.field, fmt::format("{} (at {})", error.what(), parameters.place(error.scene))));
+    throw_at(session, scene_at(L, -1).site, FieldError(error.field, fmt::format("{} (at {}){}", error.what(), parameters.place(error.scene), stored)));
   }
   lua_createtable(L, static_cast<int>(rows.size()), 0);
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view seal_words = "ricochet: HDF5 from byte 512 on; XXH3-128 of that: ";
 constexpr std::size_t seal_size = 512;
-constexpr const char* damage_remedy = "restore it from a copy, or remove it, or run again with --force or another --out";
+constexpr const char* damage_remedy = "restore it from a copy, or remove it, or run the script that wrote it again with --force or another --out";
 
 // More than any table or text of ours holds.
 constexpr hsize_t most_values = 1'000'000'000;

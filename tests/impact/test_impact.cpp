@@ -152,9 +152,11 @@ TEST_CASE("endings are statuses with a reason") {
     scene.integration.step /= 4;
     CHECK(outcome_of(scene).status != Status::unstable);
   }
-  SECTION("positions that overflow") {
-    scene.launch.speed = 1e200, scene.integration.energy_tolerance = 1e300, scene.integration.step = 1e-3;
-    CHECK(outcome_of(scene).status == Status::not_finite);
+  SECTION("forces that overflow at once") {
+    scene.contact.V0 = 1e308;
+    const Outcome o = outcome_of(scene);
+    CHECK(o.status == Status::not_finite);
+    CHECK_THAT(o.reason, Catch::Matchers::Contains("lower contact.V0"));
   }
 }
 
@@ -259,6 +261,52 @@ TEST_CASE("the disk lands where asked, whatever the angle") {
       CHECK(start.pose.centre.x() + fall * start.velocity.x() == Catch::Detail::Approx(at).margin(1e-9));
       CHECK(start.touches);
     }
+}
+
+TEST_CASE("a projectile does not fly through its target unseen: such a step is refused, and without repulsion it has tunnelled") {
+  struct Case {
+    const char* method;
+    double speed, theta;
+  };
+  Scene scene;
+  scene.projectile = disk(40, 1, 0.03, 1), scene.target = wall(150, 0.1, 0.03, 1), scene.launch.psi1 = 0;
+  scene.contact.xi = 3000;
+  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  for (const Case& c : {Case{"pefrl", 2, 2.9}, {"verlet", 2, 1.9}, {"verlet", 1, 0.4}, {"takahashi_imada", 0.5, 3}, {"multirate_8", 2, 20}}) {
+    Scene coarse = scene;
+    coarse.launch.speed = c.speed, coarse.integration.method = c.method, coarse.integration.theta = c.theta;
+    INFO(c.method);
+    CHECK_THROWS_WITH(launch(coarse, *p, *t), Catch::Matchers::Contains("might pass the contact unseen"));
+    // What it says works.
+    std::string words;
+    try {
+      launch(coarse, *p, *t);
+    } catch (const FieldError& error) {
+      words = error.what();
+    }
+    coarse.integration.theta = std::stod(words.substr(words.rfind("give ") + 5));
+    const Outcome o = run_scene(*p, *t, coarse, std::atomic<bool>{false});
+    INFO(words << " | " << name_of(o.status) << " " << o.reason);
+    CHECK(o.status != Status::no_contact);
+    if (o.status == Status::finished) CHECK(o.e > -0.1);
+  }
+  scene.contact = {}, scene.contact.V0 = 1e-12, scene.launch.speed = 0.1;
+  const Outcome through = run_scene(*p, *t, scene, std::atomic<bool>{false});
+  CHECK(through.status == Status::tunnelled);
+  CHECK_THAT(through.reason, Catch::Matchers::Contains("raise contact.V0"));
+}
+
+TEST_CASE("the closest approach of a straight flight is that of two circles") {
+  Scene scene;
+  scene.projectile = disk(60, 1e4, 0, 1), scene.target = disk(80, 1e4, 0, 2), scene.launch.psi1 = not_given, scene.launch.angle = 0;
+  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  for (const double at : {0.0, 1.0, 1.9}) {
+    scene.launch.at = at;
+    CHECK(closest_approach(launch(scene, *p, *t), *p, *t, 1e-3) <= 1e-3);
+  }
+  Start beside = launch(scene, *p, *t);
+  beside.pose.centre.x() = p->centre().x() + 2.2;
+  CHECK(closest_approach(beside, *p, *t, 1e-3) == Catch::Detail::Approx(0.2).margin(0.03));
 }
 
 TEST_CASE("a launch may be given by speed and angle, by psi1, or by its components") {

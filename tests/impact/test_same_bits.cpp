@@ -85,6 +85,30 @@ TEST_CASE("a lane of a multirate method cannot tell whether its neighbours are i
   CHECK(hash_of(list, 1, lanes) == hash_of(list, 1, 1));
 }
 
+TEST_CASE("the lanes may narrow at any moment of an impact beside effects, even as its contact ends") {
+  // The neighbour's time limit ends it, and with it the lanes, at one look after another of the impact.
+  Scene scene;
+  scene.projectile = disk(40, 1e4, 0.03, 1), scene.target = wall(150, 400, 0.03, 1), scene.launch.speed = 0.2, scene.effects = {Drag{0.02, "both"}};
+  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  const Outcome alone = run_scene(*p, *t, scene, std::atomic<bool>{false});
+  REQUIRE(alone.status == Status::finished);
+  const double between_looks = 64 * alone.step;
+  int moments = 0, same = 0;
+  for (double limit = 0.5 * between_looks; limit < alone.time; limit += between_looks / (sanitized ? 1 : 3)) {
+    Scene neighbour = scene;
+    neighbour.launch.speed = 0.15, neighbour.integration.time_limit = limit;
+    const std::vector<Scene> list{scene, neighbour};
+    std::vector<Outcome> outcomes(2);
+    run_sweep(list, {true, true}, {1, 2}, std::atomic<bool>{false}, [&](const std::vector<Result>& results) {
+      for (const Result& r : results) outcomes[r.index] = r.outcome;
+    });
+    CHECK(outcomes[1].status == Status::out_of_time);
+    ++moments, same += exact_text(outcomes[0]) == exact_text(alone);
+  }
+  CHECK(moments > 20);
+  CHECK(same == moments);
+}
+
 TEST_CASE("threads share the scenes of one lattice, every result is handed over once, and the use of the machine is told") {
   std::vector<Scene> list;
   for (int i = 0; i < 40; ++i) list.push_back(small_scene(1, 0.2 * i));
@@ -127,4 +151,29 @@ TEST_CASE("a scene that cannot start is named by its place in the sweep") {
     CHECK(error.scene == 7);
     CHECK(error.field == "step");
   }
+}
+
+TEST_CASE("what has begun when a scene cannot start runs to its end and is handed over") {
+  std::vector<Scene> list;
+  for (int i = 0; i < 12; ++i) list.push_back(small_scene(1, 0.2 * i));
+  list[9].launch.at = 50;
+  for (int threads : {1, 2}) {
+    std::set<std::size_t> ended;
+    const auto run = [&] {
+      run_sweep(list, std::vector<bool>(list.size(), true), {threads, 4}, std::atomic<bool>{false}, [&](const std::vector<Result>& results) {
+        for (const Result& r : results) {
+          CHECK(r.outcome.status == Status::finished);
+          ended.insert(r.index);
+        }
+      });
+    };
+    CHECK_THROWS_AS(run(), SceneError);
+    for (std::size_t i = 0; i < 9; ++i) CHECK(ended.count(i) == 1);
+  }
+}
+
+TEST_CASE("a scene whose launch is sound but not its start is found by the check as well") {
+  std::vector<Scene> list{small_scene(), small_scene()};
+  list[1].effects = {Thermal{1e3, 1, "both"}};
+  CHECK_THROWS_AS(check_scenes(list, {true, true}, {1, 1}, std::atomic<bool>{false}), SceneError);
 }

@@ -237,7 +237,7 @@ TEST_CASE("mistakes outside the script name the file and the remedy") {
   CHECK(ended.status == 4);
   here.write("broken.h5", "not HDF5");
   ended = here.shell("ricochet info broken.h5");
-  CHECK(ended.first_line() == "error: broken.h5 is no file of ricochet's (it begins without a seal), or its beginning is damaged; restore it from a copy, or remove it, or run again with --force or another --out");
+  CHECK(ended.first_line() == "error: broken.h5 is no file of ricochet's (it begins without a seal), or its beginning is damaged; restore it from a copy, or remove it, or run the script that wrote it again with --force or another --out");
   CHECK(ended.status == 4);
   here.write("b.lua", std::string("\x1bLua", 4));
   CHECK(here.run("b.lua").first_line() == "error: b.lua: bytecode is not accepted; give the script's text");

@@ -51,6 +51,7 @@ class Contact {
   template <int V>
   void take(int lane, const Contact<V, effects>& from, int from_lane) {
     if (grip()) grip()->take(lane, *from.grip(), from_lane);
+    stiffest_[lane] = from.stiffest_[from_lane], stiffest_node_[lane] = from.stiffest_node_[from_lane];
   }
 
   /// Finds the pairs near these positions, if rims have moved too far since they were last found; each() and apart() need it, evaluations do it.
