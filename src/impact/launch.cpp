@@ -108,7 +108,7 @@ void check_contact_is_seen(const Scene& scene, double step, double fastest, doub
   const double furthest = std::min(10 * onset_share * kicks / scene.contact.xi, radius * method.evaluations() / evaluations_between_looks);
   if (step * fastest <= furthest) return;
   const double unit = std::isnan(wanted.step) ? wanted.theta / step : 1;
-  throw FieldError(std::isnan(wanted.step) ? "theta" : "step", fmt::format("the projectile would move by {:.2g} R in a step of {:.3g} R/c and might pass the contact unseen, whose repulsion grows e-fold in {:.2g} R; give {:.2g} or less",
+  throw FieldError(std::isnan(wanted.step) ? "theta" : "step", fmt::format("the projectile would move by {:.2g} R in a step of {:.3g} R/c and might pass the contact unseen, whose repulsion grows e-fold in {:.2g} R; give {:.3g} or less",
                                                                            step * fastest, step, 1 / scene.contact.xi, 0.99 * furthest / fastest * unit));
 }
 

@@ -152,7 +152,11 @@ Verdict judged(const RandomScene& random, double steps) {
       (std::isnan(scene.integration.step) ? finer.integration.theta : finer.integration.step) = told(text, "; give ");
       const double kicks = method.multirate() ? static_cast<double>(method.stages.size()) : 1;
       right = asked * (scene.launch.velocity().norm() + 3 * std::abs(scene.launch.spin)) / kicks > std::min(3 / scene.contact.xi, 0.01);
-      launch(finer, *projectile, *target);
+      try {
+        launch(finer, *projectile, *target);
+      } catch (const FieldError&) {
+        right = false;
+      }
     }
     if (error.field == "step" && !(asked > 0)) right = true;
     return {"refused", right ? std::nullopt : std::optional(fmt::format("refused: {}: {}", error.field, text))};
