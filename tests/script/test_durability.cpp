@@ -99,6 +99,26 @@ TEST_CASE("^C stores what is done, says how to resume, and exits with 130") {
   CHECK_FALSE(fs::exists(here.path / "out/s/parts"));
 }
 
+TEST_CASE("rows of another version or commit are refused by --resume, and left as they are") {
+  const Workplace here;
+  here.write("s.lua", small_sweep);
+  REQUIRE(here.run("s.lua samples=2 --quiet").status == 0);
+  const fs::path results = here.path / "out/s/results.h5";
+  const Table table = read_table(results);
+  Provenance origin = read_provenance(results);
+  CHECK(here.run("s.lua samples=2 --quiet --resume").status == 0);
+  for (const char* what : {"version", "commit"}) {
+    Provenance other = origin;
+    other[what] = "older";
+    write_table(results, table, other);
+    const std::string before = read_file(results);
+    const Ended ended = here.run("s.lua samples=2 --quiet --resume");
+    CHECK(ended.status == 4);
+    CHECK_THAT(ended.err, Catch::Matchers::Contains(std::string("was written by ") + what + " older") && Catch::Matchers::Contains("--force"));
+    CHECK(read_file(results) == before);
+  }
+}
+
 TEST_CASE("threads and batch size do not change a row") {
   const Workplace here;
   here.write("s.lua", small_sweep);
