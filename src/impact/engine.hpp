@@ -13,6 +13,7 @@
 #include "impact/acting_effects.hpp"
 #include "impact/batch.hpp"
 #include "impact/endings.hpp"
+#include "impact/followed.hpp"
 #include "impact/inversion.hpp"
 #include "impact/launch.hpp"
 #include "impact/multirate.hpp"
@@ -33,36 +34,6 @@ inline constexpr double bound_slack = 1.15;
 
 // A body has folded when more than this share of its area is turned over; slivers of a random lattice do so in any impact.
 inline constexpr double folded_share = 0.01;
-
-/// What is followed of one impact while it runs.
-struct Run {
-  const Scene* scene = nullptr;  // nullptr: the lane is idle
-  std::size_t index = 0;
-  Start start;
-  Ledger before;
-  double energy_before = 0;
-  std::array<double, effect_kinds> effects_before{};  // energies of the effects
-  double reference_height = 0;  // overlap of the smooth outlines is this minus the height between the centres
-  double projectile_radius = 0, target_radius = 0;
-  std::int64_t steps = 0;
-  bool touching = false;
-  int touches = 0;
-  double first_touch = 0, last_touch = 0;
-  double indentation = 0;
-  bool indented = false;
-  double contact_length = Outcome::undefined, centre_offset = Outcome::undefined, tan_alpha = Outcome::undefined;
-  double drift = 0;
-  int looks = 0;
-  double spring_bound = 0;  // squared_frequency_bound of both bodies when it was last taken, the target's times slower_by^2
-  BodyNode bound_node;      // the node that set it
-  bool broken = false;      // a velocity is no longer finite: steps do not count from then on
-  BodyNode broken_node;     // whose
-  double inverted = 0, inversion_time = Outcome::undefined;
-  double theta_most = 0;  // greatest step times frequency bound, springs as stretched and contact included
-  double seconds = 0;     // its share of the thread's time
-
-  double time() const { return static_cast<double>(steps) * start.step; }
-};
 
 /// `Effects` is ActingEffects but in the benchmark that shows what it costs a scene without effects.
 template <int W, class Effects = ActingEffects<W>>
@@ -118,7 +89,7 @@ class Engine {
     threshold_[lane] = touch_share * run.start.energy;
     Lane<W> alone = Lane<W>::Zero();  // a step of 0 leaves the other lanes as they are, bit for bit
     alone[lane] = h_[lane];
-    for (int b : {0, 1}) {
+    for (int b : {0, 1}) {  // what a snapshot sees before the first step
       end_[b].stiffness[lane] = body_[b].stiffness[lane];
       for (int i = 0; i < body_[b].lattice->nodes(); ++i)
         end_[b].position.set(i, lane, body_[b].position.at(i, lane)), end_[b].velocity.set(i, lane, body_[b].velocity.at(i, lane));
@@ -479,28 +450,14 @@ class Engine {
 
   static std::string described(const BodyNode& node) { return fmt::format("node {} of the {}", node.node, node.body == 0 ? "projectile" : "target"); }
 
-  // Looks for lanes that have just broken. A node that is not finite takes its neighbours along in the same evaluation, so the one with
-  // the most of them is where it began.
+  // Looks for lanes that have just broken.
   void find_broken(const Bodies& bodies) {
     const Lane<W> pulse = bodies[0].pulse + bodies[1].pulse;
     if ((pulse - pulse == 0).all()) return;
     for (int lane = 0; lane < W; ++lane) {
       Run& run = runs_[lane];
       if (!run.scene || run.broken || std::isfinite(pulse[lane])) continue;
-      run.broken = true;
-      int most = -1;
-      for (int b : {0, 1}) {
-        const Lattice& lattice = *bodies[b].lattice;
-        const auto lost = [&](int i) { return i < lattice.free && !(bodies[b].position.at(i, lane) + bodies[b].velocity.at(i, lane)).allFinite(); };
-        std::vector<int> neighbours(static_cast<std::size_t>(lattice.nodes()));
-        for (int i = 0; i < lattice.free; ++i)
-          for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
-            const int j = lattice.spring[s].other;
-            neighbours[i] += lost(j), neighbours[j] += lost(i);
-          }
-        for (int i = 0; i < lattice.free; ++i)
-          if (lost(i) && neighbours[i] > most) most = neighbours[i], run.broken_node = {b, i};
-      }
+      run.broken = true, run.broken_node = where_it_broke(bodies, lane);
     }
   }
 
@@ -523,31 +480,21 @@ class Engine {
     return points;
   }
 
-  // Ends of the contact along x: projectile nodes pushed with more than 1 % of the strongest push.
   void measure_contact(int lane, double centre, double overlap) {
     Run& run = runs_[lane];
-    struct Point {
-      Vec2 place;
-      double force;
-    };
-    std::vector<Point> points;
+    std::vector<Push> pushes;
+    double strongest = 0;
     contact_.each(lane, end_[0].position, end_[1].position, [&](const auto& push) {
       const int node = push.direction == 0 ? push.node : push.along < 0.5 ? push.from : push.to;
-      points.push_back({end_[0].position.at(node, lane), push.force.norm()});
+      pushes.push_back({end_[0].position.at(node, lane), push.force.norm()});
+      strongest = std::max(strongest, pushes.back().force);
     });
-    double strongest = 0;
-    for (const Point& p : points) strongest = std::max(strongest, p.force);
     if (strongest * run.start.contact.reach < touch_share * run.start.energy) return;  // between two touches
     run.indentation = overlap, run.indented = true;
-    std::optional<Vec2> a, b;  // trailing and leading end; the projectile moves along +x
-    for (const Point& p : points) {
-      if (p.force < 0.01 * strongest) continue;
-      if (!a || p.place.x() < a->x()) a = p.place;
-      if (!b || p.place.x() > b->x()) b = p.place;
-    }
-    run.contact_length = b->x() - a->x();
-    run.centre_offset = std::abs(centre - a->x());
-    run.tan_alpha = run.contact_length > 0 ? (b->y() - a->y()) / run.contact_length : Outcome::undefined;
+    const auto [a, b] = ends_of(pushes, strongest);
+    run.contact_length = b.x() - a.x();
+    run.centre_offset = std::abs(centre - a.x());
+    run.tan_alpha = run.contact_length > 0 ? (b.y() - a.y()) / run.contact_length : Outcome::undefined;
   }
 
   void write(int lane, const Motions& motions, const Energies& energies, Outcome& o) const {

@@ -1,0 +1,57 @@
+#pragma once
+// A sweep's rows as they come in, in part files that survive a kill, and results.h5 and results.csv of them all.
+
+#include <filesystem>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "script/objects.hpp"
+#include "script/session.hpp"
+
+namespace ricochet {
+
+/// The sweep's own parameters, by name; numbers are NaN and texts empty where the other kind was given.
+struct Parameters {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> numbers;     // [parameter][scene]
+  std::vector<std::vector<std::string>> texts;  // [parameter][scene]; empty if the parameter is numeric
+
+  /// "psi1 = 2, sample = 7" for messages.
+  std::string place(std::size_t scene) const;
+};
+
+/// Rows of a sweep as they come in, and their files.
+class Store {
+ public:
+  /// Takes what is stored if the session resumes. Throws FileError for what is damaged, or not of these scenes, or of another version.
+  Store(Session& session, const std::string& name, const std::vector<std::string>& hashes, const Parameters& parameters);
+
+  const std::vector<bool>& done() const { return done_; }
+  const std::vector<Row>& rows() const { return rows_; }
+  std::size_t count() const { return count_; }
+  const std::filesystem::path& folder() const { return folder_; }
+
+  /// Keeps a finished batch as a part file: from then on it survives a kill.
+  void add(const std::vector<std::pair<std::size_t, Row>>& batch);
+
+  /// results.h5 and results.csv from every row there is, in the sweep's order; then the parts are not needed any more.
+  void assemble();
+
+ private:
+  // Rows of equal scenes are the same row.
+  bool take(const Row& row);
+  void load();
+
+  Session& session_;
+  std::filesystem::path folder_;
+  const std::vector<std::string>& hashes_;
+  const Parameters& parameters_;
+  std::unordered_map<std::string, std::vector<std::size_t>> scenes_;  // by hash
+  std::vector<Row> rows_;
+  std::vector<bool> done_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace ricochet
