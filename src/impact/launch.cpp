@@ -47,6 +47,9 @@ double resting_lift(const Points& upper, const Points& lower) {
   return lift;
 }
 
+// Of a flight towards the target: each closes most of the gap unless the flight is almost parallel to the surface.
+constexpr int most_advances = 100000;
+
 struct Circle {
   Vec2 centre;
   double radius;
@@ -260,8 +263,6 @@ Start launch(const Scene& scene, const Lattice& projectile, const Lattice& targe
   }
 
   const Circle around = circle_around(target_rim);
-  // Each advance closes most of the gap unless the flight is almost parallel to the surface.
-  constexpr int most_advances = 100000;
   for (int advance = 0; distance > reach; ++advance) {
     if (advance == most_advances)
       throw FieldError("launch", fmt::format("the flight is too shallow to find the first touch (normal speed {:g} of {:g} c)", normal_speed, start.velocity.stableNorm()));
@@ -284,13 +285,15 @@ double closest_approach(const Start& start, const Lattice& projectile, const Lat
   for (const Vec2& p : rim) radius = std::max(radius, (p - centre).norm());
   const double fastest = start.velocity.stableNorm() + std::abs(start.spin) * radius;
   const Circle around = circle_around(target_rim);
-  for (Pose pose = start.pose;;) {
+  Pose pose = start.pose;
+  for (int advance = 0; advance < most_advances; ++advance) {
     const double distance = chain_distance(posed(rim, centre, pose), target_rim);
     least = std::min(least, distance);
-    if (least <= enough || gone_past(around, pose, start.velocity, radius)) return least;
+    if (least <= enough || gone_past(around, pose, start.velocity, radius)) break;
     const double time = std::max(distance - enough, 0.05 * enough) / fastest;
     pose.centre += time * start.velocity, pose.angle += time * start.spin;
   }
+  return least;
 }
 
 }  // namespace ricochet

@@ -38,7 +38,8 @@ struct Start {
 /// Throws Error if the bodies overlap at the start, or a given time step exceeds the stability limit or what resolves the contact.
 Start launch(const Scene& scene, const Lattice& projectile, const Lattice& target);
 
-/// The least distance of the rims [R] on the straight flight from a start, or the first one found that is at most `enough` (above 0).
+/// The least distance of the rims [R] on the straight flight from a start, or the first one found that is at most `enough` (above 0); in a flight almost parallel
+/// to the surface only as far as 100,000 advances go.
 double closest_approach(const Start& start, const Lattice& projectile, const Lattice& target, double enough);
 
 /// Rim points of a body in a pose.

@@ -70,9 +70,6 @@ Row row_of(const Scene& scene, const Outcome& outcome, double seconds);
 /// A path below the run's own folder. Throws Error if the name, or a link, leads out of it.
 std::filesystem::path below_folder(lua_State* L, const std::string& name);
 
-/// True for names of what a run leaves itself: results.h5, results.csv, run.log, and what is in parts.
-bool is_of_the_run(const std::filesystem::path& name);
-
 /// Pushes a table with every column of the row.
 void push_row(lua_State* L, const Row& row);
 

@@ -31,11 +31,6 @@ fs::path below_folder(lua_State* L, const std::string& name) {
   return whole;
 }
 
-bool is_of_the_run(const fs::path& name) {
-  const std::string first = name.begin()->string();
-  return first == "results.h5" || first == "results.csv" || first == "run.log" || first == "parts";
-}
-
 namespace {
 
 // gnuplot(name, text): writes NAME.gp into the run's folder and lets gnuplot draw NAME.svg and NAME.png.

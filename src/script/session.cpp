@@ -34,8 +34,8 @@ extern "C" void on_signal(int) {
 extern "C" void on_alarm(int) { _exit(130); }
 
 bool is_product(const fs::path& entry) {
-  static const std::set<std::string> names{"results.h5", "results.csv", "run.log", "parts"}, kinds{".svg", ".png", ".gp", ".h5", ".xdmf", ".mp4", ".new"};
-  if (names.count(entry.filename().string()) || kinds.count(entry.extension().string())) return true;
+  static const std::set<std::string> kinds{".svg", ".png", ".gp", ".h5", ".xdmf", ".mp4", ".new"};
+  if (is_of_the_run(entry.filename()) || kinds.count(entry.extension().string())) return true;
   // A folder of frames holds nothing but frames.
   if (!fs::is_directory(entry)) return false;
   for (const auto& inner : fs::directory_iterator(entry))
@@ -44,6 +44,11 @@ bool is_product(const fs::path& entry) {
 }
 
 }  // namespace
+
+bool is_of_the_run(const fs::path& name) {
+  static const std::set<std::string> names{"results.h5", "results.csv", "run.log", "parts"};
+  return names.count(name.begin()->string()) > 0;
+}
 
 void catch_signals() {
   struct sigaction action {};

@@ -29,6 +29,9 @@ struct RunOptions {
 extern std::atomic<bool> stop_requested;
 void catch_signals();
 
+/// True for names of what a run leaves itself: results.h5, results.csv, run.log, and what is in parts.
+bool is_of_the_run(const std::filesystem::path& name);
+
 class Session {
  public:
   Session(RunOptions run_options, std::filesystem::path script_path, std::vector<std::string> script_arguments);

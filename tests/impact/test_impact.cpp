@@ -152,6 +152,10 @@ TEST_CASE("endings are statuses with a reason") {
     scene.integration.step /= 4;
     CHECK(outcome_of(scene).status != Status::unstable);
   }
+  SECTION("a speed that overflows in a given step") {
+    scene.launch.speed = 1e200, scene.integration.energy_tolerance = 1e300, scene.integration.step = 1e-3;
+    CHECK_THROWS_WITH(outcome_of(scene), Catch::Matchers::Contains("might pass the contact unseen"));
+  }
   SECTION("forces that overflow at once") {
     scene.contact.V0 = 1e308;
     const Outcome o = outcome_of(scene);

@@ -171,6 +171,29 @@ TEST_CASE("without a budget what runs in the libraries is bounded, and the repl 
   CHECK_THAT(ended.out, Catch::Matchers::Contains("> 2\n"));
 }
 
+TEST_CASE("a plain search finds what a search for the escaped words finds") {
+  const Workplace here;
+  here.write("s.lua", R"lua(
+local state = 1
+local function random(n) state = (state * 1103515245 + 12345) % 2147483648 return state // 65536 % n end
+local function text(n) local t = {} for i = 1, random(n + 1) do t[i] = ({ "a", "b", ".", "%", "\0" })[random(5) + 1] end return table.concat(t) end
+local found = 0
+for trial = 1, 20000 do
+  local where, words, from = text(12), text(3), random(30) - 15
+  local a, b = where:find(words, from, true)
+  local c, d = where:find(words:gsub("%W", "%%%0"), from)
+  if a ~= c or b ~= d then error(("%q %q %d: %s %s, not %s %s"):format(where, words, from, a, b, c, d)) end
+  if a then found = found + 1 end
+end
+print("found", found)
+assert(found > 5000 and found < 19000)
+assert(select("#", ("a"):find("b", 1, true)) == 1)
+)lua");
+  const Ended ended = here.run("s.lua");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
+
 TEST_CASE("searches find what Lua's own do, so that their steps are those it would take") {
   lua_State* L = luaL_newstate();
   luaL_openlibs(L);
