@@ -15,6 +15,7 @@
 #include "impact/endings.hpp"
 #include "impact/followed.hpp"
 #include "impact/inversion.hpp"
+#include "impact/kept_energy.hpp"
 #include "impact/launch.hpp"
 #include "impact/multirate.hpp"
 #include "impact/rigid_motion.hpp"
@@ -501,6 +502,10 @@ class Engine {
     const RigidMotion<W>&p = motions.projectile, &t = motions.target;
     const Run& run = runs_[lane];
     o.before = run.before, o.after = ledger(lane, motions, energies);
+    if (effects_.empty()) {
+      o.after.projectile_vibration += kept_beyond(method_, h_, 0, end_[0])[lane];
+      o.after.target_vibration += kept_beyond(method_, h_, 1, end_[1])[lane];
+    }
     for (const Effect& effect : run.scene->effects) o.effect_energy[effect.index()] = energies.effects[effect.index()][lane] - run.effects_before[effect.index()];
     o.effect_count = effects_.counts(lane);
     o.energy_closure = std::abs(o.after.total() - run.energy_before) / run.energy_before;

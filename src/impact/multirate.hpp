@@ -66,8 +66,8 @@ class Multirate {
   // Every lane goes through all of it, in contact or not: what one lane does must not depend on the others.
   template <class Contact>
   void displace_slow(const Displaceable<W, Contact>& moved, const Lane<W>& kick_by, const Lane<W>& gradient, double mixed) {
-    auto& [bodies, displacement, contact] = moved;
-    Moving<W>&projectile = bodies[0], &target = bodies[1];
+    std::array<NodeVectors<W>, 2>& displacement = moved.displacement;  // by its name: clang 14 captures no structured binding
+    Moving<W>&projectile = moved.bodies[0], &target = moved.bodies[1];
     take_pushes(moved, push_);
     sweep_displacements(target, displacement[1], gradient);
     each_rim_node(1, [&](int k, int i) {
@@ -133,11 +133,10 @@ class Multirate {
   // The contact's forces where the bodies are.
   template <class Contact>
   void take_pushes(const Displaceable<W, Contact>& moved, std::array<NodeVectors<W>, 2>& pushes) const {
-    auto& [bodies, displacement, contact] = moved;
-    contact.add_forces(bodies[0], bodies[1]);
+    moved.contact.add_forces(moved.bodies[0], moved.bodies[1]);
     for (std::size_t b : {0, 1})
       each_rim_node(b, [&](int k, int i) {
-        NodeVectors<W>& force = bodies[b].force;
+        NodeVectors<W>& force = moved.bodies[b].force;
         pushes[b].x(k) = force.x(i), pushes[b].y(k) = force.y(i);
         force.x(i).setZero(), force.y(i).setZero();
       });
