@@ -251,11 +251,11 @@ std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, con
     const std::size_t count = std::min(members.size(), most_tried);
     for (std::size_t k = 0; k < count; ++k) places.insert(members[count > 1 ? k * (members.size() - 1) / (count - 1) : 0]);
     for (const std::size_t i : places) {
-      tried.push_back({build_lattice(*scenes[i].projectile), build_lattice(*scenes[i].target), scenes[i]});
       Scene plain = scenes[i];
       plain.integration.accuracy = not_given;
       if (plain.integration.method == "auto") plain.integration.method = "verlet";
       try {
+        tried.push_back({build_lattice(*scenes[i].projectile), build_lattice(*scenes[i].target), scenes[i]});
         check_start(*tried.back().projectile, *tried.back().target, plain);
       } catch (const FieldError& error) {
         throw SceneError(error, i);

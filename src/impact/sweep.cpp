@@ -58,9 +58,13 @@ std::vector<std::unique_ptr<Group>> groups_of(const std::vector<Scene>& scenes, 
 
 void build(Group& group, const std::vector<Scene>& scenes) {
   std::call_once(group.built, [&] {
-    const Scene& scene = scenes[group.scenes.front()];
-    group.projectile = build_lattice(*scene.projectile);
-    group.target = build_lattice(*scene.target);
+    const std::size_t first = group.scenes.front();
+    try {
+      group.projectile = build_lattice(*scenes[first].projectile);
+      group.target = build_lattice(*scenes[first].target);
+    } catch (const FieldError& error) {
+      throw SceneError(error, first);
+    }
   });
 }
 

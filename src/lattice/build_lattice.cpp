@@ -81,7 +81,7 @@ std::shared_ptr<const Lattice> build_lattice(const Body& body) {
     try {
       relax(*lattice);
     } catch (const Error& error) {
-      throw FieldError("prestress", fmt::format("{} is too much for this lattice: {}; lower it or take another seed", body.numbers.prestress, error.what()));
+      throw FieldError("prestress", fmt::format("{} is too much for this lattice ({} nodes, seed {}): {}; lower it or take another seed", body.numbers.prestress, body.numbers.nodes, body.numbers.seed, error.what()));
     }
     for (int i = 0; i < lattice->free; ++i)
       for (int s = lattice->first[i]; s < lattice->first[i + 1]; ++s) {

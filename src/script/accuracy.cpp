@@ -64,7 +64,12 @@ int accuracy_runs(lua_State* L) {
   Session& session = session_of(L);
   const SceneObject& object = scene_at(L, 1);
   const lua_Integer repeats = luaL_checkinteger(L, 3);
-  const auto projectile = build_lattice(*object.scene.projectile), target = build_lattice(*object.scene.target);
+  std::shared_ptr<const Lattice> projectile, target;
+  try {
+    projectile = build_lattice(*object.scene.projectile), target = build_lattice(*object.scene.target);
+  } catch (const FieldError& error) {
+    throw_at(session, object.site, error);
+  }
   const Pinned pinned;
   lua_newtable(L);
   const int rows = lua_gettop(L);

@@ -196,6 +196,18 @@ TEST_CASE("every mistake is reported by its exact first line and exit status") {
   }
 }
 
+TEST_CASE("a lattice whose springs find no balance is reported at its scene, whoever builds it") {
+  const std::string sweep = "ricochet.sweep { name = 'x', over = { psi1 = { 0, 1 } }, scene = function(at) return s end }:run()";
+  for (const auto& [more, call, where] : {std::array<std::string, 3>{"", "s:run()", ""}, {"", sweep, " (at psi1 = 0)"}, {", accuracy = 1e-3", sweep, " (at psi1 = 0)"}, {"", "ricochet.accuracy { scene = s }", ""},
+                                          {"", "ricochet.animate { scene = s, frames = 2 }", ""}}) {
+    const Workplace here;
+    const Ended ended = here.script("local ricochet = require \"ricochet\"\nlocal s = ricochet.scene { projectile = ricochet.disk { nodes = 200, roughness = 0.02, prestress = 0.05 }, target = ricochet.wall { nodes = 150 }" + more + " }\n" + call);
+    INFO(call << "\n" << ended.err);
+    CHECK(ended.status == 1);
+    CHECK(ended.first_line() == "error: s.lua:2: scene: 'prestress': 0.05 is too much for this lattice (200 nodes, seed 1): the springs find no balance near their places; lower it or take another seed" + where);
+  }
+}
+
 TEST_CASE("all mistakes of a table are reported together, each at its line, with carets and the valid fields") {
   const Workplace here;
   const Ended ended = here.script("local ricochet = require \"ricochet\"\nlocal d = ricochet.disk {\n  radus = 0.05,\n  seed = -1,\n}\n");
