@@ -76,6 +76,14 @@ int sort(lua_State* L) {
   return original(L);
 }
 
+// As Lua's string.find does: a pattern without any of these characters is searched for as it stands.
+bool is_plain(lua_State* L) {
+  if (lua_toboolean(L, 4)) return true;
+  std::size_t length = 0;
+  const char* pattern = lua_isstring(L, 2) ? lua_tolstring(L, 2, &length) : nullptr;
+  return pattern && std::string_view(pattern, length).find_first_of("^$*+?.([%-") == std::string_view::npos;
+}
+
 // string.find(text, words, from, true). Lua's own takes as long as both lengths' product.
 int find_plain(lua_State* L) {
   std::size_t length = 0, words_length = 0;
@@ -99,7 +107,7 @@ template <Search search>
 int pattern_function(lua_State* L) {
   constexpr bool all = search == Search::gsub || search == Search::gmatch;
   constexpr int begin_at = search == Search::gsub ? 0 : 3;  // argument
-  if (search == Search::find && lua_toboolean(L, 4)) return find_plain(L);
+  if (search == Search::find && is_plain(L)) return find_plain(L);
   if (lua_isstring(L, 1) && lua_isstring(L, 2)) {
     std::size_t text_length = 0, pattern_length = 0;
     const char *text = lua_tolstring(L, 1, &text_length), *pattern = lua_tolstring(L, 2, &pattern_length);

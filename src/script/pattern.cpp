@@ -11,7 +11,7 @@ namespace {
 using Set = std::bitset<256>;
 
 struct Item {
-  enum class Kind { single, open, close, position, back_reference, balance, frontier, end };
+  enum class Kind { single, open, close, position, back_reference, balance, frontier, end, malformed };
   Kind kind = Kind::single;
   Set set{};            // single, frontier
   char repetition = 0;  // single: * + - ? or none
@@ -52,7 +52,11 @@ class Reader {
 
   std::vector<Item> items() {
     std::vector<Item> list;
-    while (at_ < pattern_.size()) list.push_back(item());
+    try {
+      while (at_ < pattern_.size()) list.push_back(item());
+    } catch (const Malformed&) {
+      list.push_back({Item::Kind::malformed});  // Lua does not notice before it gets there, which may take long
+    }
     return list;
   }
 
@@ -215,6 +219,7 @@ class Matcher {
           if (item.set[before] || !item.set[here]) return std::nullopt;
           break;
         }
+        case Item::Kind::malformed: throw Malformed{};
         case Item::Kind::end: return place == text_.size() ? std::optional(place) : std::nullopt;
         case Item::Kind::single:
           if (item.repetition == '*' || item.repetition == '+') {
