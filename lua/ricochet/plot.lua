@@ -11,6 +11,7 @@ local open_marks = { 6, 4, 8, 12, 10 }
 
 -- In single quotes: within double ones gnuplot runs what stands in backquotes as a shell command.
 local function quoted(text)
+  if type(text) ~= "string" then core.fail(("takes texts for names and labels, one is a %s"):format(type(text))) end  -- a table may call anything gsub
   return "'" .. text:gsub("'", "''"):gsub("%c", " ") .. "'"
 end
 

@@ -5,6 +5,9 @@
 namespace ricochet {
 namespace {
 
+// No name is longer; a longer word is none misspelt, and comparing takes as long as both lengths' product.
+constexpr std::size_t longest = 100;
+
 // Optimal string alignment distance: insertions, deletions, substitutions and swaps of neighbours each cost 1.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -27,10 +30,12 @@ std::string lower(std::string_view text) {
 }  // namespace
 
 std::vector<std::string> nearest_names(std::string_view word, std::span<const std::string> names) {
+  if (word.size() > longest) return {};
   const std::string typed = lower(word);
   std::vector<std::string> best;
   std::size_t best_distance = std::max<std::size_t>(1, typed.size() / 3);
   for (const std::string& name : names) {
+    if (name.size() > longest) continue;
     const std::size_t distance = edit_distance(typed, lower(name));
     // An abbreviation (or the singular of a plural) counts as near, however much is missing.
     const bool prefix = typed.size() >= 3 && (lower(name).starts_with(typed) || typed.starts_with(lower(name)));

@@ -29,12 +29,15 @@ namespace ricochet {
 inline constexpr int looks_between_ledgers = 4;
 
 // The bound of the highest frequency is taken anew every so many looks, each of which costs about a force evaluation. It lies
-// 1.10 to 1.15 times above the frequency itself, so an impact is unstable only above that slack.
+// 1.10 to 1.15 times above the frequency itself, so an impact is surely unstable only above that slack; what is unstable below it, its energy tells.
 inline constexpr int looks_between_bounds = 16;
 inline constexpr double bound_slack = 1.15;
 
 // A body has folded when more than this share of its area is turned over; slivers of a random lattice do so in any impact.
 inline constexpr double folded_share = 0.01;
+
+// Bodies that move apart slower than this share of the impact's speed when its time is over: more time would not part them.
+inline constexpr double at_rest = 1e-3;
 
 /// `Effects` is ActingEffects but in the benchmark that shows what it costs a scene without effects.
 template <int W, class Effects = ActingEffects<W>>
@@ -405,7 +408,8 @@ class Engine {
       if (run.inverted > folded_share && std::isnan(run.inversion_time)) run.inversion_time = run.time();
       run.drift = std::max(run.drift, std::abs(total - run.energy_before) / run.energy_before);
       if (run.drift > run.scene->integration.energy_tolerance) {
-        reason = fmt::format("the total energy had strayed by {:.3g} at t = {:.6g} with the time step {:.3g} R/c; give a step half as long", run.drift, run.time(), run.start.step);
+        const double shorter = std::pow(run.scene->integration.energy_tolerance / (2 * run.drift), 1.0 / (effects_.empty() ? method_.order : 2));
+        reason = fmt::format("the total energy had strayed by {:.3g} at t = {:.6g} with the time step {:.3g} R/c; give a step of {:.2g} or less", run.drift, run.time(), run.start.step, std::clamp(shorter, 0.125, 0.5) * run.start.step);
         return Status::energy_drift;
       }
     }
@@ -443,7 +447,8 @@ class Engine {
     }
     if (parted) return run.touches > 0 ? Status::finished : no_contact(reason);
     if (late) {
-      reason = fmt::format("the bodies had not parted after {:.6g} R/c; raise time_limit", run.time());
+      const bool rests = std::hypot(p.vx[lane] - t.vx[lane], p.vy[lane] - t.vy[lane]) < at_rest * run.start.velocity.norm();
+      reason = fmt::format("the bodies had not parted after {:.6g} R/c; {}", run.time(), rests ? "they move as one and may never part: leave out, or lower, what holds or slows them" : "raise time_limit");
       return Status::out_of_time;
     }
     return Status::not_run;

@@ -53,12 +53,13 @@ NodeVectors<W> stiffness_times(const Moving<W>& body, const NodeVectors<W>& w) {
 }  // namespace kept_energy
 
 /// What a method that is conjugate to order 4 moves (takahashi_imada, multirate) differs from the solution by a canonical transformation near the
-/// identity. The energy of the solution is kept to order 4; that of what is moved lies this much below it and is kept to order 2 only. The
-/// difference of a body without contact: with s = K h^2/m, v K s^n v/2 and so on, a step that begins and ends amid a kick keeps
-///   v (1 + s/6 + 7 s^2/360 + ...) v m/2 + x K (1 - s/6 + s^2/180 + ...) x/2
-/// and one that does amid a drift
-///   v (1 - s/12 - s^2/720 + ...) v m/2 + x K (1 + s/12 + s^2/180 + ...) x/2,
-/// where F stands for -K x, so that the terms in s hold for springs of any law, and those in s^2 for small vibrations. [m0 c^2]
+/// identity. The energy of the solution is kept to order 4; that of what is moved lies this much below it and is kept to order 2 only. With the
+/// matrix S = h^2 K/m, a step that begins and ends amid a kick keeps the quadratic form
+///   m/2 v.(1 + S/6 + 7 S^2/360 + ...) v + 1/2 x.K (1 - S/6 + S^2/180 + ...) x
+/// of small vibrations x, and one that does amid a drift
+///   m/2 v.(1 - S/12 - S^2/720 + ...) v + 1/2 x.K (1 + S/12 + S^2/180 + ...) x.
+/// Here -K x is the springs' force, so that the terms in S hold for springs of any law; those in S^2 are for small vibrations. Without contact; beside
+/// it the fast and the slow forces of a multirate method mix. [m0 c^2]
 /// [here: the invariant of such a step of an oscillator, scaled to be the Hamiltonian of the motion that passes its points]
 template <int W>
 Lane<W> kept_beyond(const Method& method, const Lane<W>& h, int body, const Moving<W>& moved) {

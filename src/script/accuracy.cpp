@@ -73,9 +73,9 @@ int accuracy_runs(lua_State* L) {
   const Pinned pinned;
   lua_newtable(L);
   const int rows = lua_gettop(L);
-  const lua_Integer count = luaL_len(L, 2);
+  const lua_Integer count = length_of(L, 2);
   for (lua_Integer k = 1; k <= count; ++k) {
-    lua_geti(L, 2, k);
+    lua_rawgeti(L, 2, k);
     Scene scene = object.scene;
     scene.integration.accuracy = not_given;
     lua_getfield(L, -1, "method"), lua_getfield(L, -2, "step"), lua_getfield(L, -3, "theta");

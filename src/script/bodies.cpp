@@ -18,9 +18,9 @@ namespace {
 
 Points read_points(lua_State* L, int index) {
   Points points;
-  for (lua_Integer i = 1; i <= luaL_len(L, index); ++i) {
-    lua_geti(L, index, i);
-    lua_geti(L, -1, 1), lua_geti(L, -2, 2);
+  for (lua_Integer i = 1; i <= length_of(L, index); ++i) {
+    lua_rawgeti(L, index, i);
+    lua_rawgeti(L, -1, 1), lua_rawgeti(L, -2, 2);
     points.emplace_back(lua_tonumber(L, -2), lua_tonumber(L, -1));
     lua_pop(L, 3);
   }
@@ -116,8 +116,8 @@ int scene(lua_State* L) {
   if (lua_getfield(L, 1, "launch") == LUA_TTABLE) read_members(L, lua_gettop(L), made.scene.launch);
   if (lua_getfield(L, 1, "contact") == LUA_TTABLE) read_members(L, lua_gettop(L), made.scene.contact);
   if (lua_getfield(L, 1, "effects") == LUA_TTABLE)
-    for (lua_Integer i = 1; i <= luaL_len(L, -1); ++i) {
-      lua_geti(L, -1, i);
+    for (lua_Integer i = 1; i <= length_of(L, -1); ++i) {
+      lua_rawgeti(L, -1, i);
       made.scene.effects.push_back(effect_at(L, -1).effect);
       lua_pop(L, 1);
     }
@@ -181,7 +181,7 @@ int catalogue(lua_State* L) {
     lua_createtable(L, 0, 2);
     lua_pushstring(L, E::name), lua_setfield(L, -2, "name");
     lua_pushstring(L, E::example), lua_setfield(L, -2, "example");
-    lua_seti(L, -2, luaL_len(L, -2) + 1);
+    lua_seti(L, -2, length_of(L, -2) + 1);
   });
   return 1;
 }
@@ -247,6 +247,7 @@ int elasticity(lua_State* L) {
   const Body& band = *body_at(L, -1).body;
   if (std::find(band.anchored.begin(), band.anchored.end(), true) != band.anchored.end())
     throw_at(session_of(L), call_site(L), FieldError("body", "must have no anchored nodes"));
+  spend(L, work_a_node_stretched * band.numbers.nodes);
   Elasticity result{};
   try {
     result = stretch_band(*build_lattice(band), band.numbers.stiffness);
@@ -267,7 +268,8 @@ int unknown_method(lua_State* L) {
   if (lua_rawget(L, -2) != LUA_TNIL) return 1;
   lua_pop(L, 1);
   std::vector<std::string> names;
-  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) names.push_back(lua_tostring(L, -2));
+  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
+    if (lua_type(L, -2) == LUA_TSTRING) names.push_back(lua_tostring(L, -2));
   luaL_getmetafield(L, 1, "__name");
   const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2), type = lua_tostring(L, -1);
   throw unknown_name(L, "a " + type.substr(type.find('.') + 1), name, names);

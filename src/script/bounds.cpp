@@ -51,6 +51,14 @@ void raise_over_budget(lua_State* L) {
 // Calls the library's own function in the wrapper's place, so that its errors name the script's line.
 int original(lua_State* L) { return lua_tocfunction(L, lua_upvalueindex(1))(L); }
 
+// An integer argument as Lua itself reads it: floats and strings that are whole numbers, too. What is none the original refuses.
+lua_Integer integer_or(lua_State* L, int n, lua_Integer initial) {
+  if (lua_isnoneornil(L, n)) return initial;
+  int is_one = 0;
+  const lua_Integer value = lua_tointegerx(L, n, &is_one);
+  return is_one ? value : initial;
+}
+
 // Argument `n` is a text that the original reads.
 template <int n>
 int reading(lua_State* L) {
@@ -62,14 +70,14 @@ int reading(lua_State* L) {
 
 int concat(lua_State* L) {
   if (lua_istable(L, 1)) {
-    const lua_Integer first = lua_isinteger(L, 3) ? lua_tointeger(L, 3) : 1, last = lua_isinteger(L, 4) ? lua_tointeger(L, 4) : luaL_len(L, 1);
+    const lua_Integer first = integer_or(L, 3, 1), last = lua_isnoneornil(L, 4) ? luaL_len(L, 1) : integer_or(L, 4, 0);
     if (last > first) spend(L, work_an_element * (static_cast<double>(last) - static_cast<double>(first)));
   }
   return original(L);
 }
 
 int sort(lua_State* L) {
-  if (lua_istable(L, 1) && lua_isnoneornil(L, 2)) {  // a function that compares counts itself
+  if (lua_istable(L, 1) && (lua_isnoneornil(L, 2) || lua_iscfunction(L, 2))) {  // a function of Lua's that compares counts itself
     const double length = static_cast<double>(luaL_len(L, 1));
     if (length > 1) spend(L, work_a_comparison * length * std::log2(length));
   }
@@ -111,10 +119,10 @@ int pattern_function(lua_State* L) {
   if (lua_isstring(L, 1) && lua_isstring(L, 2)) {
     std::size_t text_length = 0, pattern_length = 0;
     const char *text = lua_tolstring(L, 1, &text_length), *pattern = lua_tolstring(L, 2, &pattern_length);
-    const lua_Integer asked = begin_at && lua_isinteger(L, begin_at) ? lua_tointeger(L, begin_at) : 1;
+    const lua_Integer asked = begin_at ? integer_or(L, begin_at, 1) : 1;
     const lua_Integer length = static_cast<lua_Integer>(text_length);
     const lua_Integer begin = asked > 0 ? asked - 1 : asked == 0 || asked < -length ? 0 : length + asked;
-    const double matches = search == Search::gsub && lua_isnumber(L, 4) ? lua_tonumber(L, 4) : all ? 1e300 : 1;
+    const double matches = search == Search::gsub && !lua_isnoneornil(L, 4) ? static_cast<double>(integer_or(L, 4, 0)) : all ? 1e300 : 1;
     double most = most_pattern_steps;
     const Limits& limits = limits_of(L);
     if (limits.budget > 0) most = std::min(most, std::max(0.0, limits.budget - limits.work) / work_a_pattern_step);
@@ -166,6 +174,41 @@ int move(lua_State* L) {
     spend(L, static_cast<double>(last - first));
   }
   return original(L);
+}
+
+// coroutine.wrap and coroutine.close, which close what a coroutine that failed still holds open. Lua calls no hook meanwhile, so that nothing
+// could end it: once the budget is used up it stays open.
+void stop_if_used_up(lua_State* L) {
+  const Limits& limits = limits_of(L);
+  if (stop_requested) luaL_error(L, "interrupted");
+  if (limits.budget > 0 && limits.work > limits.budget) raise_over_budget(L);
+}
+
+int close_coroutine(lua_State* L) {
+  stop_if_used_up(L);
+  return original(L);
+}
+
+// Upvalues: the coroutine, Lua's own coroutine.resume and coroutine.close.
+int resume_wrapped(lua_State* L) {
+  lua_State* co = lua_tothread(L, lua_upvalueindex(1));
+  lua_pushvalue(L, lua_upvalueindex(2)), lua_insert(L, 1);
+  lua_pushvalue(L, lua_upvalueindex(1)), lua_insert(L, 2);
+  lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+  if (lua_toboolean(L, 1)) return lua_gettop(L) - 1;
+  stop_if_used_up(L);
+  if (lua_status(co) > LUA_YIELD) lua_pushvalue(L, lua_upvalueindex(3)), lua_pushvalue(L, lua_upvalueindex(1)), lua_call(L, 1, 0);
+  if (lua_type(L, 2) == LUA_TSTRING) luaL_where(L, 1), lua_insert(L, 2), lua_settop(L, 3), lua_concat(L, 2);
+  return lua_error(L);
+}
+
+int wrap_coroutine(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TFUNCTION);
+  lua_State* co = lua_newthread(L);
+  lua_pushvalue(L, 1), lua_xmove(L, co, 1);
+  lua_pushvalue(L, lua_upvalueindex(1)), lua_pushvalue(L, lua_upvalueindex(2));
+  lua_pushcclosure(L, resume_wrapped, 3);
+  return 1;
 }
 
 void replace(lua_State* L, const char* table, const char* name, lua_CFunction bounded) {
@@ -261,6 +304,12 @@ void bound_libraries(lua_State* L) {
   replace(L, "table", "insert", shift<3>);
   replace(L, "table", "remove", shift<2>);
   replace(L, "table", "move", move);
+  lua_getglobal(L, "coroutine");
+  lua_getfield(L, -1, "resume"), lua_getfield(L, -2, "close");
+  lua_pushcclosure(L, wrap_coroutine, 2);
+  lua_setfield(L, -2, "wrap");
+  lua_pop(L, 1);
+  replace(L, "coroutine", "close", close_coroutine);
 }
 
 }  // namespace ricochet

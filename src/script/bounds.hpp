@@ -28,13 +28,15 @@ inline constexpr double work_a_node = 20;                // placed
 inline constexpr double work_a_byte_read = 1;            // of a text read by one of Lua's own functions; 0.4 (tonumber), 1.3 (packsize), up to 6 in the hardest plain search
 inline constexpr double work_an_element = 6;             // of a table joined
 inline constexpr double work_a_comparison = 8;           // of a table sorted
+inline constexpr double work_a_node_stretched = 1000;    // by ricochet.elasticity
+inline constexpr double work_a_plot = 5e5;               // a thirtieth of its time, so that small budgets leave room for some
 // Instructions that take longer than this on average have done what nobody counted (comparing long strings, searching emptied tables), and cost their time.
 // Loops that make tables, strings or formatted numbers take 0.1 to 0.2 us an instruction.
 inline constexpr double slowest_instruction = 1e-6, usual_instruction = 5e-9;  // [s]
 
 Limits& limits_of(lua_State* L);
 
-/// While it lives, time is our own functions', which count their work themselves or are not bounded (impacts).
+/// While it lives, time is our own functions', which count their work themselves. Impacts count none: a budget bounds the script, not the physics.
 class EngineTime {
  public:
   explicit EngineTime(lua_State* L);
@@ -57,7 +59,7 @@ void spend(lua_State* L, double work);
 
 /// The hook that counts instructions and sees ^C.
 void watch(lua_State* L, lua_Debug*);
-inline constexpr int hook_period = 2000;
+inline constexpr int hook_period = 500;
 
 /// Replaces functions of Lua's libraries that may run for ever without an instruction by those that cannot.
 void bound_libraries(lua_State* L);

@@ -50,10 +50,10 @@ int run(RunOptions options, const std::string& script, const std::vector<std::st
       session.write_log();
     } catch (const FileError&) {  // the first error is the one to report
     }
-    if (keep) throw Error(fmt::format("{}\n  what had been stored before stays in {}; correct the script and add --resume", error.what(), session.options.out));
+    if (keep) throw Error(fmt::format("{}\n  what was stored stays in {}; correct the script and add --resume", error.what(), session.options.out));
     throw;
   }
-  session.write_log();
+  session.finish();
   if (session.nothing_finished()) throw Error("not one impact finished; the first ended " + session.first_failure, Exit::numerical);
   return 0;
 }

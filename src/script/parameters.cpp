@@ -101,10 +101,13 @@ std::string text_of(lua_State* L, int index) {
   if (lua_isboolean(L, index)) return lua_toboolean(L, index) ? "true" : "false";
   if (lua_istable(L, index)) {
     std::string text;
-    for (lua_Integer i = 1; i <= luaL_len(L, index); ++i) {
-      lua_geti(L, index, i);
-      text += (i > 1 ? "," : "") + text_of(L, -1);
+    const int table = lua_absindex(L, index);
+    for (lua_Integer i = 1; i <= length_of(L, table); ++i) {
+      lua_rawgeti(L, table, i);
+      const bool plain = !lua_istable(L, -1);
+      if (plain) text += (i > 1 ? "," : "") + text_of(L, -1);
       lua_pop(L, 1);
+      if (!plain) return text;  // lists of lists are refused elsewhere
     }
     return text;
   }
@@ -141,9 +144,9 @@ Parameter declared(lua_State* L, const std::string& name) {
     p.whole = lua_toboolean(L, -1);
     lua_pop(L, 1);
     if (lua_getfield(L, -1, "choices") == LUA_TTABLE)
-      for (lua_Integer i = 1; i <= luaL_len(L, -1); ++i) lua_geti(L, -1, i), p.field.choices.push_back(lua_tostring(L, -1) ? lua_tostring(L, -1) : ""), lua_pop(L, 1);
+      for (lua_Integer i = 1; i <= length_of(L, -1); ++i) lua_rawgeti(L, -1, i), p.field.choices.push_back(lua_tostring(L, -1) ? lua_tostring(L, -1) : ""), lua_pop(L, 1);
     lua_pop(L, 1);
-    lua_geti(L, -1, 1);
+    lua_rawgeti(L, -1, 1);
     lua_remove(L, -2);
   }
   switch (lua_type(L, -1)) {
@@ -152,8 +155,8 @@ Parameter declared(lua_State* L, const std::string& name) {
     case LUA_TSTRING: p.kind = Parameter::Kind::string; break;
     case LUA_TTABLE:
       p.kind = Parameter::Kind::numbers;
-      for (lua_Integer i = 1; i <= luaL_len(L, -1); ++i) {
-        if (lua_geti(L, -1, i) != LUA_TNUMBER) wrong("a list as default must hold numbers");
+      for (lua_Integer i = 1; i <= length_of(L, -1); ++i) {
+        if (lua_rawgeti(L, -1, i) != LUA_TNUMBER) wrong("a list as default must hold numbers");
         lua_pop(L, 1);
       }
       break;
@@ -168,7 +171,7 @@ Parameter declared(lua_State* L, const std::string& name) {
   };
   if (p.kind == Parameter::Kind::number) sound(-1);
   if (p.kind == Parameter::Kind::numbers)
-    for (lua_Integer i = 1; i <= luaL_len(L, -1); ++i) lua_geti(L, -1, i), sound(-1), lua_pop(L, 1);
+    for (lua_Integer i = 1; i <= length_of(L, -1); ++i) lua_rawgeti(L, -1, i), sound(-1), lua_pop(L, 1);
   if (p.kind == Parameter::Kind::string && !p.field.choices.empty() && std::find(p.field.choices.begin(), p.field.choices.end(), p.initial) == p.field.choices.end())
     wrong(fmt::format("the default '{}' is none of its own choices", p.initial));
   return p;
@@ -177,7 +180,8 @@ Parameter declared(lua_State* L, const std::string& name) {
 // A misspelt p.name is an error, not nil: nil would mean the default of whatever field it is given to.
 int unknown_parameter(lua_State* L) {
   std::vector<std::string> names;
-  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) names.push_back(lua_tostring(L, -2));
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
+    if (lua_type(L, -2) == LUA_TSTRING) names.push_back(lua_tostring(L, -2));  // a conversion of the key would lead lua_next astray
   throw unknown_name(L, "the table of parameters", lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2), names);
 }
 

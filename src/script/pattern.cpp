@@ -37,6 +37,7 @@ Set class_of(char letter) {
     case 'u': is = std::isupper; break;
     case 'w': is = std::isalnum; break;
     case 'x': is = std::isxdigit; break;
+    case 'z': is = [](int c) { return static_cast<int>(c == 0); }; break;  // not in the manual any more, but Lua still takes it
     default: break;
   }
   Set set;
@@ -107,23 +108,29 @@ class Reader {
     return item;
   }
 
-  // What follows a '[', up to its ']'; a ']' that comes first stands for itself.
+  // What follows a '[', up to its ']'; a ']' that comes first stands for itself. Where a set ends, Lua decides before it reads what is in it: at the
+  // first ']' that no '%' precedes, even one that is the end of a range.
   Set set() {
     Set set;
     const bool complement = next_is('^');
     if (complement) ++at_;
-    for (bool first = true; first || !next_is(']'); first = false) {
-      const char c = take();
+    std::size_t end = at_;
+    do {
+      if (end >= pattern_.size()) throw Malformed{};
+      if (pattern_[end++] == '%' && end < pattern_.size()) ++end;
+    } while (end >= pattern_.size() || pattern_[end] != ']');
+    while (at_ < end) {
+      const char c = pattern_[at_++];
       if (c == '%') {
-        set |= class_of(take());
-      } else if (next_is('-') && at_ + 1 < pattern_.size() && pattern_[at_ + 1] != ']') {
-        ++at_;
-        for (int low = byte(c), high = byte(take()); low <= high; ++low) set.set(static_cast<std::size_t>(low));
+        set |= class_of(pattern_[at_++]);
+      } else if (at_ + 1 < end && pattern_[at_] == '-') {
+        for (int low = byte(c), high = byte(pattern_[at_ + 1]); low <= high; ++low) set.set(static_cast<std::size_t>(low));
+        at_ += 2;
       } else {
         set.set(byte(c));
       }
     }
-    ++at_;
+    at_ = end + 1;
     return complement ? ~set : set;
   }
 

@@ -81,13 +81,13 @@ std::vector<Take> takes_of(lua_State* L) {
   lua_pop(L, 1);
   if (lua_getfield(L, 1, "scenes") == LUA_TTABLE) {
     if (!takes.empty()) throw_at(session, call_site(L), FieldError("scenes", "give scene, or scenes for several side by side"));
-    for (lua_Integer i = 1; i <= luaL_len(L, -1); ++i) lua_geti(L, -1, i), add(-1), lua_pop(L, 1);
+    for (lua_Integer i = 1; i <= length_of(L, -1); ++i) lua_rawgeti(L, -1, i), add(-1), lua_pop(L, 1);
   }
   lua_pop(L, 1);
   if (takes.empty()) throw_at(session, call_site(L), FieldError("scene", "is missing: what is to be drawn (or scenes, for several)"));
   if (lua_getfield(L, 1, "titles") == LUA_TTABLE) {
-    if (luaL_len(L, -1) != static_cast<lua_Integer>(takes.size())) throw_at(session, call_site(L), FieldError("titles", fmt::format("has {} texts for {} scenes", luaL_len(L, -1), takes.size())));
-    for (std::size_t i = 0; i < takes.size(); ++i) lua_geti(L, -1, static_cast<lua_Integer>(i) + 1), takes[i].title = lua_tostring(L, -1), lua_pop(L, 1);
+    if (length_of(L, -1) != static_cast<lua_Integer>(takes.size())) throw_at(session, call_site(L), FieldError("titles", fmt::format("has {} texts for {} scenes", length_of(L, -1), takes.size())));
+    for (std::size_t i = 0; i < takes.size(); ++i) lua_rawgeti(L, -1, static_cast<lua_Integer>(i) + 1), takes[i].title = lua_tostring(L, -1), lua_pop(L, 1);
   }
   lua_pop(L, 1);
   const CallSite call = call_site(L);
@@ -106,10 +106,10 @@ Shooting shooting_of(lua_State* L) {
   if (lua_getfield(L, 1, "show") == LUA_TTABLE) read_members(L, lua_gettop(L), shooting.show);
   lua_pop(L, 1);
   if (lua_getfield(L, 1, "size") == LUA_TTABLE) {
-    if (luaL_len(L, -1) != 2) throw_at(session, call_site(L), FieldError("size", "takes a width and a height"));
+    if (length_of(L, -1) != 2) throw_at(session, call_site(L), FieldError("size", "takes a width and a height"));
     int* const axes[] = {&shooting.width, &shooting.height};
     for (int axis : {0, 1}) {
-      lua_geti(L, -1, axis + 1);
+      lua_rawgeti(L, -1, axis + 1);
       const double pixels = lua_tonumber(L, -1);
       if (pixels != std::floor(pixels)) throw_at(session, call_site(L), FieldError("size", fmt::format("counts pixels, which {} does not", pixels)));
       *axes[axis] = std::abs(pixels) <= 1e9 ? static_cast<int>(pixels) : 0;
@@ -260,7 +260,7 @@ int contact_sheet(lua_State* L) {
   follow(L, takes);
   std::vector<double> times;
   if (lua_getfield(L, 1, "times") == LUA_TTABLE)
-    for (lua_Integer i = 1; i <= luaL_len(L, -1); ++i) lua_geti(L, -1, i), times.push_back(lua_tonumber(L, -1)), lua_pop(L, 1);
+    for (lua_Integer i = 1; i <= length_of(L, -1); ++i) lua_rawgeti(L, -1, i), times.push_back(lua_tonumber(L, -1)), lua_pop(L, 1);
   lua_pop(L, 1);
   for (const double t : times)
     if (std::abs(t) > 1e6) throw_at(session, call_site(L), FieldError("times", fmt::format("must lie between -1e6 and 1e6 R/c, one is {:g}", t)));
@@ -319,6 +319,7 @@ int lammps(lua_State* L) {
   at_scene(session, call_site(L), take, [&] {
     const fs::path data = below_folder(L, text_field(L, "out", "impact") + ".data");
     const LammpsFiles files = lammps_files(take.scene, *take.projectile, *take.target, data.stem().string());
+    spend(L, 2 * work_a_file + static_cast<double>(files.data.size()));  // most of it to write the numbers as text
     session.claim(session.own_folder());
     make_folder(data.parent_path());
     write_atomically(data, files.data);

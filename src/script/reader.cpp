@@ -46,7 +46,7 @@ bool is_rows(lua_State* L, int index) {
     lua_pop(L, 1);
     return rows;
   }
-  const bool list = lua_geti(L, index, 1) == LUA_TTABLE;
+  const bool list = lua_rawgeti(L, index, 1) == LUA_TTABLE;
   lua_pop(L, 1);
   return list;
 }
@@ -69,6 +69,7 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
   if (type == "string") {
     if (lua_type(L, index) != LUA_TSTRING) return must_be("a string");
     const std::string text = lua_tostring(L, index);
+    if (text.size() != lua_rawlen(L, index)) return fmt::format("'{}' holds a byte of 0 after '{:.40}'; names end there for the system", field.name, text);
     if (!field.choices.empty() && std::find(field.choices.begin(), field.choices.end(), text) == field.choices.end())
       return fmt::format("'{}' must be one of {}, is '{}'{}", field.name, joined(field.choices), text, did_you_mean(text, field.choices));
     return "";
@@ -88,9 +89,9 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
   if (!lua_istable(L, index))
     return must_be(type == "scenes" ? "a list of scenes { ricochet.scene {...}, ... }" : type == "effects" ? "a list of effects, e.g. { ricochet.gravity { g = 1e-4 } }" : type == "points" ? "a list of points { {x, y}, ... }" : type == "strings" ? "a list of strings { \"...\", ... }" : type == "numbers" ? "a list of numbers { ... }" : "a table");
   if (type == "scenes") {
-    const lua_Integer n = luaL_len(L, index);
+    const lua_Integer n = length_of(L, index);
     for (lua_Integer i = 1; i <= n; ++i) {
-      lua_geti(L, index, i);
+      lua_rawgeti(L, index, i);
       const std::string found = is_userdata(L, -1, "scene") ? "" : shown(L, -1);
       lua_pop(L, 1);
       if (!found.empty()) return fmt::format("'{}' must be a list of scenes (from ricochet.scene); element {} is {}", field.name, i, found);
@@ -104,23 +105,23 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
       lua_pop(L, 2);
       return fmt::format("'{}' must be a list of effects, e.g. {{ ricochet.gravity {{ g = 1e-4 }} }}, holds {}", field.name, what);
     }
-    for (lua_Integer i = 1; i <= luaL_len(L, index); ++i) {
-      const bool nothing = lua_geti(L, index, i) == LUA_TNIL;
+    for (lua_Integer i = 1; i <= length_of(L, index); ++i) {
+      const bool nothing = lua_rawgeti(L, index, i) == LUA_TNIL;
       lua_pop(L, 1);
       if (nothing) return fmt::format("'{}' has nothing (nil) at place {}; leave that place out", field.name, i);
     }
     return "";
   }
   if (type == "numbers" || type == "strings" || type == "points") {
-    const lua_Integer n = luaL_len(L, index);
+    const lua_Integer n = length_of(L, index);
     if (n == 0) return fmt::format("'{}' must not be empty", field.name);
     for (lua_Integer i = 1; i <= n; ++i) {
-      lua_geti(L, index, i);
+      lua_rawgeti(L, index, i);
       bool good = type == "strings" ? lua_type(L, -1) == LUA_TSTRING : type == "numbers" ? lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1)) : lua_istable(L, -1);
       std::string found = "is " + shown(L, -1);
       if (good && type == "points") {
         for (int axis : {1, 2}) {
-          lua_geti(L, -1, axis);
+          lua_rawgeti(L, -1, axis);
           if (good && !(lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1)))) good = false, found = fmt::format("has {} = {}", axis == 1 ? "x" : "y", shown(L, -1));
           lua_pop(L, 1);
         }
@@ -203,6 +204,7 @@ CallSite call_site(lua_State* L) {
       if (!name.empty() && name != "pcall" && name != "xpcall") site.function = name;
       continue;
     }
+    if (source.empty()) continue;  // text that was loaded: the line that calls it
     site.file = source, site.line = frame.currentline;
     return site;
   }
@@ -274,7 +276,7 @@ Error at_line(lua_State* L, const std::string& message) {
   const CallSite site = call_site(L);
   const Session& session = session_of(L);
   const auto text = session.sources.find(site.file);
-  std::string shown = fmt::format("{}:{}: {}\n{}", site.file, site.line, message, text == session.sources.end() ? "" : excerpt(text->second, {site.line, 1, 0}));
+  std::string shown = fmt::format("{}\n{}", site.file.empty() ? message : fmt::format("{}:{}: {}", site.file, site.line, message), text == session.sources.end() ? "" : excerpt(text->second, {site.line, 1, 0}));
   shown.pop_back();
   return Error(shown);
 }

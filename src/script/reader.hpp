@@ -64,6 +64,9 @@ void read_members(lua_State* L, int index, Struct& values) {
 /// Makes names that the table on top of the stack has not errors; `what` names the table.
 void push_strict(lua_State* L, const std::string& what);
 
+/// Elements of a list, as it holds them: a metatable might tell of any number, and of others at each reading.
+inline lua_Integer length_of(lua_State* L, int index) { return static_cast<lua_Integer>(lua_rawlen(L, index)); }
+
 /// A value as a message shows it: "a string ('abc')", "nil", "-1".
 std::string shown(lua_State* L, int index);
 

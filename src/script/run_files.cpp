@@ -27,7 +27,7 @@ fs::path below_folder(lua_State* L, const std::string& name) {
   std::error_code error;
   const fs::path real = fs::weakly_canonical(whole, error), root = fs::weakly_canonical(session.own_folder(), error);
   if (error || std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end())
-    throw FileError(fmt::format("'{}' leads out of the run's folder {}", name, session.own_folder().string()));
+    throw FileError(at_line(L, fmt::format("'{}' leads out of the run's folder {}", name, session.own_folder().string())).what());
   return whole;
 }
 
@@ -38,6 +38,7 @@ int gnuplot(lua_State* L) {
   Session& session = session_of(L);
   const std::string name = luaL_checkstring(L, 1);
   const fs::path script = below_folder(L, name + ".gp");
+  spend(L, work_a_plot);
   session.claim(session.own_folder());
   write_atomically(script, luaL_checkstring(L, 2));
   const std::string file = script.filename().string();
@@ -57,6 +58,16 @@ int gnuplot(lua_State* L) {
   return 0;
 }
 
+// Files that cannot be read or written are named at the script's line.
+template <class Work>
+void at_script(lua_State* L, Work work) {
+  try {
+    work();
+  } catch (const FileError& error) {
+    throw FileError(at_line(L, error.what()).what());
+  }
+}
+
 int file_write(lua_State* L) {
   Session& session = session_of(L);
   std::size_t length = 0;
@@ -68,13 +79,16 @@ int file_write(lua_State* L) {
   if (session.options.check) return 0;
   spend(L, work_a_file + static_cast<double>(length) / 8);
   session.claim(session.own_folder());
-  make_folder(path.parent_path());
-  write_atomically(path, {text, length});
+  at_script(L, [&] { make_folder(path.parent_path()), write_atomically(path, {text, length}); });
   return 0;
 }
 
 int file_read(lua_State* L) {
-  const std::string text = read_file(below_folder(L, luaL_checkstring(L, 1)));
+  std::size_t length = 0;
+  const char* name = luaL_checklstring(L, 1, &length);
+  const fs::path path = below_folder(L, {name, length});
+  std::string text;
+  at_script(L, [&] { text = read_file(path); });
   lua_pushlstring(L, text.data(), text.size());
   return 1;
 }

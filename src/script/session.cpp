@@ -28,7 +28,7 @@ constexpr unsigned grace = 20;
 
 extern "C" void on_signal(int) {
   if (stop_requested.exchange(true)) _exit(130);
-  alarm(grace);  // a pattern match in a script may not come back; files are whole at any moment
+  alarm(grace);  // should something in a script not come back all the same; files are whole at any moment
 }
 
 extern "C" void on_alarm(int) { _exit(130); }
@@ -58,6 +58,7 @@ void catch_signals() {
   action.sa_handler = on_alarm;
   sigaction(SIGALRM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is then an error of the file
 }
 
 std::string now_utc() {
@@ -103,10 +104,25 @@ void Session::claim(const fs::path& place) {
   if (options.force) {
     std::vector<fs::path> old;
     for (const auto& entry : fs::directory_iterator(place))
-      if (is_product(entry.path())) old.push_back(entry.path());
+      if (is_product(entry.path()) && !is_of_the_run(entry.path().filename())) old.push_back(entry.path());
     for (const fs::path& path : old) fs::remove_all(path);
   }
   claimed_.insert(place);
+}
+
+void Session::replace_results(const fs::path& place) {
+  if (!options.force || !replaced_.insert(place).second) return;
+  for (const char* name : {"results.h5", "results.csv", "parts"}) fs::remove_all(place / name);
+}
+
+void Session::finish() {
+  for (const fs::path& place : claimed_) replace_results(place);
+  write_log();
+}
+
+bool Session::something_stored() const {
+  std::error_code error;
+  return std::any_of(claimed_.begin(), claimed_.end(), [&](const fs::path& place) { return fs::exists(place / "results.h5", error) || fs::exists(place / "parts", error); });
 }
 
 bool Session::first_picture_named(const fs::path& path) {

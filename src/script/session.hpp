@@ -43,6 +43,7 @@ class Session {
   std::vector<std::string> arguments;                  ///< name=value, as given
   bool parameters_declared = false;
   bool done = false;                                   ///< the script ended early without an error: after --help
+  std::vector<std::string> loading;                    ///< modules that are being required, the outermost first
   std::string making;                                  ///< the values of a sweep's point while its scene is being made: "psi1 = 2"
   std::map<std::string, std::shared_ptr<const NodePlan>> plans;  ///< planned nodes of bodies, by their geometry
   double planned_nodes = 0;                            ///< in `plans`
@@ -55,8 +56,12 @@ class Session {
 
   /// Refuses a folder that holds earlier results, unless --resume or --force is given. Throws FileError.
   void refuse_earlier_results(const std::filesystem::path& folder) const;
-  /// Makes a folder ready for writing, once, and locks it against other runs; with --force, earlier products in it are removed.
+  /// Makes a folder ready for writing, once, and locks it against other runs; with --force, earlier products in it are removed, but for results.
   void claim(const std::filesystem::path& folder);
+  /// With --force, removes what earlier sweeps stored in a folder, once: when there is something to store instead, so that a mistake does not cost them.
+  void replace_results(const std::filesystem::path& folder);
+  /// After a script without mistakes: earlier results that it did not replace are none of its own; run.log.
+  void finish();
 
   /// Counts an impact that ran, for the exit status: 3 if some ran and none finished.
   void count(bool impact_finished, const std::string& reason) {
@@ -64,7 +69,8 @@ class Session {
     if (!impact_finished && first_failure.empty()) first_failure = reason;
   }
   bool nothing_finished() const { return failed_ > 0 && finished_ == 0; }
-  bool something_stored() const { return !claimed_.empty(); }
+  /// True if results lie in a folder of this run's.
+  bool something_stored() const;
   std::string first_failure;  ///< why the first impact that did not finish did not
 
   /// True the first time a sweep of this name runs; a second one would replace its results.
@@ -89,7 +95,7 @@ class Session {
   Provenance provenance() const;
 
  private:
-  std::set<std::filesystem::path> claimed_;
+  std::set<std::filesystem::path> claimed_, replaced_;
   std::vector<FolderLock> locks_;
   std::set<std::filesystem::path> pictures_;
   std::set<std::string> sweeps_, warned_, told_;

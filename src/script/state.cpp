@@ -25,6 +25,9 @@ std::string displayed(lua_State* L, int index) {
   return result;
 }
 
+// What a message repeats of a name: nobody reads more, and a script may make one of any length.
+std::string shortened(const std::string& name) { return name.size() <= 100 ? name : name.substr(0, 100) + "..."; }
+
 int print(lua_State* L) {
   std::string line;
   for (int i = 1; i <= lua_gettop(L); ++i) line += (i > 1 ? "\t" : "") + displayed(L, i);
@@ -45,12 +48,12 @@ bool is_choice(const std::string& text) {
 int unknown_library_function(lua_State* L) {
   std::vector<std::string> names;
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) names.push_back(displayed(L, -2));
-  const std::string name = displayed(L, 2), nearest = did_you_mean(name, names);
+  const std::string name = shortened(displayed(L, 2)), nearest = did_you_mean(name, names);
   throw at_line(L, fmt::format("{} has no '{}'{}", lua_tostring(L, lua_upvalueindex(1)), name, nearest));
 }
 
 int unknown_global(lua_State* L) {
-  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "?";
+  const std::string name = lua_type(L, 2) == LUA_TSTRING ? shortened(displayed(L, 2)) : "?";
   std::vector<std::string> names;
   lua_pushglobaltable(L);
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
@@ -69,11 +72,14 @@ int unknown_global(lua_State* L) {
 }
 
 int new_global(lua_State* L) {
-  const std::string name = displayed(L, 2);
+  const std::string name = shortened(displayed(L, 2));
   throw at_line(L, fmt::format("'{}' is not declared; write: local {} = ...", name, name));
 }
 
-void load_file(lua_State* L, const fs::path& path, const std::string& name) {
+// The library runs among functions of its own: what a script makes of string.gsub or table.concat does not reach it.
+constexpr const char* library_environment = "ricochet.library";
+
+void load_file(lua_State* L, const fs::path& path, const std::string& name, bool of_library) {
   Session& session = session_of(L);
   std::string text = read_file(path);
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);  // a byte order mark, which some editors write
@@ -87,23 +93,24 @@ void load_file(lua_State* L, const fs::path& path, const std::string& name) {
     if (message.starts_with(name + ":")) line = std::atoi(message.c_str() + name.size() + 1);
     throw Error(message + (line > 0 ? syntax_hint(text, line, message) + "\n" + excerpt(text, {line, 1, 0}) : ""));
   }
+  if (of_library) lua_getfield(L, LUA_REGISTRYINDEX, library_environment), lua_setupvalue(L, -2, 1);
 }
 
-// require: the library, then beside the script; never the current directory, never native code.
+// require: the library, then beside the script; never the current directory, never native code. The native part trusts its caller (it hands
+// text to gnuplot, which may run anything): only the library's own require gets it.
+template <bool by_library>
 int require(lua_State* L) {
   Session& session = session_of(L);
-  const std::string name = luaL_checkstring(L, 1);
-  if (name == "ricochet.core") {
-    // The native part trusts its caller (it hands text to gnuplot, which may run anything): only the library gets it.
-    lua_Debug caller;
-    const bool known = lua_getstack(L, 1, &caller) && lua_getinfo(L, "S", &caller);
-    if (!known || !std::string(caller.source).starts_with("@" + session.library.string() + "/")) throw Error("require: 'ricochet.core' is for the library alone");
-  }
+  std::size_t length = 0;
+  const char* given = luaL_checklstring(L, 1, &length);
+  const std::string name(given, length);
+  if (!by_library && name == "ricochet.core") throw at_line(L, "require: 'ricochet.core' is for the library alone");
+  lua_settop(L, 1);
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   if (lua_getfield(L, -1, name.c_str()) != LUA_TNIL) return 1;
   lua_pop(L, 1);
   const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '-'; });
-  if (!plain || name.find("..") != std::string::npos || name.front() == '.') throw Error(fmt::format("require: '{}' is no module name", name));
+  if (!plain || name.find("..") != std::string::npos || name.front() == '.') throw at_line(L, fmt::format("require: '{}' is no module name; give letters, digits, _ and - with dots between them", name.c_str()));
   std::string path = name;
   std::replace(path.begin(), path.end(), '.', '/');
   const fs::path beside = session.script.parent_path();
@@ -112,8 +119,15 @@ int require(lua_State* L) {
     if (!fs::is_regular_file(file, error)) continue;
     const fs::path home = fs::weakly_canonical(file.parent_path() == session.library ? session.library : beside.empty() ? fs::path(".") : beside, error), real = fs::weakly_canonical(file, error);
     const bool below = std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
-    if (!below && !session.options.unsafe && !file.string().starts_with(session.library.string())) throw at_line(L, fmt::format("require: {} is a link that leads out of the script's folder; copy it there (--unsafe lifts this)", file.string()));
-    load_file(L, file, file.string());
+    if (!below && !session.options.unsafe && !file.string().starts_with(session.library.string() + "/")) throw at_line(L, fmt::format("require: {} is a link that leads out of the script's folder; copy it there (--unsafe lifts this)", file.string()));
+    const bool of_library = file.string().starts_with(session.library.string() + "/");
+    if (std::find(session.loading.begin(), session.loading.end(), name) != session.loading.end()) throw at_line(L, fmt::format("require: '{}' requires itself, by way of what it requires", name));
+    struct Loading {
+      std::vector<std::string>& names;
+      ~Loading() { names.pop_back(); }
+    } loading{session.loading};
+    session.loading.push_back(name);
+    load_file(L, file, file.string(), of_library);
     lua_call(L, 0, 1);
     if (lua_isnil(L, -1)) lua_pop(L, 1), lua_pushboolean(L, true);
     lua_pushvalue(L, -1);
@@ -132,6 +146,7 @@ int require(lua_State* L) {
 int protected_call(lua_State* L) {
   luaL_checktype(L, 2, LUA_TFUNCTION);
   const int arguments = lua_gettop(L) - 2;
+  luaL_checkstack(L, arguments + 4, "too many arguments");
   lua_pushvalue(L, 1);
   for (int i = 0; i < arguments; ++i) lua_pushvalue(L, 3 + i);
   const int before = lua_gettop(L) - arguments - 1;
@@ -167,7 +182,10 @@ int load_text(lua_State* L) {
   const char* text = luaL_checklstring(L, 1, &length);
   const bool environment = lua_gettop(L) >= 4;
   if (std::string(luaL_optstring(L, 3, "t")).find('t') == std::string::npos) return luaL_error(L, "load: only text is accepted, mode 't'");
-  if (luaL_loadbufferx(L, text, length, luaL_optstring(L, 2, "=(load)"), "t") == LUA_OK) {
+  spend(L, work_a_byte_read * static_cast<double>(length));
+  std::string name = luaL_optstring(L, 2, "=(load)");
+  if (name.starts_with('@')) name[0] = '=';  // files are what was read from files
+  if (luaL_loadbufferx(L, text, length, name.c_str(), "t") == LUA_OK) {
     if (environment) lua_pushvalue(L, 4), lua_setupvalue(L, -2, 1);
     return 1;
   }
@@ -228,7 +246,7 @@ int fail_here(lua_State* L) { throw at_line(L, luaL_checkstring(L, 1)); }
 
 // unknown(what, name, names): an error at the user's line, with the nearest of the names.
 int unknown(lua_State* L) {
-  const std::string what = luaL_checkstring(L, 1), name = displayed(L, 2);
+  const std::string what = luaL_checkstring(L, 1), name = shortened(displayed(L, 2));
   std::vector<std::string> names;
   for (lua_Integer i = 1; i <= luaL_len(L, 3); ++i) lua_geti(L, 3, i), names.push_back(displayed(L, -1)), lua_pop(L, 1);
   throw unknown_name(L, what, name, names);
@@ -284,7 +302,9 @@ int traceback(lua_State* L) {
     const std::string message = displayed(L, 1);
     luaL_traceback(L, L, message.c_str(), 1);
   } else if (!lua_isstring(L, 1)) {
-    lua_pushstring(L, displayed(L, 1).c_str());
+    const bool speaks = luaL_getmetafield(L, 1, "__tostring") != LUA_TNIL;
+    const std::string message = speaks ? displayed(L, 1) : fmt::format("the script raised an error without a message ({}); give error() a text", luaL_typename(L, 1));
+    lua_pushstring(L, (speaks ? message : std::string(at_line(L, message).what())).c_str());
   }
   if (const std::string& place = session_of(L).making; !place.empty()) {
     const std::string message = displayed(L, -1);
@@ -303,9 +323,9 @@ void open_sandbox(lua_State* L, bool unsafe) {
   if (unsafe) {
     luaL_openlibs(L);
   } else {
-    const luaL_Reg libraries[] = {{LUA_GNAME, luaopen_base}, {LUA_COLIBNAME, luaopen_coroutine}, {LUA_TABLIBNAME, luaopen_table}, {LUA_OSLIBNAME, luaopen_os},
+    const luaL_Reg opened[] = {{LUA_GNAME, luaopen_base}, {LUA_COLIBNAME, luaopen_coroutine}, {LUA_TABLIBNAME, luaopen_table}, {LUA_OSLIBNAME, luaopen_os},
                                   {LUA_STRLIBNAME, luaopen_string}, {LUA_MATHLIBNAME, luaopen_math}, {LUA_UTF8LIBNAME, luaopen_utf8}};
-    for (const luaL_Reg& library : libraries) luaL_requiref(L, library.name, library.func, 1), lua_pop(L, 1);
+    for (const luaL_Reg& library : opened) luaL_requiref(L, library.name, library.func, 1), lua_pop(L, 1);
     remove(L, "os", {"execute", "exit", "getenv", "remove", "rename", "setlocale", "tmpname"});
     remove(L, "string", {"dump"});
     for (const char* name : {"dofile", "loadfile", "collectgarbage"}) lua_pushnil(L), lua_setglobal(L, name);
@@ -320,14 +340,43 @@ void open_sandbox(lua_State* L, bool unsafe) {
     lua_pop(L, 2);
   }
   lua_register(L, "print", guarded<print>);
-  lua_register(L, "require", guarded<require>);
+  lua_register(L, "require", guarded<require<false>>);
   // The same numbers on every run: Lua seeds its generator from the clock otherwise.
   luaL_loadstring(L, "math.randomseed(1)");
   lua_call(L, 0, 0);
 }
 
+constexpr const char* libraries[] = {"string", "table", "math", "os", "utf8", "coroutine"};
+
+// A copy of the table on top of the stack.
+void push_copy(lua_State* L) {
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, -3) != 0;) lua_pushvalue(L, -2), lua_insert(L, -2), lua_rawset(L, -4);
+}
+
+// Before any script runs. Methods of strings are the library's too, and beside them what scripts add to `string`.
+void separate_library(lua_State* L) {
+  lua_pushglobaltable(L);
+  push_copy(L);
+  for (const char* name : libraries) lua_getfield(L, -1, name), push_copy(L), lua_remove(L, -2), lua_setfield(L, -2, name);
+  lua_pushcfunction(L, guarded<require<true>>), lua_setfield(L, -2, "require");
+  lua_pushliteral(L, "");
+  lua_getmetatable(L, -1);
+  lua_getfield(L, -3, "string");
+  lua_createtable(L, 0, 1);
+  lua_getglobal(L, "string"), lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+  lua_setfield(L, -2, "__index");
+  lua_pop(L, 2);
+  lua_createtable(L, 0, 1);
+  lua_pushcfunction(L, guarded<unknown_global>), lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+  lua_setfield(L, LUA_REGISTRYINDEX, library_environment);
+  lua_pop(L, 1);
+}
+
 void close_libraries(lua_State* L) {
-  for (const char* name : {"string", "table", "math", "os", "utf8", "coroutine"}) {
+  for (const char* name : libraries) {
     lua_getglobal(L, name);
     lua_createtable(L, 0, 1);
     lua_pushstring(L, name);
@@ -370,6 +419,7 @@ State::State(Session& session) : session_(session) {
   lua_insert(L_, -2);
   lua_setfield(L_, -2, "ricochet.core");
   lua_pop(L_, 1);
+  separate_library(L_);
   close_libraries(L_);
   close_globals(L_);
   start_counting(L_);
@@ -418,7 +468,7 @@ void State::run_script() {
     const std::string hint = did_you_mean(session_.script.filename().string(), near);
     throw FileError(fmt::format("there is no script {}{}", session_.script.string(), hint.empty() ? fmt::format(" (looked for {})", fs::absolute(session_.script, error).string()) : hint));
   }
-  load_file(L_, session_.script, session_.script.string());
+  load_file(L_, session_.script, session_.script.string(), false);
   call_chunk(0);
   if (!session_.parameters_declared) refuse_unused_arguments(session_);
 }

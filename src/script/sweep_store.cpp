@@ -75,12 +75,14 @@ void Store::add(const std::vector<std::pair<std::size_t, Row>>& batch) {
   std::vector<const Row*> rows;
   std::string key;
   for (const auto& [index, row] : batch) rows.push_back(&row), key += row.hash;
+  session_.replace_results(folder_);
   make_folder(folder_ / "parts");
   write_table(folder_ / "parts" / (hash_text(key) + ".h5"), table_of(rows), session_.made_by());
   for (const auto& [index, row] : batch) take(row);
 }
 
 void Store::assemble() {
+  session_.replace_results(folder_);
   std::vector<const Row*> rows;
   std::vector<std::size_t> scenes;
   for (std::size_t i = 0; i < rows_.size(); ++i)
@@ -127,7 +129,7 @@ void Store::load() {
     for (const Row& row : rows_of(file)) strangers += !take(row);
   }
   if (strangers > 0)
-    throw FileError(fmt::format("{} holds {} rows of other scenes than this sweep's, which --resume would lose; use the same parameters, --force, or another --out",
+    throw FileError(fmt::format("{} holds {} rows of other scenes than this sweep's, which --resume would lose; use the same parameters (and the same scenes where accuracy chooses the step: trials of them chose it), --force, or another --out",
                                 folder_.string(), strangers));
 }
 

@@ -123,12 +123,12 @@ SweepUse run_and_store(Session& session, Store& store, const std::string& name, 
 
 Parameters read_parameters(lua_State* L, int names, int points) {
   Parameters p;
-  for (lua_Integer i = 1; i <= luaL_len(L, names); ++i) lua_geti(L, names, i), p.names.push_back(lua_tostring(L, -1)), lua_pop(L, 1);
+  for (lua_Integer i = 1; i <= length_of(L, names); ++i) lua_rawgeti(L, names, i), p.names.push_back(lua_tostring(L, -1)), lua_pop(L, 1);
   p.numbers.resize(p.names.size()), p.texts.resize(p.names.size());
-  const lua_Integer count = luaL_len(L, points);
+  const lua_Integer count = length_of(L, points);
   for (std::size_t k = 0; k < p.names.size(); ++k)
     for (lua_Integer i = 1; i <= count; ++i) {
-      lua_geti(L, points, i);
+      lua_rawgeti(L, points, i);
       const int type = lua_getfield(L, -1, p.names[k].c_str());
       if (type == LUA_TNUMBER) p.numbers[k].push_back(lua_tonumber(L, -1));
       else p.texts[k].push_back(type == LUA_TBOOLEAN ? (lua_toboolean(L, -1) ? "true" : "false") : lua_tostring(L, -1));
@@ -168,8 +168,8 @@ std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>&
 
 std::vector<Scene> scenes_at(lua_State* L, int list) {
   std::vector<Scene> scenes;
-  for (lua_Integer i = 1; i <= luaL_len(L, list); ++i) {
-    lua_geti(L, list, i);
+  for (lua_Integer i = 1; i <= length_of(L, list); ++i) {
+    lua_rawgeti(L, list, i);
     scenes.push_back(scene_at(L, -1).scene);
     lua_pop(L, 1);
   }
@@ -195,7 +195,7 @@ int pilot(lua_State* L) {
     seconds = std::chrono::duration<double>(Clock::now() - began).count();
     if (!whole) throw Error("interrupted", Exit::interrupted);
   } catch (const SceneError& error) {
-    lua_geti(L, 1, static_cast<lua_Integer>(error.scene) + 1);
+    lua_rawgeti(L, 1, static_cast<lua_Integer>(error.scene) + 1);
     throw_at(session, scene_at(L, -1).site, error);
   }
   lua_createtable(L, static_cast<int>(rows.size()), 0);
@@ -256,14 +256,14 @@ int run_sweep_from_lua(lua_State* L) {
       session.print(line);
     }
   } catch (const SceneError& error) {
-    lua_geti(L, 4, static_cast<lua_Integer>(error.scene) + 1);
+    lua_rawgeti(L, 4, static_cast<lua_Integer>(error.scene) + 1);
     throw_at(session, scene_at(L, -1).site, FieldError(error.field, fmt::format("{} (at {}){}", error.what(), parameters.place(error.scene), stored)));
   }
   lua_createtable(L, static_cast<int>(rows.size()), 0);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     push_row(L, rows[i]);
     // The sweep's own values, over an outcome of the same name.
-    lua_geti(L, 3, static_cast<lua_Integer>(i) + 1);
+    lua_rawgeti(L, 3, static_cast<lua_Integer>(i) + 1);
     for (const std::string& parameter : parameters.names) lua_getfield(L, -1, parameter.c_str()), lua_setfield(L, -3, parameter.c_str());
     lua_pop(L, 1);
     lua_seti(L, -2, static_cast<lua_Integer>(i) + 1);

@@ -16,8 +16,8 @@ theory::Value read_value(lua_State* L, const Field& field) {
   if (field.type == "string") return std::string(lua_tostring(L, -1));
   if (field.type != "numbers") return static_cast<double>(lua_tonumber(L, -1));
   theory::Numbers list;
-  for (lua_Integer i = 1; i <= luaL_len(L, -1); ++i) {
-    lua_geti(L, -1, i);
+  for (lua_Integer i = 1; i <= length_of(L, -1); ++i) {
+    lua_rawgeti(L, -1, i);
     list.push_back(lua_tonumber(L, -1));
     lua_pop(L, 1);
   }
