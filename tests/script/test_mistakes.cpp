@@ -283,16 +283,16 @@ TEST_CASE("with --force a mistake costs no earlier results, and the next run wit
                            "target = ricochet.wall { nodes = 150, width = 4, seed = at.sample }, launch = { speed = p.speed } } end }:run()\n";
   REQUIRE(here.script(text).status == 0);
   const std::string before = here.read("out/s/results.h5");
-  const Ended mistaken = here.run("s.lua", "--force speed=-1");
+  const Ended mistaken = here.run("s.lua --force speed=-1");
   CHECK(mistaken.status == 1);
   CHECK_THAT(mistaken.err, Catch::Matchers::Contains("what was stored stays in"));
   CHECK((here.read("out/s/results.h5") == before));
-  CHECK(here.run("s.lua", "--force n=3").status == 0);
+  CHECK(here.run("s.lua --force n=3").status == 0);
   CHECK((here.read("out/s/results.h5") != before));
   CHECK_FALSE(fs::exists(here.path / "out/s/parts"));
   // What a forced run does not replace was another's.
   here.write("s.lua", "local ricochet = require 'ricochet'\nricochet.file.write('note.txt', 'hello')\n");
-  CHECK(here.run("s.lua", "--force").status == 0);
+  CHECK(here.run("s.lua --force").status == 0);
   CHECK_FALSE(fs::exists(here.path / "out/s/results.h5"));
 }
 
