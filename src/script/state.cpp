@@ -104,23 +104,22 @@ int require(lua_State* L) {
   std::size_t length = 0;
   const char* given = luaL_checklstring(L, 1, &length);
   const std::string name(given, length);
+  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '-'; });
+  if (!plain || name.find("..") != std::string::npos || name.front() == '.') throw at_line(L, fmt::format("require: '{}' is no module name; give letters, digits, _ and - with dots between them", name.c_str()));
   if (!by_library && name == "ricochet.core") throw at_line(L, "require: 'ricochet.core' is for the library alone");
   lua_settop(L, 1);
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   if (lua_getfield(L, -1, name.c_str()) != LUA_TNIL) return 1;
   lua_pop(L, 1);
-  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '-'; });
-  if (!plain || name.find("..") != std::string::npos || name.front() == '.') throw at_line(L, fmt::format("require: '{}' is no module name; give letters, digits, _ and - with dots between them", name.c_str()));
   std::string path = name;
   std::replace(path.begin(), path.end(), '.', '/');
   const fs::path beside = session.script.parent_path();
-  for (const fs::path& file : {session.library / (path + ".lua"), session.library / path / "init.lua", beside / (path + ".lua")}) {
+  for (const auto& [file, of_library] : {std::pair(session.library / (path + ".lua"), true), {session.library / path / "init.lua", true}, {beside / (path + ".lua"), false}}) {
     std::error_code error;
     if (!fs::is_regular_file(file, error)) continue;
     const fs::path home = fs::weakly_canonical(file.parent_path() == session.library ? session.library : beside.empty() ? fs::path(".") : beside, error), real = fs::weakly_canonical(file, error);
     const bool below = std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
-    if (!below && !session.options.unsafe && !file.string().starts_with(session.library.string() + "/")) throw at_line(L, fmt::format("require: {} is a link that leads out of the script's folder; copy it there (--unsafe lifts this)", file.string()));
-    const bool of_library = file.string().starts_with(session.library.string() + "/");
+    if (!below && !session.options.unsafe && !of_library) throw at_line(L, fmt::format("require: {} is a link that leads out of the script's folder; copy it there (--unsafe lifts this)", file.string()));
     if (std::find(session.loading.begin(), session.loading.end(), name) != session.loading.end()) throw at_line(L, fmt::format("require: '{}' requires itself, by way of what it requires", name));
     struct Loading {
       std::vector<std::string>& names;

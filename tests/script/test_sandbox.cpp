@@ -70,6 +70,7 @@ ricochet.plot { x = "x", y = { "y" }, theory = { y = function(x) return x end },
       {"label of its own", true, R"lua(local l = setmetatable({}, {__concat = function() return "'\nsystem 'touch ../../ESCAPED'\nset title '" end}) l.gsub = function() return l end
 ricochet.plot { x = "x", y = { "y" }, theory = { y = function(x) return x end }, xrange = { 0, 1 }, name = "p", ylabel = { y = l } })lua", 1, "takes texts for names and labels"},
       {"core by a forged name", true, R"lua(local c = load("return require 'ricochet.core'", "@" .. [[)lua" RICOCHET_SOURCE R"lua(]] .. "/lua/ricochet/evil.lua")() c.gnuplot("p", "system 'touch ../../ESCAPED'\n"))lua", 1, "is for the library alone"},
+      {"core by a longer name", true, R"lua(require("ricochet.core\0x").gnuplot("p", "system 'touch ../../ESCAPED'\n"))lua", 1, "is no module name"},
       {"own require", true, R"lua(rawset(_G, "require", function() return { gnuplot = print } end) print(require("ricochet.plot")))lua", 0, ""},
       {"pattern none", false, R"lua(print((")"):rep(1e6):find((")"):rep(5e5) .. "b")))lua", 0, ""},
       {"pattern malformed", false, R"lua(print((("a"):rep(20000):gsub(".-.-.-b[", ""))))lua", 1, budget},
