@@ -133,6 +133,12 @@ TEST_CASE("endings are statuses with a reason") {
     CHECK(o.status == Status::out_of_time);
     CHECK_THAT(o.reason, Catch::Matchers::Contains("raise time_limit"));
   }
+  SECTION("a drag that stops it") {
+    scene.effects = {Drag{100, "projectile"}}, scene.integration.method = "verlet", scene.integration.time_limit = 20;
+    const Outcome o = outcome_of(scene);
+    CHECK(o.status == Status::out_of_time);
+    CHECK_THAT(o.reason, Catch::Matchers::Contains("they move as one and may never part"));
+  }
   SECTION("a tolerance that no step can keep") {
     scene.integration.energy_tolerance = 1e-14;
     CHECK(outcome_of(scene).status == Status::energy_drift);

@@ -278,21 +278,19 @@ TEST_CASE("existing results are neither overwritten nor lost by a mistake") {
 
 TEST_CASE("with --force a mistake costs no earlier results, and the next run without one replaces them") {
   const Workplace here;
-  const std::string text = "local ricochet = require 'ricochet'\nlocal p = ricochet.parameters { n = 2, speed = 0.1 }\nricochet.file.write('note.txt', 'hello')\n"
-                           "ricochet.sweep { name = 's', over = { sample = ricochet.range(p.n) }, scene = function(at) return ricochet.scene { projectile = ricochet.disk { nodes = 60, seed = at.sample },\n"
-                           "target = ricochet.wall { nodes = 150, width = 4, seed = at.sample }, launch = { speed = p.speed } } end }:run()\n";
-  REQUIRE(here.script(text).status == 0);
+  std::string text = small_sweep;
+  text.insert(text.find("local rows"), "ricochet.file.write('note.txt', 'hello')\nif p.samples == 3 then error 'three' end\n");
+  REQUIRE(here.script(text, "samples=1").status == 0);
   const std::string before = here.read("out/s/results.h5");
-  const Ended mistaken = here.run("s.lua --force speed=-1");
+  const Ended mistaken = here.run("s.lua --force samples=3");
   CHECK(mistaken.status == 1);
   CHECK_THAT(mistaken.err, Catch::Matchers::Contains("what was stored stays in"));
   CHECK((here.read("out/s/results.h5") == before));
-  CHECK(here.run("s.lua --force n=3").status == 0);
+  CHECK(here.run("s.lua --force samples=2").status == 0);
   CHECK((here.read("out/s/results.h5") != before));
   CHECK_FALSE(fs::exists(here.path / "out/s/parts"));
   // What a forced run does not replace was another's.
-  here.write("s.lua", "local ricochet = require 'ricochet'\nricochet.file.write('note.txt', 'hello')\n");
-  CHECK(here.run("s.lua --force").status == 0);
+  CHECK(here.script("local ricochet = require 'ricochet'\nricochet.file.write('note.txt', 'hello')\n", "--force").status == 0);
   CHECK_FALSE(fs::exists(here.path / "out/s/results.h5"));
 }
 
