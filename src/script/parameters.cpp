@@ -101,13 +101,10 @@ std::string text_of(lua_State* L, int index) {
   if (lua_isboolean(L, index)) return lua_toboolean(L, index) ? "true" : "false";
   if (lua_istable(L, index)) {
     std::string text;
-    const int table = lua_absindex(L, index);
-    for (lua_Integer i = 1; i <= length_of(L, table); ++i) {
-      lua_rawgeti(L, table, i);
-      const bool plain = !lua_istable(L, -1);
-      if (plain) text += (i > 1 ? "," : "") + text_of(L, -1);
+    for (lua_Integer i = 1; i <= length_of(L, index); ++i) {  // of numbers
+      lua_rawgeti(L, index, i);
+      text += (i > 1 ? "," : "") + text_of(L, -1);
       lua_pop(L, 1);
-      if (!plain) return text;  // lists of lists are refused elsewhere
     }
     return text;
   }
