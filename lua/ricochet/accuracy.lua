@@ -2,6 +2,7 @@
 -- work-precision plots.
 local core = require "ricochet.core"
 local refine = require "ricochet.refine"
+local quoted = require("ricochet.plot").quoted
 
 -- Colours that the colour-blind can tell apart [Okabe & Ito 2008]; with more methods than colours the marks tell them apart.
 local colours = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000" }
@@ -143,11 +144,11 @@ local function plot(study, name)
     local parts = {}
     for i, method in ipairs(study.methods) do
       local colour, mark = colours[(i - 1) % #colours + 1], ({ 7, 5, 9, 11, 13, 4, 6, 8, 10, 12, 14 })[(i - 1) % 11 + 1]
-      parts[#parts + 1] = ("$m%d using %d:%d with linespoints pt %d ps 0.9 lw 1.5 lc rgb '%s' title '%s' noenhanced"):format(i, x, y, mark, colour, title(method))
+      parts[#parts + 1] = ("$m%d using %d:%d with linespoints pt %d ps 0.9 lw 1.5 lc rgb '%s' title %s noenhanced"):format(i, x, y, mark, colour, quoted(title(method)))
       if x == 2 then parts[#parts + 1] = ("$m%d using 2:3:5 with labels font ',8' left offset 0.6,0.5 tc rgb '%s' notitle"):format(i, colour) end
     end
     for _, guide in ipairs(guides) do parts[#parts + 1] = guide end
-    add("set xlabel '%s'\nset ylabel '%s'", xlabel, ylabel)
+    add("set xlabel %s\nset ylabel %s", quoted(xlabel), quoted(ylabel))
     add("plot %s", table.concat(parts, ", \\\n     "))
   end
   -- Dashed lines of an order, through the corner where all methods begin; a power law is straight here.
@@ -176,8 +177,8 @@ local function plot(study, name)
   end
   local height = lattice and 1600 or 1250
   for _, terminal in ipairs { { "pngcairo size 960,%d font 'DejaVu Sans,11'", "png" }, { "svg size 960,%d font 'DejaVu Sans,11' background 'white'", "svg" } } do
-    add("set terminal %s\nset output '%s.%s'", terminal[1]:format(height), name, terminal[2])
-    add("set multiplot layout %d,1 title %s noenhanced", lattice and 4 or 3, "'" .. study.caption .. "'")
+    add("set terminal %s\nset output %s", terminal[1]:format(height), quoted(name .. "." .. terminal[2]))
+    add("set multiplot layout %d,1 title %s noenhanced", lattice and 4 or 3, quoted(study.caption))
     add("set lmargin 11\nunset logscale\nset xrange [*:*]\nset yrange [*:*]\nset logscale xy\nset format y '10^{%%L}'\nset format x '%%g'\nset xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]", t_low * 0.8, t_high * 1.6, (floor_shown and math.min(e_low, floor) or e_low) / 3, e_high * 3)
     add("set xtics (%s)", tics(t_low, t_high))
     panel(2, 3, "wall time [s]; marks labelled with the time step [R/c]", "time-step error of " .. column, plain, by_time)
@@ -188,7 +189,7 @@ local function plot(study, name)
     if lattice then
       add "unset logscale\nset format '%g'\nset xtics auto\nset yrange [*:*]\nset offsets graph 0, 0, 0.1, 0.1"
       add("set xrange [0:%.9g]", 1.15 * lattice.sizes[1].factor ^ -0.5)
-      add("set xlabel 'spacing over that of the scene; marks labelled with the factor of the nodes'\nset ylabel '%s, mean of %d lattices'", column, study.lattice_samples)
+      add("set xlabel 'spacing over that of the scene; marks labelled with the factor of the nodes'\nset ylabel %s", quoted(("%s, mean of %d lattices"):format(column, study.lattice_samples)))
       add("plot $lattice using 1:2:3 with yerrorbars pt 7 lw 1.5 lc rgb '%s' title 'mean ± standard error', $lattice using 1:2:4 with labels font ',8' left offset 0.8,0.5 notitle, \\\n"
         .. "     %.9g + %.9g*x with lines dt 2 lc rgb '#888888' title 'fit to infinitely fine'", colours[1], lattice.limit, lattice.slope)
     end

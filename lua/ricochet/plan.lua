@@ -1,6 +1,6 @@
 -- ricochet.plan: the error budget of a sweep (time step, lattice size, samples), and the cheapest way to a wanted standard error.
 local core = require "ricochet.core"
-local make_sweep = require("ricochet.sweep").sweep
+local sweeps = require "ricochet.sweep"
 local refine = require "ricochet.refine"
 
 local most_points = 12        -- of the sweep's points that the pilot visits
@@ -68,7 +68,7 @@ local function making_seconds(sweep, sample, points, count)
     for _, point in ipairs(points) do
       local at = copy(point)
       at[sample] = i
-      sweep:at(at)
+      sweeps.scene_at(sweep, at)
     end
   end
   return (core.clock() - began) / count
@@ -82,7 +82,7 @@ local function pilot(sweep, sample, points, count, factor, changes)
     for _, point in ipairs(points) do
       local at = copy(point)
       at[sample] = i
-      local t = core.given(refine.refined(sweep:at(at), factor, 0))
+      local t = core.given(refine.refined(sweeps.scene_at(sweep, at), factor, 0))
       for name, value in pairs(changes) do t[name] = value end
       if changes.accuracy then t.step, t.theta, t.method = nil, nil, nil end
       scenes[#scenes + 1] = core.scene(t)
@@ -140,7 +140,8 @@ local function name_of(point, names, sample)
   return #parts > 0 and table.concat(parts, " ") or "all"
 end
 
-local Plan = { __name = "a plan" }
+local Plan = { __name = "a plan", __metatable = false }
+local held = setmetatable({}, { __mode = "k" })  -- what each plan is, where no script can change it
 Plan.__index = function(_, name) return rawget(Plan, name) or core.unknown("a plan", name, { "run", "points", "samples", "nodes", "method", "theta", "choices", "predicted_seconds" }) end
 
 local function print_plan(plan)
@@ -195,7 +196,8 @@ end
 
 local function plan(given)
   local t = core.check("plan", given)
-  local sweep, sample, column = t.sweep, t.samples, t.of
+  local sweep, sample, column = sweeps.contents(t.sweep), t.samples, t.of
+  if not sweep then core.fail("'sweep' must be a sweep (from ricochet.sweep)", "sweep") end
   if not core.columns()[column] then
     local names = {}
     for name in pairs(core.columns()) do names[#names + 1] = name end
@@ -225,7 +227,7 @@ local function plan(given)
     for _, point in ipairs(points) do
       local at = copy(point)
       at[sample] = 1
-      sweep:at(at)
+      sweeps.scene_at(sweep, at)
     end
     return nil
   end
@@ -250,8 +252,8 @@ local function plan(given)
   local nearest = nearest_size(sizes, 1)
 
   local processor, cores = core.machine()
-  local result = setmetatable({ sweep = sweep, sample = sample, of = column, standard_error = t.standard_error, pilot = t.pilot, sizes = sizes, samples_now = samples_now, all = all,
-    points = {}, budget = {}, samples = false, machine = ("%s (%d cores)"):format(processor, cores) }, Plan)
+  local result = { sweep = sweep, sample = sample, of = column, standard_error = t.standard_error, pilot = t.pilot, sizes = sizes, samples_now = samples_now, all = all,
+    points = {}, budget = {}, samples = false, machine = ("%s (%d cores)"):format(processor, cores) }
   for k, point in ipairs(points) do
     local square, count = 0, 0
     for i, row in ipairs(own[k]) do
@@ -298,12 +300,17 @@ local function plan(given)
   result.pilot_seconds = core.clock() - began
   print_plan(result)
   if core.is_resume() then go_on_with_kept(result) end
-  return result
+  local shown = { sweep = t.sweep }
+  for name, value in pairs(result) do
+    if name ~= "sweep" and name ~= "all" then shown[name] = core.plain(value) end
+  end
+  held[shown] = result
+  return setmetatable(shown, Plan)
 end
 
 --- Runs the planned sweep; prints the predicted and the real time. Returns its rows.
-Plan.run = core.wrap(function(self)
-  if type(self) ~= "table" or getmetatable(self) ~= Plan then core.fail "is a method of a plan: write plan:run(), with a colon" end
+Plan.run = core.wrap(function(plan)
+  local self = core.is(plan, Plan) and held[plan] or core.fail "is a method of a plan: write plan:run(), with a colon"
   if not self.samples then core.fail "there is no plan to run: the wanted standard error is out of reach" end
   local sweep, over, values = self.sweep, {}, {}
   for i = 1, self.samples do values[i] = i end
@@ -312,7 +319,7 @@ Plan.run = core.wrap(function(self)
   local choices = {}
   for _, choice in ipairs(self.choices) do choices[choice.name] = choice end
   keep(self)
-  local planned = make_sweep { name = sweep.name, over = over, scene = function(at)
+  local planned = sweeps.sweep { name = sweep.name, over = over, scene = function(at)
     local scene = core.given(refine.refined(sweep.scene(at), self.nodes, 0))
     local chosen = choices[name_of(at, sweep.names, self.sample)] or self
     scene.method, scene.theta, scene.step, scene.accuracy = chosen.method, chosen.theta, nil, nil

@@ -248,4 +248,4 @@ local function plot(given)
   core.gnuplot(t.name, table.concat(lines, "\n") .. "\n")
 end
 
-return { plot = plot }
+return { plot = plot, quoted = quoted }

@@ -1,7 +1,7 @@
 -- Rows of a sweep: an array of tables, one an impact, with summaries.
 local core = require "ricochet.core"
 
-local Rows, Summary = { __name = "rows" }, { __name = "a summary" }
+local Rows, Summary = { __name = "rows", __metatable = false }, { __name = "a summary", __metatable = false }
 Summary.__index = function(summary, name)
   if type(name) == "number" then
     if name == #summary + 1 then return nil end  -- where ipairs ends
@@ -79,14 +79,14 @@ local function summarise(rows, by, of, fields)
 end
 
 Rows.summary = core.wrap(function(self, given)
-  if type(self) ~= "table" or getmetatable(self) ~= Rows then core.fail "is a method of rows: write rows:summary { ... }, with a colon" end
+  if not core.is(self, Rows) then core.fail "is a method of rows: write rows:summary { ... }, with a colon" end
   local t = core.check("rows:summary", given)
   return summarise(self, t.by, t.of, { by = "by", of = "of" })
 end)
 
 --- y = factor x^exponent by least squares of the logarithms, over finished rows: { exponent =, se =, factor =, count = }.
 Rows.power_law = core.wrap(function(self, given)
-  if type(self) ~= "table" or getmetatable(self) ~= Rows then core.fail "is a method of rows: write rows:power_law { ... }, with a colon" end
+  if not core.is(self, Rows) then core.fail "is a method of rows: write rows:power_law { ... }, with a colon" end
   local t = core.check("rows:power_law", given)
   known_column(self, t.x, "x")
   known_column(self, t.y, "y")
@@ -113,8 +113,9 @@ local rows_of
 
 --- Those rows whose columns have the given values.
 Rows.where = core.wrap(function(self, wanted)
-  if type(self) ~= "table" or getmetatable(self) ~= Rows then core.fail "is a method of rows: write rows:where { ... }, with a colon" end
+  if not core.is(self, Rows) then core.fail "is a method of rows: write rows:where { ... }, with a colon" end
   if type(wanted) ~= "table" then core.fail "takes a table of column = value" end
+  wanted = core.plain(wanted)
   for column in pairs(wanted) do known_column(self, tostring(column)) end
   local list = {}
   for _, row in ipairs(self) do
@@ -132,6 +133,7 @@ end
 
 --- Prints one line a group: mean +- standard error (standard deviation), finished and failed samples.
 function Summary:print()
+  if not core.is(self, Summary) then core.fail_here "print is a method of a summary: write summary:print(), with a colon" end
   local header = { self.by }
   for _, column in ipairs(self.of) do header[#header + 1] = column .. " +- se (sd)" end
   header[#header + 1], header[#header + 2] = "finished", "failed"

@@ -2,11 +2,17 @@
 local core = require "ricochet.core"
 local rows_of = require("ricochet.rows").rows_of
 
-local Sweep = { __name = "sweep" }
+local methods = {}
+local Sweep = { __name = "sweep", __metatable = false }
 Sweep.__index = function(_, name)
   if name == "summary" or type(name) == "number" then core.fail_here "this sweep has not run: rows come from sweep:run()" end
-  return rawget(Sweep, name) or core.unknown("a sweep", name, { "run", "at" })
+  return methods[name] or core.unknown("a sweep", name, { "run", "at" })
 end
+Sweep.__newindex = function() core.fail_here "a sweep takes no new fields" end
+
+-- What each sweep holds, where no script can change it: { name =, scene =, over =, names =, points = }.
+local held = setmetatable({}, { __mode = "k" })
+local function contents(sweep) return core.is(sweep, Sweep) and held[sweep] or nil end
 
 -- Names that a parameter must not take, because a row's outcome would be hidden. psi1, seed and step are what was asked for in
 -- the row, and what came of it in the file.
@@ -74,7 +80,7 @@ local function place(point, names)
   return table.concat(parts, ", ")
 end
 
---- The scene at some values of `over`.
+-- The scene at some values of `over`.
 local function scene_at(sweep, point)
   local scene = core.make_scene(sweep.scene, strict(point, sweep.names), place(point, sweep.names))
   if not core.is_scene(scene) then
@@ -84,23 +90,29 @@ local function scene_at(sweep, point)
   return scene
 end
 
-local run = core.wrap(function(self)
-  if type(self) ~= "table" or getmetatable(self) ~= Sweep then core.fail "is a method of a sweep: write sweep:run(), with a colon" end
-  local names, points = self.names, self.points
+--- The scene at some values of `over`.
+methods.at = core.wrap(function(self, point)
+  local sweep = contents(self) or core.fail "is a method of a sweep: write sweep:at { ... }, with a colon"
+  if type(point) ~= "table" then core.fail "takes the values of 'over': sweep:at { name = value }" end
+  return scene_at(sweep, core.plain(point))
+end)
+
+methods.run = core.wrap(function(self)
+  local sweep = contents(self) or core.fail "is a method of a sweep: write sweep:run(), with a colon"
   local scenes = {}
-  for i, point in ipairs(points) do
-    scenes[i] = scene_at(self, point)
+  for i, point in ipairs(sweep.points) do
+    scenes[i] = scene_at(sweep, point)
   end
-  return rows_of(core.run_sweep(self.name, names, points, scenes))
+  return rows_of(core.run_sweep(sweep.name, sweep.names, sweep.points, scenes))
 end)
 
 local function sweep(given)
   local t = core.check("sweep", given)
   if not t.name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name") end
   local names, points = combinations(t.over)
-  return setmetatable({ name = t.name, scene = t.scene, over = t.over, names = names, points = points }, Sweep)
+  local self = setmetatable({}, Sweep)
+  held[self] = { name = t.name, scene = t.scene, over = t.over, names = names, points = points }
+  return self
 end
 
-Sweep.run, Sweep.at = run, scene_at
-
-return { sweep = sweep }
+return { sweep = sweep, contents = contents, scene_at = scene_at }

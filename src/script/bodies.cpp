@@ -164,6 +164,7 @@ int scene_run(lua_State* L) {
 
 // given(body or scene): a copy of the table it was made from.
 int given(lua_State* L) {
+  if (!luaL_testudata(L, 1, "ricochet.body") && !luaL_testudata(L, 1, "ricochet.scene")) throw std::logic_error("given: neither a body nor a scene");
   lua_getiuservalue(L, 1, 1);
   lua_newtable(L);
   for (lua_pushnil(L); lua_next(L, 2) != 0;) {
@@ -292,6 +293,7 @@ void push_strict(lua_State* L, const std::string& what) {
   lua_createtable(L, 0, 2);
   lua_pushstring(L, what.c_str()), lua_setfield(L, -2, "__name");
   lua_pushcfunction(L, guarded<unknown_result>), lua_setfield(L, -2, "__index");
+  lua_pushboolean(L, false), lua_setfield(L, -2, "__metatable");
   lua_setmetatable(L, -2);
 }
 
@@ -299,7 +301,7 @@ void add_bodies(lua_State* L) {
   make_type(L, "ricochet.body", collect_object<BodyObject>, {});
   make_type(L, "ricochet.effect", collect_object<EffectObject>, {});
   make_type(L, "ricochet.scene", collect_object<SceneObject>, {{"run", guarded<scene_run>}, {"text", guarded<scene_text>}, {"hash", guarded<scene_hash>}});
-  const luaL_Reg list[] = {{"body", guarded<body>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}, {"given", given}, {"strict", strict}, {"catalogue", catalogue}, {"effect_name", effect_name}, {"reseeded", reseeded}, {"nodes", nodes}};
+  const luaL_Reg list[] = {{"body", guarded<body>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}, {"given", guarded<given>}, {"strict", strict}, {"catalogue", catalogue}, {"effect_name", effect_name}, {"reseeded", reseeded}, {"nodes", nodes}};
   for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
   lua_newtable(L);  // core.effects: name -> function
   [&]<std::size_t... kind>(std::index_sequence<kind...>) {

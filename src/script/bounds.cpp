@@ -18,13 +18,14 @@ namespace {
 // Without a budget: a second or so.
 constexpr double most_pattern_steps = 1e8;
 constexpr lua_Integer most_elements = 50'000'000;
+constexpr std::size_t longest_pattern = 100'000;
 
 // "file:line" that is running, of the script rather than of the library that it calls; "" if no Lua is.
 std::string line_of(lua_State* L) {
   const std::string library = "@" + session_of(L).library.string() + "/";
   std::string line;
   lua_Debug frame;
-  for (int level = 0; lua_getstack(L, level, &frame); ++level) {
+  for (int level = 0; level < most_levels && lua_getstack(L, level, &frame); ++level) {
     lua_getinfo(L, "Sl", &frame);
     if (frame.currentline <= 0) continue;
     const bool inside = std::string_view(frame.source).starts_with(library);
@@ -51,6 +52,18 @@ void raise_over_budget(lua_State* L) {
 // Calls the library's own function in the wrapper's place, so that its errors name the script's line.
 int original(lua_State* L) { return lua_tocfunction(L, lua_upvalueindex(1))(L); }
 
+void stop_if_used_up(lua_State* L) {
+  const Limits& limits = limits_of(L);
+  if (stop_requested) luaL_error(L, "interrupted");
+  if (limits.budget > 0 && limits.work > limits.budget) raise_over_budget(L);
+}
+
+// The length of a list that one of Lua's own functions is going to take the length of again.
+lua_Integer length_for_good(lua_State* L) {
+  if (luaL_getmetafield(L, 1, "__len") != LUA_TNIL) luaL_error(L, "the table has a length of its own (__len), which may be another each time; give a list without (--unsafe lifts this)");
+  return static_cast<lua_Integer>(lua_rawlen(L, 1));
+}
+
 // An integer argument as Lua itself reads it: floats and strings that are whole numbers, too. What is none the original refuses.
 lua_Integer integer_or(lua_State* L, int n, lua_Integer initial) {
   if (lua_isnoneornil(L, n)) return initial;
@@ -70,16 +83,29 @@ int reading(lua_State* L) {
 
 int concat(lua_State* L) {
   if (lua_istable(L, 1)) {
-    const lua_Integer first = integer_or(L, 3, 1), last = lua_isnoneornil(L, 4) ? luaL_len(L, 1) : integer_or(L, 4, 0);
+    const lua_Integer first = integer_or(L, 3, 1), last = lua_isnoneornil(L, 4) ? length_for_good(L) : integer_or(L, 4, 0);
     if (last > first) spend(L, work_an_element * (static_cast<double>(last) - static_cast<double>(first)));
   }
   return original(L);
 }
 
+// a < b, counted: long strings take long.
+int less(lua_State* L) {
+  std::size_t work = 0;
+  if (lua_type(L, 1) == LUA_TSTRING && lua_type(L, 2) == LUA_TSTRING) work = std::min(lua_rawlen(L, 1), lua_rawlen(L, 2));
+  spend(L, work_a_comparison + work_a_byte_read * static_cast<double>(work));
+  stop_if_used_up(L);
+  lua_pushboolean(L, lua_compare(L, 1, 2, LUA_OPLT));
+  return 1;
+}
+
 int sort(lua_State* L) {
-  if (lua_istable(L, 1) && (lua_isnoneornil(L, 2) || lua_iscfunction(L, 2))) {  // a function of Lua's that compares counts itself
-    const double length = static_cast<double>(luaL_len(L, 1));
-    if (length > 1) spend(L, work_a_comparison * length * std::log2(length));
+  if (lua_istable(L, 1)) {
+    const double length = static_cast<double>(length_for_good(L));
+    const bool numbers = lua_rawgeti(L, 1, 1) == LUA_TNUMBER;
+    lua_pop(L, 1);
+    if (lua_isnoneornil(L, 2) && !numbers) lua_settop(L, 1), lua_pushcfunction(L, less);
+    else if (length > 1 && (lua_isnoneornil(L, 2) || lua_iscfunction(L, 2))) spend(L, work_a_comparison * length * std::log2(length));  // a function of Lua's that compares counts itself
   }
   return original(L);
 }
@@ -119,6 +145,8 @@ int pattern_function(lua_State* L) {
   if (lua_isstring(L, 1) && lua_isstring(L, 2)) {
     std::size_t text_length = 0, pattern_length = 0;
     const char *text = lua_tolstring(L, 1, &text_length), *pattern = lua_tolstring(L, 2, &pattern_length);
+    if (pattern_length > longest_pattern)
+      return luaL_error(L, "the pattern has %d million bytes or more, above the %d that patterns may have; what is no pattern is found by string.find(text, words, 1, true)", static_cast<int>(pattern_length / 1000000), static_cast<int>(longest_pattern));
     const lua_Integer asked = begin_at ? integer_or(L, begin_at, 1) : 1;
     const lua_Integer length = static_cast<lua_Integer>(text_length);
     const lua_Integer begin = asked > 0 ? asked - 1 : asked == 0 || asked < -length ? 0 : length + asked;
@@ -159,7 +187,7 @@ int date(lua_State* L) {
 template <int with_place>
 int shift(lua_State* L) {
   if (lua_istable(L, 1) && lua_gettop(L) >= with_place) {
-    const lua_Integer length = luaL_len(L, 1), place = lua_tointeger(L, 2);
+    const lua_Integer length = length_for_good(L), place = lua_tointeger(L, 2);
     if (length > most_elements) return luaL_error(L, "the table says that it holds %I elements; more than %I cannot be shifted", length, most_elements);
     spend(L, static_cast<double>(std::max<lua_Integer>(0, length - std::max<lua_Integer>(0, place))));
   }
@@ -176,20 +204,29 @@ int move(lua_State* L) {
   return original(L);
 }
 
-// coroutine.wrap and coroutine.close, which close what a coroutine that failed still holds open. Lua calls no hook meanwhile, so that nothing
+// coroutine.wrap and coroutine.close close what a coroutine that failed still holds open. Lua calls no hook meanwhile, so that nothing
 // could end it: once the budget is used up it stays open.
-void stop_if_used_up(lua_State* L) {
-  const Limits& limits = limits_of(L);
-  if (stop_requested) luaL_error(L, "interrupted");
-  if (limits.budget > 0 && limits.work > limits.budget) raise_over_budget(L);
-}
-
 int close_coroutine(lua_State* L) {
   stop_if_used_up(L);
   return original(L);
 }
 
-// Upvalues: the coroutine, Lua's own coroutine.resume and coroutine.close.
+// A new coroutine is not looked at for as many instructions as the hook waits: they count when it is made, or many of them, each short, would never count.
+int create_coroutine(lua_State* L) {
+  spend(L, hook_period);
+  stop_if_used_up(L);
+  return original(L);
+}
+
+int resume_coroutine(lua_State* L) {
+  Limits& limits = limits_of(L);
+  if (lua_State* co = lua_tothread(L, 1)) limits.running = co;
+  const int results = original(L);
+  limits.running = L;
+  return results;
+}
+
+// Upvalues: the coroutine, coroutine.resume and Lua's own coroutine.close.
 int resume_wrapped(lua_State* L) {
   lua_State* co = lua_tothread(L, lua_upvalueindex(1));
   lua_pushvalue(L, lua_upvalueindex(2)), lua_insert(L, 1);
@@ -204,6 +241,8 @@ int resume_wrapped(lua_State* L) {
 
 int wrap_coroutine(lua_State* L) {
   luaL_checktype(L, 1, LUA_TFUNCTION);
+  spend(L, hook_period);
+  stop_if_used_up(L);
   lua_State* co = lua_newthread(L);
   lua_pushvalue(L, 1), lua_xmove(L, co, 1);
   lua_pushvalue(L, lua_upvalueindex(1)), lua_pushvalue(L, lua_upvalueindex(2));
@@ -249,6 +288,8 @@ void* allocate(void* opaque, void* block, std::size_t old_size, std::size_t size
       return nullptr;
     }
     limits.work += work;
+    // What is so long takes long to compare: the hook is to look at once. [lua_sethook may be called at any moment]
+    if (limits.budget > 0 && limits.running && size - before > std::size_t{1} << 20) lua_sethook(limits.running, watch, LUA_MASKCOUNT, 1);
   }
   void* result = std::realloc(block, size);
   if (result) limits.used += size - before;
@@ -269,11 +310,17 @@ void watch(lua_State* L, lua_Debug*) {
     lua_error(L);
   }
   Limits& limits = limits_of(L);
-  limits.work += hook_period;
+  const int period = lua_gethookcount(L);
+  limits.work += period;
   if (limits.budget > 0) {
+    limits.running = L;
+    // One instruction takes, at most, as long as all memory takes to be compared.
+    const int next = static_cast<int>(std::clamp(hook_period * 1e6 / static_cast<double>(limits.used), 1.0, static_cast<double>(hook_period)));
+    if (next != period) lua_sethook(L, watch, LUA_MASKCOUNT, next);
     const double now = thread_seconds(), own = now - limits.seconds - limits.engine_seconds;
-    if (own > hook_period * slowest_instruction) limits.work += own / usual_instruction;
-    limits.seconds = now, limits.engine_seconds = 0;
+    // What was counted beside instructions is part of that time.
+    if (own > period * slowest_instruction) limits.work = std::max(limits.work, limits.looked + own / usual_instruction);
+    limits.seconds = now, limits.engine_seconds = 0, limits.looked = limits.work;
   }
   if (limits.budget <= 0 || limits.work <= limits.budget) return;
   raise_over_budget(L);
@@ -285,7 +332,7 @@ EngineTime::~EngineTime() {
 }
 
 void start_counting(lua_State* L) {
-  limits_of(L).seconds = thread_seconds();
+  limits_of(L).seconds = thread_seconds(), limits_of(L).running = L;
   lua_sethook(L, watch, LUA_MASKCOUNT, hook_period);
 }
 
@@ -304,6 +351,8 @@ void bound_libraries(lua_State* L) {
   replace(L, "table", "insert", shift<3>);
   replace(L, "table", "remove", shift<2>);
   replace(L, "table", "move", move);
+  replace(L, "coroutine", "create", create_coroutine);
+  replace(L, "coroutine", "resume", resume_coroutine);
   lua_getglobal(L, "coroutine");
   lua_getfield(L, -1, "resume"), lua_getfield(L, -2, "close");
   lua_pushcclosure(L, wrap_coroutine, 2);

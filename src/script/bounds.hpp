@@ -13,7 +13,8 @@ struct Limits {
   double work = 0;                                    ///< Lua instructions executed so far, and what else costs as much
   double budget = 0;                                  ///< greatest work; 0: no limit
   double seconds = 0, engine_seconds = 0;             ///< of this thread at the last look; since then spent in our own functions
-  lua_State* state = nullptr;
+  double looked = 0;                                  ///< work at that look
+  lua_State *state = nullptr, *running = nullptr;     ///< running: the coroutine that runs, or the script itself
   std::string refused_at;                             ///< "file:line" of the last refusal of memory
   bool over_budget = false;                           ///< that refusal was for the work of filling so much
 
@@ -48,6 +49,12 @@ class EngineTime {
   double began_;
 };
 
+/// Names that are looked through for one that was meant.
+inline constexpr std::size_t most_names = 1000;
+
+/// Calls in calls that are looked through for a line or a name; each costs as many steps as it is deep.
+inline constexpr int most_levels = 1000;
+
 /// Sets the hook of a new state, and begins to count.
 void start_counting(lua_State* L);
 
@@ -59,7 +66,7 @@ void spend(lua_State* L, double work);
 
 /// The hook that counts instructions and sees ^C.
 void watch(lua_State* L, lua_Debug*);
-inline constexpr int hook_period = 500;
+inline constexpr int hook_period = 500;  // instructions, fewer where much memory is held
 
 /// Replaces functions of Lua's libraries that may run for ever without an instruction by those that cannot.
 void bound_libraries(lua_State* L);

@@ -25,18 +25,13 @@ struct SceneObject {
   CallSite site;
 };
 
-/// Puts an object into a new userdata of type "ricochet.<name>"; its user value is a copy of the table at index 1, from which it was
-/// made, so that the same can be made with other numbers (core.given).
+/// Puts an object into a new userdata of type "ricochet.<name>"; its user value is the table at index 1, from which it was
+/// made and which no script can reach, so that the same can be made with other numbers (core.given).
 template <class Object>
 void push_object(lua_State* L, const char* type, Object object) {
   new (lua_newuserdatauv(L, sizeof(Object), 1)) Object(std::move(object));
   luaL_setmetatable(L, type);
-  lua_newtable(L);
-  for (lua_pushnil(L); lua_next(L, 1) != 0;) {
-    lua_pushvalue(L, -2);
-    lua_insert(L, -2);
-    lua_settable(L, -4);
-  }
+  lua_pushvalue(L, 1);
   lua_setiuservalue(L, -2, 1);
 }
 

@@ -187,6 +187,7 @@ int parameters(lua_State* L) {
   if (!lua_istable(L, 1)) throw Error(report(session, call_site(L), {{{}, "takes one table of parameters"}}));
   if (session.parameters_declared) throw Error(report(session, call_site(L), {{{}, "is called twice; declare all parameters in one table"}}));
   session.parameters_declared = true;
+  make_plain(L, 1);
   std::vector<std::string> names;
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING) throw Error(report(session, call_site(L), {{{}, "takes named parameters only"}}));
@@ -220,6 +221,7 @@ int parameters(lua_State* L) {
   lua_createtable(L, 0, 1);
   lua_pushcfunction(L, guarded<unknown_parameter>);
   lua_setfield(L, -2, "__index");
+  lua_pushboolean(L, false), lua_setfield(L, -2, "__metatable");
   lua_setmetatable(L, values);
   return 1;
 }

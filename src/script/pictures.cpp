@@ -163,6 +163,7 @@ fs::path claimed(lua_State* L, const char* field, const std::string& name) {
   if (is_of_the_run(name)) throw_at(session, call_site(L), FieldError(field, fmt::format("'{}' is the name of a file that runs leave themselves; give another", name)));
   if (!session.first_picture_named(path)) throw_at(session, call_site(L), FieldError(field, fmt::format("'{}' was made, or holds what was made, by an earlier call of this script; give this one another name", name)));
   session.claim(session.own_folder());
+  session.replace_product(path);
   make_folder(path.parent_path());
   return path;
 }

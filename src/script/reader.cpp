@@ -186,7 +186,80 @@ void collect(lua_State* L, int index, const std::vector<Field>& fields, const st
   }
 }
 
+// Pushes a plain copy of a value: tables without their metatables, the same ones once (`copies`, at an absolute index, remembers them), all else as
+// it is. Of an object's kind its name stays, for messages.
+void push_plain(lua_State* L, int index, int copies, int depth = 0) {
+  constexpr int deepest = 100;
+  if (depth > deepest) throw at_line(L, fmt::format("a table holds tables that hold tables, more than {} deep", deepest));
+  index = lua_absindex(L, index);
+  luaL_checkstack(L, 8, "tables in tables");
+  lua_pushvalue(L, index);
+  if (!lua_istable(L, index)) return;
+  if (lua_rawget(L, copies) != LUA_TNIL) return;
+  lua_pop(L, 1);
+  // A list with a hole in it stays as long as it is.
+  const auto length = lua_rawlen(L, index);
+  lua_createtable(L, length <= 1000 ? static_cast<int>(length) : 0, 0);
+  const int copy = lua_gettop(L);
+  lua_pushvalue(L, index), lua_pushvalue(L, copy), lua_rawset(L, copies);
+  double elements = 1;
+  for (lua_pushnil(L); lua_next(L, index) != 0; ++elements) {
+    lua_pushvalue(L, -2);
+    push_plain(L, -2, copies, depth + 1);
+    lua_rawset(L, copy);
+    lua_pop(L, 1);
+  }
+  spend(L, elements * work_an_element);
+  if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) {
+    lua_createtable(L, 0, 1);
+    lua_insert(L, -2), lua_setfield(L, -2, "__name");
+    lua_setmetatable(L, copy);
+  } else if (lua_gettop(L) > copy) {
+    lua_pop(L, 1);
+  }
+}
+
+// The same of a table of named fields. Fields that a metatable has for it (a table of defaults, say) are asked for, once.
+void push_plain_fields(lua_State* L, int index, const std::vector<Field>& fields, int copies) {
+  index = lua_absindex(L, index);
+  lua_newtable(L);
+  const int copy = lua_gettop(L);
+  const auto put = [&](int key, int value, const Field* field) {
+    value = lua_absindex(L, value);
+    lua_pushvalue(L, key);
+    if (field && (field->type == "sweep" || field->type == "rows")) lua_pushvalue(L, value);  // long, and read with care
+    else if (field && is_table_type(field->type) && lua_istable(L, value)) push_plain_fields(L, value, function_named(field->type).fields, copies);
+    else push_plain(L, value, copies);
+    lua_rawset(L, copy);
+  };
+  const auto field_named = [&](const char* name) {
+    const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
+    return found == fields.end() ? nullptr : &*found;
+  };
+  for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) put(lua_absindex(L, -2), -1, lua_type(L, -2) == LUA_TSTRING ? field_named(lua_tostring(L, -2)) : nullptr);
+  if (!lua_getmetatable(L, index)) return;
+  lua_pop(L, 1);
+  for (const Field& field : fields) {
+    lua_pushstring(L, field.name.c_str());
+    lua_pushvalue(L, -1);
+    if (lua_rawget(L, copy) == LUA_TNIL) {
+      lua_pop(L, 1);
+      lua_getfield(L, index, field.name.c_str());
+      if (!lua_isnil(L, -1)) put(lua_absindex(L, -2), -1, &field);
+    }
+    lua_pop(L, 2);
+  }
+}
+
 }  // namespace
+
+void make_plain(lua_State* L, int index) {
+  index = lua_absindex(L, index);
+  lua_newtable(L);
+  push_plain(L, index, lua_gettop(L));
+  lua_replace(L, index);
+  lua_pop(L, 1);
+}
 
 Session& session_of(lua_State* L) { return **static_cast<Session**>(lua_getextraspace(L)); }
 
@@ -194,14 +267,14 @@ CallSite call_site(lua_State* L) {
   const Session& session = session_of(L);
   CallSite site;
   lua_Debug frame;
-  for (int level = 0; lua_getstack(L, level, &frame); ++level) {
+  for (int level = 0; level < most_levels && lua_getstack(L, level, &frame); ++level) {
     lua_getinfo(L, "Sl", &frame);
     const std::string source = frame.source[0] == '@' ? frame.source + 1 : "";
     if (frame.currentline <= 0 || source.starts_with(session.library.string())) {
       // Called through pcall, a function has no name here: that of the one it called will do.
       lua_getinfo(L, "n", &frame);
       const std::string name = frame.name ? frame.name : "";
-      if (!name.empty() && name != "pcall" && name != "xpcall") site.function = name;
+      if (!name.empty() && name != "pcall" && name != "xpcall" && name != "fail") site.function = name;
       continue;
     }
     if (source.empty()) continue;  // text that was loaded: the line that calls it
@@ -249,6 +322,11 @@ void check_table(lua_State* L, int index, const Function& function) {
   if (site.function.empty() || site.function == "check") site.function = function.name;
   if (!lua_istable(L, index)) throw Error(report(session, site, {{{}, fmt::format("takes one table of named fields, e.g. {}", function.example)}}));
   if (is_module(L, index)) throw Error(report(session, site, {{{}, fmt::format("is called with a dot, not a colon: ricochet.{} {{ ... }}", function.name)}}));
+  index = lua_absindex(L, index);
+  lua_newtable(L);
+  push_plain_fields(L, index, function.fields, lua_gettop(L));
+  lua_replace(L, index);
+  lua_pop(L, 1);
   std::vector<Mistake> mistakes;
   std::string valid;
   collect(L, index, function.fields, {}, mistakes, valid);
@@ -281,9 +359,16 @@ Error at_line(lua_State* L, const std::string& message) {
   return Error(shown);
 }
 
+std::string hint(lua_State* L, const std::string& name, std::span<const std::string> names) {
+  names = names.first(std::min(names.size(), most_names));
+  for (const std::string& other : names)
+    if (other.size() <= 100) limits_of(L).work += static_cast<double>(name.size() * other.size());  // without raising: names are still held
+  return did_you_mean(name, names);
+}
+
 Error unknown_name(lua_State* L, const std::string& what, const std::string& name, std::vector<std::string> names) {
   std::sort(names.begin(), names.end());
-  const std::string nearest = did_you_mean(name, names);
+  const std::string nearest = hint(L, name, names);
   return at_line(L, fmt::format("{} has no '{}'{}", what, name, nearest.empty() ? (names.empty() ? "" : "; it has " + joined(names)) : nearest));
 }
 

@@ -3,6 +3,7 @@
 
 #include <lua.hpp>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,12 @@ std::string accepted_range(const Field& field);
 /// True if the value is the module itself: a function was called with a colon instead of a dot.
 bool is_module(lua_State* L, int index);
 
-/// Checks the table at `index` against the fields of a function; throws Error with every mistake.
+/// Puts a copy in the place of the value at `index` that the script cannot reach: tables, and those in them, without metatables.
+void make_plain(lua_State* L, int index);
+
+/// Puts a plain copy (as make_plain) in the place of the table at `index`, so that what is checked is what is used, whatever its metatables do and
+/// the script does with it later; fields that a metatable supplies are part of the copy. Rows and sweeps stay what they are. Checks it against the
+/// fields of a function; throws Error with every mistake.
 void check_table(lua_State* L, int index, const Function& function);
 
 /// Reads the table's members into a plain struct; absent fields keep their values. The table must have been checked.
@@ -88,6 +94,9 @@ int guarded(lua_State* L) {
 
 /// An error at the line of the user's that runs: "file:line: message" with that line.
 Error at_line(lua_State* L, const std::string& message);
+
+/// did_you_mean among the first `most_names`, which counts as work of the script's.
+std::string hint(lua_State* L, const std::string& name, std::span<const std::string> names);
 
 /// The error of a name that `what` has not: "file:line: what has no 'name' (did you mean ...?)" or the names there are.
 Error unknown_name(lua_State* L, const std::string& what, const std::string& name, std::vector<std::string> names);

@@ -68,8 +68,8 @@ bool is_choice(const std::string& text) {
 // string.fromat: an error with the nearest name, not nil.
 int unknown_library_function(lua_State* L) {
   std::vector<std::string> names;
-  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) names.push_back(displayed(L, -2));
-  const std::string name = shortened(displayed(L, 2)), nearest = did_you_mean(name, names);
+  for (lua_pushnil(L); names.size() < most_names && lua_next(L, 1) != 0; lua_pop(L, 1)) names.push_back(shortened(displayed(L, -2)));
+  const std::string name = shortened(displayed(L, 2)), nearest = hint(L, name, names);
   throw at_line(L, fmt::format("{} has no '{}'{}", lua_tostring(L, lua_upvalueindex(1)), name, nearest));
 }
 
@@ -77,19 +77,19 @@ int unknown_global(lua_State* L) {
   const std::string name = lua_type(L, 2) == LUA_TSTRING ? shortened(displayed(L, 2)) : "?";
   std::vector<std::string> names;
   lua_pushglobaltable(L);
-  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
+  for (lua_pushnil(L); names.size() < most_names && lua_next(L, -2) != 0; lua_pop(L, 1))
     if (lua_type(L, -2) == LUA_TSTRING) names.push_back(lua_tostring(L, -2));
   for (const char* value : {"ricochet", "true", "false", "nil"}) names.push_back(value);
   lua_Debug frame;  // the local names of every function that is running
-  for (int level = 0; lua_getstack(L, level, &frame); ++level)
+  for (int level = 0; level < most_levels && names.size() < most_names && lua_getstack(L, level, &frame); ++level)
     for (int i = 1; const char* local = lua_getlocal(L, &frame, i); ++i, lua_pop(L, 1))
       if (local[0] != '(') names.push_back(local);
-  std::string hint = did_you_mean(name, names);
-  if (name == "O" || name == "o") hint = " (did you mean the digit 0?)";
-  if (name == "io") hint = " (files are below the run's folder, through ricochet.file)";
-  if (hint.empty() && is_choice(name)) hint = fmt::format(" (if the text is meant, write \"{}\")", name);
-  if (name == "ricochet") hint = " (begin the script with: local ricochet = require \"ricochet\")";
-  throw at_line(L, fmt::format("unknown name '{}'{}", name, hint));
+  std::string meant = hint(L, name, names);
+  if (name == "O" || name == "o") meant = " (did you mean the digit 0?)";
+  if (name == "io") meant = " (files are below the run's folder, through ricochet.file)";
+  if (meant.empty() && is_choice(name)) meant = fmt::format(" (if the text is meant, write \"{}\")", name);
+  if (name == "ricochet") meant = " (begin the script with: local ricochet = require \"ricochet\")";
+  throw at_line(L, fmt::format("unknown name '{}'{}", name, meant));
 }
 
 int new_global(lua_State* L) {

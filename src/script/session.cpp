@@ -79,6 +79,7 @@ std::string version_text() {
 
 Session::Session(RunOptions run_options, fs::path script_path, std::vector<std::string> script_arguments)
     : options(std::move(run_options)), script(std::move(script_path)), arguments(std::move(script_arguments)), start_(now_utc()) {
+  if (const fs::path stem = this->script.stem(); stem == "." || stem == "..") throw FileError(fmt::format("{} has no name for a folder of results; rename the script", this->script.string()));
   // Installed beside the program, or the source tree it was built from.
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -102,10 +103,9 @@ void Session::claim(const fs::path& place) {
   locks_.emplace_back(place);
   refuse_earlier_results(place);  // what another run left while this one waited to begin
   if (options.force) {
-    std::vector<fs::path> old;
+    std::error_code error;  // of a link that leads nowhere
     for (const auto& entry : fs::directory_iterator(place))
-      if (is_product(entry.path()) && !is_of_the_run(entry.path().filename())) old.push_back(entry.path());
-    for (const fs::path& path : old) fs::remove_all(path);
+      if (is_product(entry.path()) && !is_of_the_run(entry.path().filename())) old_[entry.path()] = fs::last_write_time(entry.path(), error);
   }
   claimed_.insert(place);
 }
@@ -115,8 +115,16 @@ void Session::replace_results(const fs::path& place) {
   for (const char* name : {"results.h5", "results.csv", "parts"}) fs::remove_all(place / name);
 }
 
+void Session::replace_product(const fs::path& path) {
+  if (old_.erase(path) > 0) fs::remove_all(path);
+}
+
 void Session::finish() {
   for (const fs::path& place : claimed_) replace_results(place);
+  for (const auto& [path, written] : old_) {
+    std::error_code error;
+    if (fs::last_write_time(path, error) == written) fs::remove_all(path, error);
+  }
   write_log();
 }
 

@@ -56,11 +56,13 @@ class Session {
 
   /// Refuses a folder that holds earlier results, unless --resume or --force is given. Throws FileError.
   void refuse_earlier_results(const std::filesystem::path& folder) const;
-  /// Makes a folder ready for writing, once, and locks it against other runs; with --force, earlier products in it are removed, but for results.
+  /// Makes a folder ready for writing, once, and locks it against other runs; with --force, notes the earlier products in it.
   void claim(const std::filesystem::path& folder);
   /// With --force, removes what earlier sweeps stored in a folder, once: when there is something to store instead, so that a mistake does not cost them.
   void replace_results(const std::filesystem::path& folder);
-  /// After a script without mistakes: earlier results that it did not replace are none of its own; run.log.
+  /// The same for a picture, a folder of frames, a film or a recording that is about to be made.
+  void replace_product(const std::filesystem::path& path);
+  /// After a script without mistakes: what it did not replace of earlier results and products, with --force, is none of its own; run.log.
   void finish();
 
   /// Counts an impact that ran, for the exit status: 3 if some ran and none finished.
@@ -96,6 +98,7 @@ class Session {
 
  private:
   std::set<std::filesystem::path> claimed_, replaced_;
+  std::map<std::filesystem::path, std::filesystem::file_time_type> old_;  ///< products that were there, and when they were written
   std::vector<FolderLock> locks_;
   std::set<std::filesystem::path> pictures_;
   std::set<std::string> sweeps_, warned_, told_;

@@ -10,7 +10,6 @@
 #include <map>
 #include <unordered_set>
 
-#include "core/spelling.hpp"
 #include "force/lane.hpp"
 #include "impact/sweep.hpp"
 #include "script/objects.hpp"
@@ -35,7 +34,7 @@ int unknown_column(lua_State* L) {
   std::vector<std::string> names;
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
     if (lua_type(L, -2) == LUA_TSTRING) names.push_back(lua_tostring(L, -2));
-  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2), nearest = did_you_mean(name, names);
+  const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2), nearest = hint(L, name, names);
   throw at_line(L, fmt::format("a row has no column '{}'{}", name, nearest.empty() ? "; lua/REFERENCE.md lists them" : nearest));
 }
 
@@ -49,7 +48,10 @@ void push_row(lua_State* L, const Row& row) {
   lua_pushstring(L, row.hash.c_str()), lua_setfield(L, -2, "scene_hash");
   lua_pushstring(L, row.seed.c_str()), lua_setfield(L, -2, "seed");
   lua_pushnumber(L, row.seconds), lua_setfield(L, -2, "wall_seconds");
-  if (luaL_newmetatable(L, "row")) lua_pushcfunction(L, guarded<unknown_column>), lua_setfield(L, -2, "__index");
+  if (luaL_newmetatable(L, "row")) {
+    lua_pushcfunction(L, guarded<unknown_column>), lua_setfield(L, -2, "__index");
+    lua_pushboolean(L, false), lua_setfield(L, -2, "__metatable");
+  }
   lua_setmetatable(L, -2);
 }
 
