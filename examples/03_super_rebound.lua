@@ -26,7 +26,7 @@ for _, row in ipairs(rows) do
     if not best or row.e > best.e then best = row end
   end
 end
-if not best then error "no impact finished" end
+if not best then print "no impact finished" return end
 local sum = function(row, when) return row[when .. "_projectile_translation"] end
 print(("e > 1 in %d of %d lattices; the greatest: e = %.3f, lattice %d"):format(above, #rows, best.e, best.sample))
 print(("there the translation keeps %.1f %% of its energy: no energy is made"):format(100 * sum(best, "after") / sum(best, "before")))

@@ -191,6 +191,9 @@ local function go_on_with_kept(plan)
   for name, method, theta in text:gmatch "\npoint ([^\n]-): (%S+) theta ([^\n]+)" do plan.choices[#plan.choices + 1] = { name = name, method = method, theta = tonumber(theta) } end
   local method, theta = text:match "\nothers: (%S+) theta (%S+)"
   plan.method, plan.theta = method, tonumber(theta)
+  if not (plan.samples and plan.nodes and plan.predicted_seconds and plan.method and plan.theta) then
+    core.fail(("%s is damaged; restore it from a copy, or run anew with --force"):format(plan_file(plan.sweep)))
+  end
   print(("goes on with the plan of the earlier run: %.3g times the nodes, %d samples a point"):format(plan.nodes, plan.samples))
 end
 

@@ -32,8 +32,11 @@ local function combinations(over)
     if type(values) ~= "table" or #values == 0 then
       core.fail(("over.%s must be a list of values that is not empty, is %s"):format(name, type(values) == "table" and "an empty table" or tostring(values)), "over", name)
     end
-    for i, value in ipairs(values) do
+    if name == "count" or name == "failed" then core.fail(("over.%s: '%s' is a column of summaries; take another name"):format(name, name), "over", name) end
+    for i = 1, #values do
+      local value = values[i]
       local kind = type(value)
+      if value == nil then core.fail(("over.%s has nothing (nil) at place %d; leave that place out"):format(name, i), "over", name) end
       if kind ~= "number" and kind ~= "string" and kind ~= "boolean" then
         core.fail(("over.%s: value %d is a %s; numbers, strings and booleans are accepted"):format(name, i, kind), "over", name)
       end

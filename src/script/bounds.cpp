@@ -19,6 +19,7 @@ namespace {
 constexpr double most_pattern_steps = 1e8;
 constexpr lua_Integer most_elements = 50'000'000;
 constexpr std::size_t longest_pattern = 100'000;
+constexpr std::size_t piece_of_text = 256;  // bytes that Lua reads before it is looked at how long it took
 
 // "file:line" that is running, of the script rather than of the library that it calls; "" if no Lua is.
 std::string line_of(lua_State* L) {
@@ -49,14 +50,30 @@ void raise_over_budget(lua_State* L) {
   lua_error(L);
 }
 
+// Instructions between looks: where one may compare texts of megabytes, few.
+int period_of(const Limits& limits) {
+  constexpr double usual_text = 1e5;  // bytes; 500 comparisons of those take a tenth of a second
+  return limits.budget > 0 ? static_cast<int>(std::clamp(hook_period * usual_text / static_cast<double>(std::max<std::size_t>(1, limits.longest_text)), 1.0, static_cast<double>(hook_period))) : hook_period;
+}
+
+// While it lives, the coroutine's instructions are those that run.
+class Running {
+ public:
+  Running(lua_State* L, lua_State* co) : limits_(limits_of(L)), before_(limits_.running) {
+    if (!co || !before_) return;
+    limits_.running = co;
+    if (const int period = period_of(limits_); lua_gethookcount(co) > period) lua_sethook(co, watch, LUA_MASKCOUNT, period);
+  }
+  ~Running() { limits_.running = before_; }
+  Running(const Running&) = delete;
+
+ private:
+  Limits& limits_;
+  lua_State* before_;
+};
+
 // Calls the library's own function in the wrapper's place, so that its errors name the script's line.
 int original(lua_State* L) { return lua_tocfunction(L, lua_upvalueindex(1))(L); }
-
-void stop_if_used_up(lua_State* L) {
-  const Limits& limits = limits_of(L);
-  if (stop_requested) luaL_error(L, "interrupted");
-  if (limits.budget > 0 && limits.work > limits.budget) raise_over_budget(L);
-}
 
 // The length of a list that one of Lua's own functions is going to take the length of again.
 lua_Integer length_for_good(lua_State* L) {
@@ -208,6 +225,7 @@ int move(lua_State* L) {
 // could end it: once the budget is used up it stays open.
 int close_coroutine(lua_State* L) {
   stop_if_used_up(L);
+  const Running running(L, lua_tothread(L, 1));
   return original(L);
 }
 
@@ -219,14 +237,11 @@ int create_coroutine(lua_State* L) {
 }
 
 int resume_coroutine(lua_State* L) {
-  Limits& limits = limits_of(L);
-  if (lua_State* co = lua_tothread(L, 1)) limits.running = co;
-  const int results = original(L);
-  limits.running = L;
-  return results;
+  const Running running(L, lua_tothread(L, 1));
+  return original(L);
 }
 
-// Upvalues: the coroutine, coroutine.resume and Lua's own coroutine.close.
+// Upvalues: the coroutine, coroutine.resume and coroutine.close.
 int resume_wrapped(lua_State* L) {
   lua_State* co = lua_tothread(L, lua_upvalueindex(1));
   lua_pushvalue(L, lua_upvalueindex(2)), lua_insert(L, 1);
@@ -288,12 +303,22 @@ void* allocate(void* opaque, void* block, std::size_t old_size, std::size_t size
       return nullptr;
     }
     limits.work += work;
-    // What is so long takes long to compare: the hook is to look at once. [lua_sethook may be called at any moment]
-    if (limits.budget > 0 && limits.running && size - before > std::size_t{1} << 20) lua_sethook(limits.running, watch, LUA_MASKCOUNT, 1);
+    // For a new object Lua gives its type as the old size. A text so long takes long to compare: the hook is to look at once, and more often from
+    // now on. [lua_sethook may be called at any moment]
+    if (!block && old_size == LUA_TSTRING && size > limits.longest_text) {
+      limits.longest_text = size;
+      if (limits.budget > 0 && limits.running) lua_sethook(limits.running, watch, LUA_MASKCOUNT, std::min(lua_gethookcount(limits.running), period_of(limits)));
+    }
   }
   void* result = std::realloc(block, size);
   if (result) limits.used += size - before;
   return result;
+}
+
+void stop_if_used_up(lua_State* L) {
+  const Limits& limits = limits_of(L);
+  if (stop_requested) luaL_error(L, "interrupted");
+  if (limits.budget > 0 && limits.work > limits.budget) raise_over_budget(L);
 }
 
 void spend(lua_State* L, double work) {
@@ -313,17 +338,36 @@ void watch(lua_State* L, lua_Debug*) {
   const int period = lua_gethookcount(L);
   limits.work += period;
   if (limits.budget > 0) {
-    limits.running = L;
-    // One instruction takes, at most, as long as all memory takes to be compared.
-    const int next = static_cast<int>(std::clamp(hook_period * 1e6 / static_cast<double>(limits.used), 1.0, static_cast<double>(hook_period)));
-    if (next != period) lua_sethook(L, watch, LUA_MASKCOUNT, next);
-    const double now = thread_seconds(), own = now - limits.seconds - limits.engine_seconds;
-    // What was counted beside instructions is part of that time.
-    if (own > period * slowest_instruction) limits.work = std::max(limits.work, limits.looked + own / usual_instruction);
-    limits.seconds = now, limits.engine_seconds = 0, limits.looked = limits.work;
+    if (const int next = period_of(limits); next != period) lua_sethook(L, watch, LUA_MASKCOUNT, next);
+    const double now = thread_seconds(), own = now - limits.seconds - limits.engine_seconds, counted = limits.work - limits.looked;
+    // Over as many instructions as usual, so that one that had to wait for memory is no cause. What was counted beside instructions is part of that time.
+    if (counted >= hook_period || own > hook_period * slowest_instruction) {
+      if (own > counted * slowest_instruction) limits.work = std::max(limits.work, limits.looked + own / usual_instruction);
+      limits.seconds = now, limits.engine_seconds = 0, limits.looked = limits.work;
+    }
   }
   if (limits.budget <= 0 || limits.work <= limits.budget) return;
   raise_over_budget(L);
+}
+
+int load_counted(lua_State* L, std::string_view text, const std::string& name) {
+  struct Text {
+    std::string_view rest;
+    double seconds;
+  } from{text, thread_seconds()};
+  const lua_Reader piece = [](lua_State* state, void* data, std::size_t* size) -> const char* {
+    auto& [rest, seconds] = *static_cast<Text*>(data);
+    Limits& limits = limits_of(state);
+    const double now = thread_seconds(), took = now - seconds;
+    seconds = now;
+    if (took > piece_of_text * slowest_instruction) limits.work += took / usual_instruction;
+    stop_if_used_up(state);
+    *size = std::min(rest.size(), piece_of_text);
+    const char* begin = rest.data();
+    rest.remove_prefix(*size);
+    return *size > 0 ? begin : nullptr;
+  };
+  return lua_load(L, piece, &from, name.c_str(), "t");
 }
 
 EngineTime::EngineTime(lua_State* L) : limits_(limits_of(L)), began_(limits_.budget > 0 ? thread_seconds() : 0) {}
@@ -353,12 +397,12 @@ void bound_libraries(lua_State* L) {
   replace(L, "table", "move", move);
   replace(L, "coroutine", "create", create_coroutine);
   replace(L, "coroutine", "resume", resume_coroutine);
+  replace(L, "coroutine", "close", close_coroutine);
   lua_getglobal(L, "coroutine");
   lua_getfield(L, -1, "resume"), lua_getfield(L, -2, "close");
   lua_pushcclosure(L, wrap_coroutine, 2);
   lua_setfield(L, -2, "wrap");
   lua_pop(L, 1);
-  replace(L, "coroutine", "close", close_coroutine);
 }
 
 }  // namespace ricochet

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace ricochet {
 
@@ -14,7 +15,8 @@ struct Limits {
   double budget = 0;                                  ///< greatest work; 0: no limit
   double seconds = 0, engine_seconds = 0;             ///< of this thread at the last look; since then spent in our own functions
   double looked = 0;                                  ///< work at that look
-  lua_State *state = nullptr, *running = nullptr;     ///< running: the coroutine that runs, or the script itself
+  lua_State *state = nullptr, *running = nullptr;     ///< running: the coroutine that runs, or the script itself; none before and after it
+  std::size_t longest_text = 0;                       ///< bytes of the longest string there was
   std::string refused_at;                             ///< "file:line" of the last refusal of memory
   bool over_budget = false;                           ///< that refusal was for the work of filling so much
 
@@ -28,6 +30,7 @@ inline constexpr double work_a_file = 1e4;               // written
 inline constexpr double work_a_node = 20;                // placed
 inline constexpr double work_a_byte_read = 1;            // of a text read by one of Lua's own functions; 0.4 (tonumber), 1.3 (packsize), up to 6 in the hardest plain search
 inline constexpr double work_an_element = 6;             // of a table joined
+inline constexpr double work_a_value_read = 100;         // of a parameter, shown in help
 inline constexpr double work_a_comparison = 8;           // of a table sorted
 inline constexpr double work_a_node_stretched = 1000;    // by ricochet.elasticity
 inline constexpr double work_a_plot = 5e5;               // a thirtieth of its time, so that small budgets leave room for some
@@ -58,15 +61,22 @@ inline constexpr int most_levels = 1000;
 /// Sets the hook of a new state, and begins to count.
 void start_counting(lua_State* L);
 
+/// Loads a chunk of text as luaL_loadbufferx does. Lua may take long over little (names among thousands of locals): that counts as the time it takes,
+/// and a signal or a used up budget ends it.
+int load_counted(lua_State* L, std::string_view text, const std::string& name);
+
 /// Allocates for Lua within the limits; what new memory costs to fill counts as work.
 void* allocate(void* limits, void* block, std::size_t old_size, std::size_t size);
 
 /// Counts work that no instruction stands for; raises Lua's error if the budget is used up.
 void spend(lua_State* L, double work);
 
+/// Raises Lua's error if the budget is used up, or the run is to stop.
+void stop_if_used_up(lua_State* L);
+
 /// The hook that counts instructions and sees ^C.
 void watch(lua_State* L, lua_Debug*);
-inline constexpr int hook_period = 500;  // instructions, fewer where much memory is held
+inline constexpr int hook_period = 500;  // instructions, fewer where a long text is held
 
 /// Replaces functions of Lua's libraries that may run for ever without an instruction by those that cannot.
 void bound_libraries(lua_State* L);

@@ -163,7 +163,6 @@ fs::path claimed(lua_State* L, const char* field, const std::string& name) {
   if (is_of_the_run(name)) throw_at(session, call_site(L), FieldError(field, fmt::format("'{}' is the name of a file that runs leave themselves; give another", name)));
   if (!session.first_picture_named(path)) throw_at(session, call_site(L), FieldError(field, fmt::format("'{}' was made, or holds what was made, by an earlier call of this script; give this one another name", name)));
   session.claim(session.own_folder());
-  session.replace_product(path);
   make_folder(path.parent_path());
   return path;
 }
@@ -196,6 +195,7 @@ int animate(lua_State* L) {
   sequence.rate = number_field(L, "rate", 30), sequence.go_on = session.options.resume;
   follow(L, takes);
   const CallSite call = call_site(L);
+  if (!out.empty()) session.replace_product(sequence.folder), make_folder(sequence.folder);
   const std::vector<double> times = at_scene(session, call, takes[0], [&] { return times_of(L, takes, number_field(L, "from", -1), static_cast<int>(number_field(L, "frames", 240))); });
   std::vector<Source> sources;
   for (const Take& take : takes) sources.push_back(source_of(take, times));

@@ -160,19 +160,23 @@ void collect(lua_State* L, int index, const std::vector<Field>& fields, const st
     return full;
   };
   const std::string where = path.empty() ? "" : path.back() + ": ";
-  std::vector<Mistake> unknown;
+  constexpr std::size_t most_shown = 20;
+  std::vector<std::string> unknown;
+  std::size_t nameless = 0;
   for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING) {
-      mistakes.push_back({path, fmt::format("{}takes named fields only, has the value {} without a name", where, shown(L, -1))});
+      if (nameless++ < most_shown) mistakes.push_back({path, fmt::format("{}takes named fields only, has the value {} without a name", where, shown(L, -1))});
       continue;
     }
     const std::string name = lua_tostring(L, -2);
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    unknown.push_back({below(name), fmt::format("{}unknown field '{}'{}", where, name, belongs_elsewhere(name, fields, path, did_you_mean(name, names)))});
-    valid = joined(names);
+    if (std::find(names.begin(), names.end(), name) == names.end()) unknown.push_back(name);
   }
-  std::sort(unknown.begin(), unknown.end(), [](const Mistake& a, const Mistake& b) { return a.path < b.path; });
-  mistakes.insert(mistakes.end(), unknown.begin(), unknown.end());
+  spend(L, work_a_value_read * static_cast<double>(unknown.size()));
+  std::sort(unknown.begin(), unknown.end());
+  for (std::size_t i = 0; i < std::min(unknown.size(), most_shown); ++i)
+    mistakes.push_back({below(unknown[i]), fmt::format("{}unknown field '{}'{}", where, unknown[i], belongs_elsewhere(unknown[i], fields, path, did_you_mean(unknown[i], names)))});
+  if (unknown.size() > most_shown) mistakes.push_back({path, fmt::format("{}and {} more unknown fields", where, unknown.size() - most_shown)});
+  if (!unknown.empty()) valid = joined(names);
   for (const Field& field : fields) {
     lua_getfield(L, index, field.name.c_str());
     if (lua_isnil(L, -1)) {

@@ -86,7 +86,8 @@ int run_gnuplot(const fs::path& folder, const std::string& file, bool confined) 
   const pid_t child = fork();
   if (child == 0) {  // only calls that are safe between fork and exec
     char failure = not_there;
-    if (chdir(folder.c_str()) == 0) {
+    const int nothing = open("/dev/null", O_RDONLY);
+    if (chdir(folder.c_str()) == 0 && nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0) {
       if (confined && !start_no_process()) failure = not_confined;
       else execlp("gnuplot", "gnuplot", file.c_str(), nullptr);
     }
@@ -119,9 +120,11 @@ int gnuplot(lua_State* L) {
     const fs::path picture = fs::path(script).replace_extension(kind);
     if (fs::is_symlink(picture)) fs::remove(picture);
   }
-  const int status = run_gnuplot(script.parent_path(), script.filename().string(), !session.options.unsafe);
+  const int status = run_gnuplot(script.parent_path(), "./" + script.filename().string(), !session.options.unsafe);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw FileError(fmt::format("gnuplot could not draw {} (its message stands above)", script.string()));
-  session.print(fmt::format("plot: {}\n", fs::path(script).replace_extension(".png").string()));
+  const fs::path picture = fs::path(script).replace_extension(".png");
+  if (!fs::exists(picture)) throw FileError(fmt::format("gnuplot has not drawn {}; is the gnuplot in PATH the real one?", picture.string()));
+  session.print(fmt::format("plot: {}\n", picture.string()));
   return 0;
 }
 

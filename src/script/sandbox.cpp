@@ -36,7 +36,7 @@ void load_file(lua_State* L, const fs::path& path, const std::string& name, bool
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);  // a byte order mark, which some editors write
   if (text.starts_with("#!")) text.insert(0, "--");  // a first line for the shell
   session.sources[name] = text;
-  if (luaL_loadbufferx(L, text.data(), text.size(), ("@" + name).c_str(), "t") != LUA_OK) {
+  if (load_counted(L, text, "@" + name) != LUA_OK) {
     const std::string message = lua_tostring(L, -1);
     lua_pop(L, 1);
     if (text.starts_with("\x1bLua")) throw Error(name + ": bytecode is not accepted; give the script's text");
@@ -185,10 +185,11 @@ int load_text(lua_State* L) {
   spend(L, work_a_byte_read * static_cast<double>(length));
   std::string name = luaL_optstring(L, 2, "=(load)");
   if (name.starts_with('@')) name[0] = '=';  // files are what was read from files
-  if (luaL_loadbufferx(L, text, length, name.c_str(), "t") == LUA_OK) {
+  if (load_counted(L, {text, length}, name) == LUA_OK) {
     if (environment) lua_pushvalue(L, 4), lua_setupvalue(L, -2, 1);
     return 1;
   }
+  stop_if_used_up(L);
   lua_pushnil(L);
   lua_insert(L, -2);
   return 2;

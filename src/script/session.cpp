@@ -37,7 +37,7 @@ bool is_product(const fs::path& entry) {
   static const std::set<std::string> kinds{".svg", ".png", ".gp", ".h5", ".xdmf", ".mp4", ".new"};
   if (is_of_the_run(entry.filename()) || kinds.count(entry.extension().string())) return true;
   // A folder of frames holds nothing but frames.
-  if (!fs::is_directory(entry)) return false;
+  if (!fs::is_directory(entry) || fs::is_empty(entry)) return false;
   for (const auto& inner : fs::directory_iterator(entry))
     if (inner.path().extension() != ".png" && inner.path().extension() != ".new") return false;
   return true;
@@ -47,7 +47,8 @@ bool is_product(const fs::path& entry) {
 
 bool is_of_the_run(const fs::path& name) {
   static const std::set<std::string> names{"results.h5", "results.csv", "run.log", "parts"};
-  return names.count(name.begin()->string()) > 0;
+  const fs::path first = *name.begin();  // while it is written a file is called NAME.new
+  return names.count((first.extension() == ".new" ? first.stem() : first).string()) > 0;
 }
 
 void catch_signals() {

@@ -60,7 +60,7 @@ class Session {
   void claim(const std::filesystem::path& folder);
   /// With --force, removes what earlier sweeps stored in a folder, once: when there is something to store instead, so that a mistake does not cost them.
   void replace_results(const std::filesystem::path& folder);
-  /// The same for a picture, a folder of frames, a film or a recording that is about to be made.
+  /// The same for a folder of frames that is about to be filled; single files replace themselves.
   void replace_product(const std::filesystem::path& path);
   /// After a script without mistakes: what it did not replace of earlier results and products, with --force, is none of its own; run.log.
   void finish();

@@ -161,7 +161,7 @@ State::State(Session& session) : session_(session) {
 
   lua_newtable(L_);  // the module's native part, which lua/ricochet/init.lua requires as "ricochet.core"
   const luaL_Reg natives[] = {{"check", guarded<check>}, {"fail", guarded<fail>}, {"fail_in", guarded<fail_in>}, {"fail_here", guarded<fail_here>}, {"unknown", guarded<unknown>},
-                              {"function_names", function_names}, {"did_you_mean", nearest}, {"wrap", wrap}, {"is", is}, {"plain", plain}, {"is_check", is_check}, {"is_resume", is_resume}, {"make_scene", make_scene}, {"is_scene", is_scene}};
+                              {"function_names", function_names}, {"did_you_mean", nearest}, {"wrap", wrap}, {"is", is}, {"plain", guarded<plain>}, {"is_check", is_check}, {"is_resume", is_resume}, {"make_scene", make_scene}, {"is_scene", is_scene}};
   for (const luaL_Reg& f : natives) lua_pushcfunction(L_, f.func), lua_setfield(L_, -2, f.name);
   add_parameters(L_), add_bodies(L_), add_sweeps(L_), add_pictures(L_), add_run_files(L_), add_theories(L_), add_accuracy(L_);
   luaL_getsubtable(L_, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
@@ -173,6 +173,7 @@ State::State(Session& session) : session_(session) {
 }
 
 State::~State() {
+  limits_->running = nullptr;
   if (L_) lua_close(L_);
 }
 

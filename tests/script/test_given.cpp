@@ -33,6 +33,13 @@ assert(#rows == 2 and rows[1].psi1 == 0 and rows[2].psi1 == 1)
   CHECK(ended.status == 0);
 }
 
+TEST_CASE("a hole in a sweep's values, and a name that summaries take, are mistakes") {
+  const Workplace here;
+  const std::string begin = "local ricochet = require 'ricochet'\nricochet.sweep { name = 'w', over = { ", end = " }, scene = print }\n";
+  CHECK(here.script(begin + "psi1 = { 0, 1, nil, 3 }" + end).first_line() == "error: s.lua:2: sweep: over.psi1 has nothing (nil) at place 3; leave that place out");
+  CHECK(here.script(begin + "count = { 0, 1 }" + end).first_line() == "error: s.lua:2: sweep: over.count: 'count' is a column of summaries; take another name");
+}
+
 TEST_CASE("fields that come by a table of defaults are fields, everywhere") {
   const Workplace here;
   const Ended ended = here.script(bodies + R"lua(
@@ -52,13 +59,15 @@ print(pcall(ricochet.scene, setmetatable({ targt = wall }, defaults)))
 TEST_CASE("with --force a mistake costs no pictures or recordings, and what the next run does not make again goes") {
   const Workplace here;
   const std::string text = "local ricochet = require 'ricochet'\nlocal p = ricochet.parameters { stage = 0 }\nricochet.file.write('note.txt', 'hello')\n"
-                           "if p.stage == 1 then error 'one' end\nlocal scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 } }\n"
+                           "if p.stage == 1 then error 'one' end\nif p.stage == 3 then\n"
+                           "  ricochet.animate { scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 }, step = 1 }, frames = 5, out = 'film' }\nend\nlocal scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 } }\n"
                            "ricochet.animate { scene = scene, frames = p.stage == 2 and 3 or 5, size = { 64, 36 }, out = 'film' }\n"
                            "if p.stage == 0 then ricochet.record { scene = scene, frames = 3 } ricochet.still { scene = scene, size = { 64, 36 } } end\n";
   REQUIRE(here.script(text).status == 0);
   const char* products[] = {"out/s/trajectory.h5", "out/s/trajectory.xdmf", "out/s/still.png", "out/s/film/000004.png"};
   for (const char* product : products) CHECK(fs::exists(here.path / product));
   CHECK(here.run("s.lua stage=1 --force").status == 1);
+  CHECK(here.run("s.lua stage=3 --force").status == 1);
   for (const char* product : products) CHECK(fs::exists(here.path / product));
   here.write("out/s/mine.txt", "mine");
   CHECK(here.run("s.lua stage=2 --force").status == 0);

@@ -174,6 +174,26 @@ for _, name in ipairs { "outline", "placement" } do local n = {} ricochet.body(s
       {"compare many zeros in coroutines", false, R"lua(while true do coroutine.wrap(function() local a = ("\0"):rep(2e7) local b, c = a .. "b", a .. "c" for i = 1, 100 do local x = b < c end end)() end)lua", 1, budget},
       {"unknown name in the depth", false, R"lua(local function f(n) if n == 0 then return undefinedname end return 1 + f(n - 1) end print(pcall(f, 150000)))lua", 0, ""},
       {"unknown name among many", false, R"lua(for i = 1, 5e4 do rawset(_G, "x" .. ("y"):rep(90) .. i, i) end while true do pcall(function() return _G["y" .. ("x"):rep(90)] end) end)lua", 1, budget},
+      {"coroutines closed and forgotten", false, R"lua(local rep, mt = string.rep, { __close = function() local s = 0 for i = 1, 3000 do s = s + i end end }
+local function body() local x <close> = setmetatable({}, mt) coroutine.yield() end
+local function once() local co = coroutine.create(body) coroutine.resume(co) coroutine.close(co) end
+for k = 1, 3000 do
+  for j = 1, 5 do once() end
+  local n = 260000 + k
+  local a = rep("a", n) a = rep("b", n) a = rep("c", n) a = rep("d", n) a = rep("e", n) a = rep("f", n) a = rep("g", n)
+  a = rep("a", 1000) a = rep("b", 216)
+  for _, m in ipairs { 200, 190, 180, 170, 215, 216, 210, 205, 195 } do a = rep("\255", m) end
+  local b = rep("b", 1100000)
+end)lua", 1, budget},
+      {"names among locals", false, R"lua(local names = {} for i = 1, 190 do names[i] = "v" .. i end
+print(load(("local function f() local " .. table.concat(names, ",") .. " "):rep(180) .. ("a=a "):rep(4e5) .. ("end "):rep(180))))lua", 1, budget},
+      {"parameters that share choices", true, R"lua(local c, t = {}, {} for i = 1, 1e5 do c[i] = "c" .. i end for i = 1, 1000 do t["p" .. i] = { "c1", choices = c } end ricochet.parameters(t))lua", 1, budget},
+      {"parameters that share a list", true, R"lua(local c, t = {}, {} for i = 1, 1e5 do c[i] = i end for i = 1, 1000 do t["p" .. i] = { c } end ricochet.parameters(t))lua", 1, budget},
+      {"fields unknown", true, R"lua(local t = {} for i = 1, 2e4 do t[("x"):rep(90) .. i] = i end while true do pcall(ricochet.disk, t) end)lua", 1, budget},
+      {"plot as an option", true, R"lua(ricochet.plot { x = "x", y = { "y" }, name = "-p", xrange = { 0, 1 }, theory = { y = function(x) return x end } } assert(ricochet.file.read("-p.png"):find "PNG"))lua", 0, ""},
+      {"deep values", true, R"lua(local t = {} for i = 1, 150 do t = { t } end ricochet.sweep { name = "s", over = { a = { 1 } }, scene = print }:at { a = t })lua", 1, "more than 100 deep"},
+      {"range without end", true, R"lua(ricochet.range(1e17, 1e17 + 100, 1e-3))lua", 1, "lost in rounding"},
+      {"own results in the making", true, R"lua(ricochet.file.write("results.h5.new/x", "oops"))lua", 1, "that runs leave themselves"},
       {"long pattern", false, R"lua(print(pcall(string.find, "a", ("a"):rep(1e6) .. "*")))lua", 0, ""},
   };
   return list;
