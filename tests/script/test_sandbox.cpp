@@ -172,7 +172,7 @@ for _, name in ipairs { "outline", "placement" } do local n = {} ricochet.body(s
       {"sort long strings", false, R"lua(local a, t = ("\0"):rep(1e6), {} for i = 1, 2000 do t[i] = a end table.sort(t))lua", 1, budget},
       {"compare zeros", false, R"lua(local a = ("\0"):rep(3e6) local b, c = a .. "b", a .. "c" while true do local x = b < c end)lua", 1, budget},
       {"compare many zeros in coroutines", false, R"lua(while true do coroutine.wrap(function() local a = ("\0"):rep(2e7) local b, c = a .. "b", a .. "c" for i = 1, 100 do local x = b < c end end)() end)lua", 1, budget},
-      {"unknown name in the depth", false, R"lua(local function f(n) if n == 0 then return undefinedname end return 1 + f(n - 1) end print(pcall(f, 150000)))lua", 0, ""},
+      {"unknown name in the depth", false, R"lua(local function f(n) if n == 0 then return undefinedname end return 1 + f(n - 1) end print(pcall(f, 30000)))lua", 0, ""},
       {"unknown name among many", false, R"lua(for i = 1, 5e4 do rawset(_G, "x" .. ("y"):rep(90) .. i, i) end while true do pcall(function() return _G["y" .. ("x"):rep(90)] end) end)lua", 1, budget},
       {"coroutines closed and forgotten", false, R"lua(local rep, mt = string.rep, { __close = function() local s = 0 for i = 1, 3000 do s = s + i end end }
 local function body() local x <close> = setmetatable({}, mt) coroutine.yield() end
