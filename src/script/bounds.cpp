@@ -19,6 +19,7 @@ namespace {
 constexpr double most_pattern_steps = 1e8;
 constexpr lua_Integer most_elements = 50'000'000;
 constexpr std::size_t longest_pattern = 100'000;
+constexpr std::size_t usual_text = 100'000;  // bytes; 500 comparisons of those take a tenth of a second
 constexpr std::size_t piece_of_text = 256;  // bytes that Lua reads before it is looked at how long it took
 
 // "file:line" that is running, of the script rather than of the library that it calls; "" if no Lua is.
@@ -52,8 +53,9 @@ void raise_over_budget(lua_State* L) {
 
 // Instructions between looks: where one may compare texts of megabytes, few.
 int period_of(const Limits& limits) {
-  constexpr double usual_text = 1e5;  // bytes; 500 comparisons of those take a tenth of a second
-  return limits.budget > 0 ? static_cast<int>(std::clamp(hook_period * usual_text / static_cast<double>(std::max<std::size_t>(1, limits.longest_text)), 1.0, static_cast<double>(hook_period))) : hook_period;
+  constexpr double fewest = 5;
+  const std::size_t longest = limits.long_sizes.empty() ? usual_text : *limits.long_sizes.rbegin();
+  return static_cast<int>(std::max(fewest, hook_period * static_cast<double>(usual_text) / static_cast<double>(longest)));
 }
 
 // While it lives, the coroutine's instructions are those that run.
@@ -290,6 +292,10 @@ void* allocate(void* opaque, void* block, std::size_t old_size, std::size_t size
   auto& limits = *static_cast<Limits*>(opaque);
   const std::size_t before = block ? old_size : 0;
   if (size == 0) {
+    if (const auto text = limits.long_texts.find(block); before > usual_text && text != limits.long_texts.end()) {
+      limits.long_sizes.erase(limits.long_sizes.find(text->second));
+      limits.long_texts.erase(text);
+    }
     std::free(block);
     limits.used -= before;
     return nullptr;
@@ -303,15 +309,15 @@ void* allocate(void* opaque, void* block, std::size_t old_size, std::size_t size
       return nullptr;
     }
     limits.work += work;
-    // For a new object Lua gives its type as the old size. A text so long takes long to compare: the hook is to look at once, and more often from
-    // now on. [lua_sethook may be called at any moment]
-    if (!block && old_size == LUA_TSTRING && size > limits.longest_text) {
-      limits.longest_text = size;
-      if (limits.budget > 0 && limits.running) lua_sethook(limits.running, watch, LUA_MASKCOUNT, std::min(lua_gethookcount(limits.running), period_of(limits)));
-    }
   }
   void* result = std::realloc(block, size);
   if (result) limits.used += size - before;
+  // For a new object Lua gives its type as the old size. A text so long takes long to compare: the hook is to look at once, and more often while
+  // the text is held. [lua_sethook may be called at any moment]
+  if (result && !block && old_size == LUA_TSTRING && size > usual_text && limits.budget > 0) {
+    limits.long_texts[result] = size, limits.long_sizes.insert(size);
+    if (limits.running) lua_sethook(limits.running, watch, LUA_MASKCOUNT, std::min(lua_gethookcount(limits.running), period_of(limits)));
+  }
   return result;
 }
 

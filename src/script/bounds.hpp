@@ -4,8 +4,10 @@
 #include <lua.hpp>
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 
 namespace ricochet {
 
@@ -16,7 +18,8 @@ struct Limits {
   double seconds = 0, engine_seconds = 0;             ///< of this thread at the last look; since then spent in our own functions
   double looked = 0;                                  ///< work at that look
   lua_State *state = nullptr, *running = nullptr;     ///< running: the coroutine that runs, or the script itself; none before and after it
-  std::size_t longest_text = 0;                       ///< bytes of the longest string there was
+  std::unordered_map<void*, std::size_t> long_texts;  ///< strings so long that comparing them takes long, and their bytes; under a budget only
+  std::multiset<std::size_t> long_sizes;              ///< of those
   std::string refused_at;                             ///< "file:line" of the last refusal of memory
   bool over_budget = false;                           ///< that refusal was for the work of filling so much
 

@@ -201,9 +201,10 @@ void push_plain(lua_State* L, int index, int copies, int depth = 0) {
   if (!lua_istable(L, index)) return;
   if (lua_rawget(L, copies) != LUA_TNIL) return;
   lua_pop(L, 1);
-  // A list with a hole in it stays as long as it is.
-  const auto length = lua_rawlen(L, index);
-  lua_createtable(L, length <= 1000 ? static_cast<int>(length) : 0, 0);
+  // A list with a hole in it stays as long as it is. (A table that is no list may have any length.)
+  constexpr lua_Unsigned longest_list = 10'000'000;
+  const lua_Unsigned length = lua_rawlen(L, index);
+  lua_createtable(L, length <= longest_list ? static_cast<int>(length) : 0, 0);
   const int copy = lua_gettop(L);
   lua_pushvalue(L, index), lua_pushvalue(L, copy), lua_rawset(L, copies);
   double elements = 1;

@@ -37,6 +37,8 @@ TEST_CASE("a hole in a sweep's values, and a name that summaries take, are mista
   const Workplace here;
   const std::string begin = "local ricochet = require 'ricochet'\nricochet.sweep { name = 'w', over = { ", end = " }, scene = print }\n";
   CHECK(here.script(begin + "psi1 = { 0, 1, nil, 3 }" + end).first_line() == "error: s.lua:2: sweep: over.psi1 has nothing (nil) at place 3; leave that place out");
+  CHECK(here.script("local v = {} for i = 1, 1100 do v[i] = i end for i = 300, 900 do v[i] = nil end " + begin + "psi1 = v" + end).first_line() ==
+        "error: s.lua:2: sweep: over.psi1 has nothing (nil) at place 300; leave that place out");
   CHECK(here.script(begin + "count = { 0, 1 }" + end).first_line() == "error: s.lua:2: sweep: over.count: 'count' is a column of summaries; take another name");
 }
 
