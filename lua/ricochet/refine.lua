@@ -2,13 +2,13 @@
 local core = require "ricochet.core"
 
 local function refined_body(body, factor, shift)
-  local t = core.check("body", core.given(body))
+  local t = core.check("body", core.given(body), true)
   t.nodes = math.floor(factor * t.nodes + 0.5)
   -- Outline, total mass and stiffness stay: the modulus of a network does not depend on its spacing, while a spring's stretch at a
   -- given strain does, as the spacing.
   t.mass, t.quartic = t.mass / factor, t.quartic * factor
   t.seed = t.seed + shift
-  return core.body(t)
+  return core.own_body(t)
 end
 
 --- The scene with `factor` times as many nodes in both bodies of the same outline, mass and stiffness; seeds, those of effects

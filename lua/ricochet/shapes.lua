@@ -21,7 +21,7 @@ function shapes.disk(given)
     local angle = 2 * math.pi * (i - 1) / corners
     body.outline[i] = { t.radius * math.cos(angle), t.radius * math.sin(angle) }
   end
-  return core.body(body)
+  return core.own_body(body)
 end
 
 function shapes.wall(given)
@@ -31,7 +31,7 @@ function shapes.wall(given)
   body.outline = { { -half, -depth }, { half, -depth }, { half, 0 }, { -half, 0 } }
   local rounding = 1e-9 * t.width
   body.anchored = function(x, y) return y < -depth + rounding or math.abs(x) > half - rounding end
-  return core.body(body)
+  return core.own_body(body)
 end
 
 return shapes

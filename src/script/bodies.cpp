@@ -41,8 +41,9 @@ std::string plan_key(const Points& outline, const BodyNumbers& n, const std::vec
   return hash_text(text);
 }
 
+template <bool ours>
 int body(lua_State* L) {
-  check_table(L, 1, function_named("body"));
+  check_table(L, 1, function_named("body"), ours);
   Session& session = session_of(L);
   auto made = std::make_shared<Body>();
   try {
@@ -301,7 +302,7 @@ void add_bodies(lua_State* L) {
   make_type(L, "ricochet.body", collect_object<BodyObject>, {});
   make_type(L, "ricochet.effect", collect_object<EffectObject>, {});
   make_type(L, "ricochet.scene", collect_object<SceneObject>, {{"run", guarded<scene_run>}, {"text", guarded<scene_text>}, {"hash", guarded<scene_hash>}});
-  const luaL_Reg list[] = {{"body", guarded<body>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}, {"given", guarded<given>}, {"strict", strict}, {"catalogue", catalogue}, {"effect_name", effect_name}, {"reseeded", reseeded}, {"nodes", nodes}};
+  const luaL_Reg list[] = {{"body", guarded<body<false>>}, {"own_body", guarded<body<true>>}, {"scene", guarded<scene>}, {"elasticity", guarded<elasticity>}, {"given", guarded<given>}, {"strict", strict}, {"catalogue", catalogue}, {"effect_name", effect_name}, {"reseeded", reseeded}, {"nodes", nodes}};
   for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
   lua_newtable(L);  // core.effects: name -> function
   [&]<std::size_t... kind>(std::index_sequence<kind...>) {

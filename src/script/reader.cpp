@@ -321,17 +321,19 @@ bool is_module(lua_State* L, int index) {
   return same;
 }
 
-void check_table(lua_State* L, int index, const Function& function) {
+void check_table(lua_State* L, int index, const Function& function, bool ours) {
   CallSite site = call_site(L);
   const Session& session = session_of(L);
   if (site.function.empty() || site.function == "check") site.function = function.name;
   if (!lua_istable(L, index)) throw Error(report(session, site, {{{}, fmt::format("takes one table of named fields, e.g. {}", function.example)}}));
   if (is_module(L, index)) throw Error(report(session, site, {{{}, fmt::format("is called with a dot, not a colon: ricochet.{} {{ ... }}", function.name)}}));
-  index = lua_absindex(L, index);
-  lua_newtable(L);
-  push_plain_fields(L, index, function.fields, lua_gettop(L));
-  lua_replace(L, index);
-  lua_pop(L, 1);
+  if (!ours) {
+    index = lua_absindex(L, index);
+    lua_newtable(L);
+    push_plain_fields(L, index, function.fields, lua_gettop(L));
+    lua_replace(L, index);
+    lua_pop(L, 1);
+  }
   std::vector<Mistake> mistakes;
   std::string valid;
   collect(L, index, function.fields, {}, mistakes, valid);

@@ -44,9 +44,9 @@ bool is_module(lua_State* L, int index);
 void make_plain(lua_State* L, int index);
 
 /// Puts a plain copy (as make_plain) in the place of the table at `index`, so that what is checked is what is used, whatever its metatables do and
-/// the script does with it later; fields that a metatable supplies are part of the copy. Rows and sweeps stay what they are. Checks it against the
-/// fields of a function; throws Error with every mistake.
-void check_table(lua_State* L, int index, const Function& function);
+/// the script does with it later; fields that a metatable supplies are part of the copy. Rows and sweeps stay what they are. The library's own
+/// tables (`ours`), which no script can reach, are not copied. Checks it against the fields of a function; throws Error with every mistake.
+void check_table(lua_State* L, int index, const Function& function, bool ours = false);
 
 /// Reads the table's members into a plain struct; absent fields keep their values. The table must have been checked.
 template <class Struct>

@@ -30,10 +30,10 @@ int wrap(lua_State* L) {
   return 1;
 }
 
-// check(name, table): the table's fields checked against the specification; a copy with the defaults filled in.
+// check(name, table [, ours]): the table's fields checked against the specification; a copy with the defaults filled in.
 int check(lua_State* L) {
   const Function& function = function_named(luaL_checkstring(L, 1));
-  check_table(L, 2, function);
+  check_table(L, 2, function, lua_toboolean(L, 3));
   lua_newtable(L);
   for (const Field& field : function.fields) {
     lua_getfield(L, 2, field.name.c_str());
@@ -78,7 +78,7 @@ int unknown(lua_State* L) {
 int nearest(lua_State* L) {
   std::vector<std::string> names;
   for (lua_Integer i = 1; i <= luaL_len(L, 2); ++i) lua_geti(L, 2, i), names.push_back(displayed(L, -1)), lua_pop(L, 1);
-  lua_pushstring(L, did_you_mean(luaL_checkstring(L, 1), names).c_str());
+  lua_pushstring(L, hint(L, luaL_checkstring(L, 1), names).c_str());
   return 1;
 }
 

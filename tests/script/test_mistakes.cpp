@@ -276,24 +276,6 @@ TEST_CASE("existing results are neither overwritten nor lost by a mistake") {
   CHECK(here.script(small_sweep, "samples=1 --quiet --force").status == 0);
 }
 
-TEST_CASE("with --force a mistake costs no earlier results, and the next run without one replaces them") {
-  const Workplace here;
-  std::string text = small_sweep;
-  text.insert(text.find("local rows"), "ricochet.file.write('note.txt', 'hello')\nif p.samples == 3 then error 'three' end\n");
-  REQUIRE(here.script(text, "samples=1").status == 0);
-  const std::string before = here.read("out/s/results.h5");
-  const Ended mistaken = here.run("s.lua --force samples=3");
-  CHECK(mistaken.status == 1);
-  CHECK_THAT(mistaken.err, Catch::Matchers::Contains("what was stored stays in"));
-  CHECK((here.read("out/s/results.h5") == before));
-  CHECK(here.run("s.lua --force samples=2").status == 0);
-  CHECK((here.read("out/s/results.h5") != before));
-  CHECK_FALSE(fs::exists(here.path / "out/s/parts"));
-  // What a forced run does not replace was another's.
-  CHECK(here.script("local ricochet = require 'ricochet'\nricochet.file.write('note.txt', 'hello')\n", "--force").status == 0);
-  CHECK_FALSE(fs::exists(here.path / "out/s/results.h5"));
-}
-
 TEST_CASE("a sweep of which nothing finishes exits with 3") {
   const Workplace here;
   std::string text = small_sweep;
