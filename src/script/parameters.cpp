@@ -141,9 +141,10 @@ Parameter declared(lua_State* L, const std::string& name) {
     lua_getfield(L, -1, "int");
     p.whole = lua_toboolean(L, -1);
     lua_pop(L, 1);
-    if (lua_getfield(L, -1, "choices") == LUA_TTABLE) spend(L, work_a_value_read * static_cast<double>(length_of(L, -1)));
-    if (lua_istable(L, -1))
+    if (lua_getfield(L, -1, "choices") == LUA_TTABLE) {
+      spend(L, work_a_value_read * static_cast<double>(length_of(L, -1)));
       for (lua_Integer i = 1; i <= length_of(L, -1); ++i) lua_rawgeti(L, -1, i), p.field.choices.push_back(lua_tostring(L, -1) ? lua_tostring(L, -1) : ""), lua_pop(L, 1);
+    }
     lua_pop(L, 1);
     lua_rawgeti(L, -1, 1);
     lua_remove(L, -2);

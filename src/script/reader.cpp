@@ -368,8 +368,10 @@ Error at_line(lua_State* L, const std::string& message) {
 
 std::string hint(lua_State* L, const std::string& name, std::span<const std::string> names) {
   names = names.first(std::min(names.size(), most_names));
+  double compared = 0;  // letters with letters; longer names are passed over
   for (const std::string& other : names)
-    if (other.size() <= 100) limits_of(L).work += static_cast<double>(name.size() * other.size());  // without raising: names are still held
+    if (other.size() <= 100) compared += static_cast<double>(name.size() * other.size());
+  spend(L, compared);
   return did_you_mean(name, names);
 }
 
