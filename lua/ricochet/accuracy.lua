@@ -175,7 +175,8 @@ local function plot(study, name)
     local order, uncertainty = fitted_order(study.by_method[method], column, study.floor[column])
     return order and ("%s %.2f ± %.2f"):format(method, order, uncertainty) or method
   end
-  local height = lattice and 1600 or 1250
+  -- As high as the key beside it, which would else stand in two columns, the first over the lines.
+  local height = (lattice and 4 or 3) * math.max(lattice and 400 or 416, 90 + 19 * (#study.methods + 3))
   for _, terminal in ipairs { { "pngcairo size 960,%d font 'DejaVu Sans,11'", "png" }, { "svg size 960,%d font 'DejaVu Sans,11' background 'white'", "svg" } } do
     add("set terminal %s\nset output %s", terminal[1]:format(height), quoted(name .. "." .. terminal[2]))
     add("set multiplot layout %d,1 title %s noenhanced", lattice and 4 or 3, quoted(study.caption))
