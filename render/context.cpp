@@ -11,8 +11,8 @@
 namespace ricochet::render {
 namespace {
 
-// Places are in pixels of the painting, y down. llvmpipe's time goes by triangles and by what is interpolated in them, so that is one vector;
-// the values of springs come with the program that colours them.
+// Places are in pixels of the painting, y down. llvmpipe's time goes by triangles and by what is interpolated in them,
+// so that is one vector; the values of springs come with the program that colours them.
 const char* mesh_vertex_shader = R"(
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec4 of_material;
@@ -134,7 +134,8 @@ struct Gl {
 
 void check_size(int width, int height) {
   if (width < least_size || height < least_size || width > most_width || height > most_height)
-    throw FieldError("size", fmt::format("a picture has {} x {} to {} x {} pixels, not {} x {}", least_size, least_size, most_width, most_height, width, height));
+    throw FieldError("size", fmt::format("a picture has {} x {} to {} x {} pixels, not {} x {}", least_size, least_size,
+                                         most_width, most_height, width, height));
 }
 
 struct Context::Implementation {
@@ -142,14 +143,16 @@ struct Context::Implementation {
   OSMesaContext context = nullptr;
   std::vector<std::uint8_t> pixels;  // RGBA
   std::unique_ptr<Gl> gl;
-  GLuint mesh_program = 0, springs_program = 0, shape_program = 0, mesh_array = 0, shape_array = 0, mesh_buffer = 0, shape_buffer = 0, colours = 0, atlas = 0, frame = 0;
+  GLuint mesh_program = 0, springs_program = 0, shape_program = 0, mesh_array = 0, shape_array = 0, mesh_buffer = 0,
+         shape_buffer = 0, colours = 0, atlas = 0, frame = 0;
   int atlas_version = -1;
 
   ~Implementation() {
     if (context) osmesa<decltype(&OSMesaDestroyContext)>("OSMesaDestroyContext")(context);
   }
   void make_current() {
-    if (!osmesa<decltype(&OSMesaMakeCurrent)>("OSMesaMakeCurrent")(context, pixels.data(), GL_UNSIGNED_BYTE, width, height))
+    if (!osmesa<decltype(&OSMesaMakeCurrent)>("OSMesaMakeCurrent")(context, pixels.data(), GL_UNSIGNED_BYTE, width,
+                                                                   height))
       throw Error(fmt::format("OSMesa cannot make a picture of {} x {} pixels", width, height));
   }
   GLuint program(const char* vertex, const char* fragment, const char* definitions = "") const {
@@ -157,7 +160,8 @@ struct Context::Implementation {
     for (const auto& [kind, text] : {std::pair{GL_VERTEX_SHADER, vertex}, std::pair{GL_FRAGMENT_SHADER, fragment}}) {
       const GLuint shader = gl->CreateShader(static_cast<GLenum>(kind));
       const char* parts[] = {"#version 330 core\n", definitions, text};
-      gl->ShaderSource(shader, 3, parts, nullptr), gl->CompileShader(shader);
+      gl->ShaderSource(shader, 3, parts, nullptr);
+      gl->CompileShader(shader);
       gl->AttachShader(linked, shader);
     }
     gl->LinkProgram(linked);
@@ -167,62 +171,96 @@ struct Context::Implementation {
     return linked;
   }
   // Attributes of 32-bit floats, or of four bytes from 0 to 1, one after another in a vertex.
-  void arrays(GLuint& array, GLuint& buffer, std::size_t stride, const std::vector<std::array<int, 3>>& attributes) const {  // {count, bytes?, offset}
-    gl->GenVertexArrays(1, &array), gl->BindVertexArray(array);
-    gl->GenBuffers(1, &buffer), gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
+  void arrays(GLuint& array, GLuint& buffer, std::size_t stride,
+              const std::vector<std::array<int, 3>>& attributes) const {  // {count, bytes?, offset}
+    gl->GenVertexArrays(1, &array);
+    gl->BindVertexArray(array);
+    gl->GenBuffers(1, &buffer);
+    gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
     for (GLuint i = 0; i < attributes.size(); ++i) {
       const auto& [count, bytes, offset] = attributes[i];
-      gl->VertexAttribPointer(i, count, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, bytes ? GL_TRUE : GL_FALSE, static_cast<GLsizei>(stride), reinterpret_cast<const void*>(static_cast<std::intptr_t>(offset)));
+      gl->VertexAttribPointer(i, count, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, bytes ? GL_TRUE : GL_FALSE,
+                              static_cast<GLsizei>(stride),
+                              reinterpret_cast<const void*>(static_cast<std::intptr_t>(offset)));
       gl->EnableVertexAttribArray(i);
     }
   }
   void texture(GLuint& name, GLenum unit) const {
-    gl->ActiveTexture(unit), gl->GenTextures(1, &name), gl->BindTexture(GL_TEXTURE_2D, name);
-    for (const GLenum which : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl->TexParameteri(GL_TEXTURE_2D, which, GL_NEAREST);
-    for (const GLenum which : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) gl->TexParameteri(GL_TEXTURE_2D, which, GL_CLAMP_TO_EDGE);
+    gl->ActiveTexture(unit);
+    gl->GenTextures(1, &name);
+    gl->BindTexture(GL_TEXTURE_2D, name);
+    for (const GLenum which : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+      gl->TexParameteri(GL_TEXTURE_2D, which, GL_NEAREST);
+    for (const GLenum which : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+      gl->TexParameteri(GL_TEXTURE_2D, which, GL_CLAMP_TO_EDGE);
   }
   template <class Vertex>
   void draw_all(GLuint array, GLuint buffer, const std::vector<Vertex>& vertices) const {
     if (vertices.empty()) return;
-    gl->BindVertexArray(array), gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(), GL_STREAM_DRAW);
+    gl->BindVertexArray(array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(),
+                   GL_STREAM_DRAW);
     gl->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
   }
   void draw_shapes(const std::vector<ShapeVertex>& shapes) const {
     if (shapes.empty()) return;
     gl->UseProgram(shape_program);
-    gl->Enable(GL_BLEND), gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gl->Enable(GL_BLEND);
+    gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     draw_all(shape_array, shape_buffer, shapes);
     gl->Disable(GL_BLEND);
   }
-  void set(GLuint of, const char* name, const Colour& c) const { gl->Uniform4f(gl->GetUniformLocation(of, name), c[0] / 255.0f, c[1] / 255.0f, c[2] / 255.0f, c[3] / 255.0f); }
+  void set(GLuint of, const char* name, const Colour& c) const {
+    gl->Uniform4f(gl->GetUniformLocation(of, name), c[0] / 255.0f, c[1] / 255.0f, c[2] / 255.0f, c[3] / 255.0f);
+  }
 };
 
 Context::Context(int width, int height, Smoothing smoothing) : implementation_(std::make_unique<Implementation>()) {
   check_size(width, height);
   Implementation& i = *implementation_;
-  i.width = width, i.height = height, i.scale = smoothing == Smoothing::supersample ? 2 : 1, i.samples = smoothing == Smoothing::multisample ? 4 : 0;
-  const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 0, OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3,
-                            OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+  i.width = width;
+  i.height = height;
+  i.scale = smoothing == Smoothing::supersample ? 2 : 1;
+  i.samples = smoothing == Smoothing::multisample ? 4 : 0;
+  const int attributes[] = {OSMESA_FORMAT,
+                            OSMESA_RGBA,
+                            OSMESA_DEPTH_BITS,
+                            0,
+                            OSMESA_PROFILE,
+                            OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION,
+                            3,
+                            OSMESA_CONTEXT_MINOR_VERSION,
+                            3,
+                            0};
   i.context = osmesa<decltype(&OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs")(attributes, nullptr);
   if (!i.context) throw Error("OSMesa cannot make a context of OpenGL 3.3");
   i.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
   i.make_current();
   osmesa<decltype(&OSMesaPixelStore)>("OSMesaPixelStore")(OSMESA_Y_UP, 0);
   i.gl = std::make_unique<Gl>();
-  i.mesh_program = i.program(mesh_vertex_shader, mesh_fragment_shader), i.springs_program = i.program(mesh_vertex_shader, mesh_fragment_shader, "#define SPRINGS_COLOURED\n");
+  i.mesh_program = i.program(mesh_vertex_shader, mesh_fragment_shader);
+  i.springs_program = i.program(mesh_vertex_shader, mesh_fragment_shader, "#define SPRINGS_COLOURED\n");
   i.shape_program = i.program(shape_vertex_shader, shape_fragment_shader);
-  i.arrays(i.mesh_array, i.mesh_buffer, sizeof(MeshVertex), {{2, 0, offsetof(MeshVertex, x)}, {4, 0, offsetof(MeshVertex, value)}, {3, 0, offsetof(MeshVertex, spring)}});
-  i.arrays(i.shape_array, i.shape_buffer, sizeof(ShapeVertex), {{2, 0, offsetof(ShapeVertex, x)}, {4, 1, offsetof(ShapeVertex, colour)}, {4, 0, offsetof(ShapeVertex, u)}});
-  i.texture(i.colours, GL_TEXTURE0), i.texture(i.atlas, GL_TEXTURE1);
+  i.arrays(
+      i.mesh_array, i.mesh_buffer, sizeof(MeshVertex),
+      {{2, 0, offsetof(MeshVertex, x)}, {4, 0, offsetof(MeshVertex, value)}, {3, 0, offsetof(MeshVertex, spring)}});
+  i.arrays(i.shape_array, i.shape_buffer, sizeof(ShapeVertex),
+           {{2, 0, offsetof(ShapeVertex, x)}, {4, 1, offsetof(ShapeVertex, colour)}, {4, 0, offsetof(ShapeVertex, u)}});
+  i.texture(i.colours, GL_TEXTURE0);
+  i.texture(i.atlas, GL_TEXTURE1);
   if (i.scale == 1 && i.samples == 0) return;
   GLuint buffer = 0;
-  i.gl->GenFramebuffers(1, &i.frame), i.gl->BindFramebuffer(GL_FRAMEBUFFER, i.frame);
-  i.gl->GenRenderbuffers(1, &buffer), i.gl->BindRenderbuffer(GL_RENDERBUFFER, buffer);
+  i.gl->GenFramebuffers(1, &i.frame);
+  i.gl->BindFramebuffer(GL_FRAMEBUFFER, i.frame);
+  i.gl->GenRenderbuffers(1, &buffer);
+  i.gl->BindRenderbuffer(GL_RENDERBUFFER, buffer);
   i.gl->RenderbufferStorageMultisample(GL_RENDERBUFFER, i.samples, GL_RGBA8, i.scale * width, i.scale * height);
   i.gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
   if (i.gl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    throw FieldError("smoothing", fmt::format("OSMesa cannot smooth a picture of {} x {} pixels this way; choose lines", width, height));
+    throw FieldError("smoothing", fmt::format("OSMesa cannot smooth a picture of {} x {} pixels this way; choose lines",
+                                              width, height));
 }
 
 Context::~Context() = default;
@@ -237,10 +275,13 @@ Image Context::draw(const Painting& painting, const Font& font) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, i.frame);
   gl.Viewport(0, 0, width, height);
   gl.Disable(GL_SCISSOR_TEST);
-  gl.ClearColor(1, 1, 1, 1), gl.Clear(GL_COLOR_BUFFER_BIT);
+  gl.ClearColor(1, 1, 1, 1);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.ActiveTexture(GL_TEXTURE0);
-  if (!painting.colours.empty()) gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, static_cast<GLsizei>(painting.colours.size()), 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, painting.colours.data());
+  if (!painting.colours.empty())
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, static_cast<GLsizei>(painting.colours.size()), 1, 0, GL_RGBA,
+                  GL_UNSIGNED_BYTE, painting.colours.data());
   gl.ActiveTexture(GL_TEXTURE1);
   if (i.atlas_version != font.version()) {
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, Font::side, Font::side, 0, GL_RED, GL_UNSIGNED_BYTE, font.atlas().data());
@@ -257,9 +298,11 @@ Image Context::draw(const Painting& painting, const Font& font) {
   gl.Uniform1i(gl.GetUniformLocation(mesh_program, "material_coloured"), painting.material_coloured);
   i.set(mesh_program, "body", painting.body);
   for (const Panel& panel : painting.panels) {
-    gl.Enable(GL_SCISSOR_TEST), gl.Scissor(panel.x, height - panel.y - panel.height, panel.width, panel.height);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(panel.x, height - panel.y - panel.height, panel.width, panel.height);
     gl.UseProgram(mesh_program);
-    gl.Uniform1f(gl.GetUniformLocation(mesh_program, "half_width"), panel.half_width > 0 ? static_cast<float>(panel.half_width) : -1.0f);
+    gl.Uniform1f(gl.GetUniformLocation(mesh_program, "half_width"),
+                 panel.half_width > 0 ? static_cast<float>(panel.half_width) : -1.0f);
     i.set(mesh_program, "ink", panel.ink);
     i.draw_all(i.mesh_array, i.mesh_buffer, panel.mesh);
     i.draw_shapes(panel.above);
@@ -267,8 +310,10 @@ Image Context::draw(const Painting& painting, const Font& font) {
   gl.Disable(GL_SCISSOR_TEST);
   i.draw_shapes(painting.over);
   if (i.frame) {
-    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, i.frame), gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    gl.BlitFramebuffer(0, 0, width, height, 0, 0, i.width, i.height, GL_COLOR_BUFFER_BIT, i.scale > 1 ? GL_LINEAR : GL_NEAREST);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, i.frame);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    gl.BlitFramebuffer(0, 0, width, height, 0, 0, i.width, i.height, GL_COLOR_BUFFER_BIT,
+                       i.scale > 1 ? GL_LINEAR : GL_NEAREST);
   }
   gl.Finish();
   return {i.width, i.height, i.pixels};

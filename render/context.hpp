@@ -14,7 +14,8 @@ struct Image {
   std::vector<std::uint8_t> rgba;
 };
 
-/// A corner of a triangle of material, in pixels. The springs along the triangle's sides are drawn by the same stroke of the brush.
+/// A corner of a triangle of material, in pixels. The springs along the triangle's sides are drawn by the same stroke
+/// of the brush.
 struct MeshVertex {
   float x, y;
   float value;        ///< of the material, 0 ... 1 in its colours
@@ -34,20 +35,20 @@ struct Panel {
 /// All that a picture is made of.
 struct Painting {
   std::vector<Panel> panels;
-  std::vector<ShapeVertex> over;                    ///< over all panels
-  std::vector<Colour> colours;                      ///< 256, of values from 0 to 1
-  bool material_coloured = false;                   ///< by value; else `body`
-  bool springs_coloured = false;                    ///< by value; else `ink`
+  std::vector<ShapeVertex> over;   ///< over all panels
+  std::vector<Colour> colours;     ///< 256, of values from 0 to 1
+  bool material_coloured = false;  ///< by value; else `body`
+  bool springs_coloured = false;   ///< by value; else `ink`
   Colour body{237, 237, 240, 255};
 };
 
-/// How pictures are smoothed: `lines` where strokes are drawn (free, for they are smooth by themselves), `multisample` by four samples at
-/// every edge, `supersample` by four times the pixels.
+/// How pictures are smoothed: `lines` where strokes are drawn (free, for they are smooth by themselves), `multisample`
+/// by four samples at every edge, `supersample` by four times the pixels.
 enum class Smoothing { lines, multisample, supersample };
 
-/// A software OpenGL 3.3 core context in memory (OSMesa): no window system, no GPU, no environment variables. The library is loaded with the
-/// first context, so that a program that draws nothing never touches it. A context belongs to the thread that made it.
-/// Throws FieldError "size" if the size is out of range, FileError if OSMesa is missing.
+/// A software OpenGL 3.3 core context in memory (OSMesa): no window system, no GPU, no environment variables. The
+/// library is loaded with the first context, so that a program that draws nothing never touches it. A context belongs
+/// to the thread that made it. Throws FieldError "size" if the size is out of range, FileError if OSMesa is missing.
 class Context {
  public:
   Context(int width, int height, Smoothing smoothing = Smoothing::lines);

@@ -9,11 +9,15 @@
 namespace ricochet::render {
 namespace {
 
-Vec2 at(const std::vector<Eigen::Vector2f>& values, int node) { return values[static_cast<std::size_t>(node)].cast<double>(); }
+Vec2 at(const std::vector<Eigen::Vector2f>& values, int node) {
+  return values[static_cast<std::size_t>(node)].cast<double>();
+}
 
 double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) { return std::abs(cross(b - a, c - a)); }
 
-std::array<int, 2> nodes_of(const FrameMesh& mesh, int body) { return body == 0 ? std::array{0, mesh.projectile_nodes} : std::array{mesh.projectile_nodes, mesh.nodes()}; }
+std::array<int, 2> nodes_of(const FrameMesh& mesh, int body) {
+  return body == 0 ? std::array{0, mesh.projectile_nodes} : std::array{mesh.projectile_nodes, mesh.nodes()};
+}
 
 }  // namespace
 
@@ -22,20 +26,27 @@ Motion motion_of(const FrameMesh& mesh, const Frame& frame, int body) {
   Motion motion;
   bool held = false;
   for (int i = first; i < last; ++i) {
-    motion.rest_centre += mesh.rest[i], motion.centre += at(frame.position, i), motion.velocity += at(frame.velocity, i);
+    motion.rest_centre += mesh.rest[i];
+    motion.centre += at(frame.position, i);
+    motion.velocity += at(frame.velocity, i);
     held = held || mesh.anchored[i];
   }
   const double count = last - first;
-  motion.rest_centre /= count, motion.centre /= count, motion.velocity /= count;
+  motion.rest_centre /= count;
+  motion.centre /= count;
+  motion.velocity /= count;
   if (held) {
-    motion.centre = motion.rest_centre, motion.velocity.setZero();
+    motion.centre = motion.rest_centre;
+    motion.velocity.setZero();
     return motion;
   }
   double along = 0, across = 0, moment = 0, inertia = 0;
   for (int i = first; i < last; ++i) {
     const Vec2 then = mesh.rest[i] - motion.rest_centre, now = at(frame.position, i) - motion.centre;
-    along += then.dot(now), across += cross(then, now);
-    moment += cross(now, at(frame.velocity, i) - motion.velocity), inertia += then.squaredNorm();
+    along += then.dot(now);
+    across += cross(then, now);
+    moment += cross(now, at(frame.velocity, i) - motion.velocity);
+    inertia += then.squaredNorm();
   }
   motion.angle = std::atan2(across, along);
   motion.spin = moment / inertia;
@@ -46,7 +57,13 @@ std::array<double, 7> ledger_parts(const FrameMesh& mesh, const Frame& frame) {
   const std::array<double, 8>& e = frame.energy;
   const Vec2 v = motion_of(mesh, frame, 0).velocity;
   const double normal = v.squaredNorm() > 0 ? e[0] * v.y() * v.y() / v.squaredNorm() : 0;
-  return {normal, e[0] - normal, e[1], e[2], e[3] + e[4] + e[5], e[6], e[7] - (e[0] + e[1] + e[2] + e[3] + e[4] + e[5] + e[6])};
+  return {normal,
+          e[0] - normal,
+          e[1],
+          e[2],
+          e[3] + e[4] + e[5],
+          e[6],
+          e[7] - (e[0] + e[1] + e[2] + e[3] + e[4] + e[5] + e[6])};
 }
 
 Vec2 contact_place(const FrameMesh& mesh, const Frame& frame) {
@@ -58,14 +75,19 @@ Vec2 contact_place(const FrameMesh& mesh, const Frame& frame) {
     double nearest = std::numeric_limits<double>::infinity();
     Vec2 other = place;
     for (const int facing : mesh.rims[1])
-      if (const double d = (at(frame.position, facing) - place).norm(); d < nearest) nearest = d, other = at(frame.position, facing);
-    gaps.emplace_back(nearest, (place + other) / 2), least = std::min(least, nearest);
+      if (const double d = (at(frame.position, facing) - place).norm(); d < nearest) {
+        nearest = d;
+        other = at(frame.position, facing);
+      }
+    gaps.emplace_back(nearest, (place + other) / 2);
+    least = std::min(least, nearest);
   }
   Vec2 sum = Vec2::Zero();
   double weights = 0;
   for (const auto& [gap, middle] : gaps) {
     const double weight = std::exp((least - gap) / range);
-    sum += weight * middle, weights += weight;
+    sum += weight * middle;
+    weights += weight;
   }
   return sum / weights;
 }
@@ -85,8 +107,11 @@ double plotted_value(const std::string& name, const FrameMesh& mesh, const Frame
   throw std::logic_error("no plot shows " + name);
 }
 
-Fields::Fields(const FrameMesh& mesh) : mesh_(mesh), shared_by_(mesh.springs.size(), 0.0), rest_area_(mesh.rest.size(), 0.0) {
-  const auto key = [](int a, int b) { return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b)); };
+Fields::Fields(const FrameMesh& mesh)
+    : mesh_(mesh), shared_by_(mesh.springs.size(), 0.0), rest_area_(mesh.rest.size(), 0.0) {
+  const auto key = [](int a, int b) {
+    return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b));
+  };
   std::unordered_map<std::uint64_t, int> spring;
   for (std::size_t s = 0; s < mesh.springs.size(); ++s) {
     spring[key(mesh.springs[s][0], mesh.springs[s][1])] = static_cast<int>(s);
@@ -115,7 +140,9 @@ std::vector<double> Fields::of_springs(const std::string& name, const Frame& fra
     const auto& ends = mesh_.springs[s];
     const double x = elongation(frame, s, (at(frame.position, ends[1]) - at(frame.position, ends[0])).norm());
     const double ka = mesh_.stiffness[s], quartic = mesh_.quartic[static_cast<std::size_t>(mesh_.body_of(ends[0]))];
-    values[s] = name == "tension" ? ka * x * (1 + quartic * x * x) : name == "energy" ? ka * x * x * (0.5 + 0.25 * quartic * x * x) : x / mesh_.length[s];
+    values[s] = name == "tension"  ? ka * x * (1 + quartic * x * x)
+                : name == "energy" ? ka * x * x * (0.5 + 0.25 * quartic * x * x)
+                                   : x / mesh_.length[s];
   }
   return values;
 }
@@ -133,15 +160,25 @@ std::vector<double> Fields::stress(const Frame& frame, bool pressure) const {
       if (s < 0 || std::isnan(tension[s])) continue;
       const Vec2 r = at(frame.position, mesh_.springs[s][1]) - at(frame.position, mesh_.springs[s][0]);
       const double length = r.norm(), weight = length > 0 ? tension[s] / (length * shared_by_[s]) : 0;
-      tensor.xx += weight * r.x() * r.x(), tensor.xy += weight * r.x() * r.y(), tensor.yy += weight * r.y() * r.y();
+      tensor.xx += weight * r.x() * r.x();
+      tensor.xy += weight * r.x() * r.y();
+      tensor.yy += weight * r.y() * r.y();
     }
-    tensor.area = twice_area(at(frame.position, corners[0]), at(frame.position, corners[1]), at(frame.position, corners[2])) / 2;
-    for (const int i : corners) sums[i].xx += tensor.xx, sums[i].xy += tensor.xy, sums[i].yy += tensor.yy, sums[i].area += tensor.area;
+    tensor.area =
+        twice_area(at(frame.position, corners[0]), at(frame.position, corners[1]), at(frame.position, corners[2])) / 2;
+    for (const int i : corners) {
+      sums[i].xx += tensor.xx;
+      sums[i].xy += tensor.xy;
+      sums[i].yy += tensor.yy;
+      sums[i].area += tensor.area;
+    }
   }
   std::vector<double> values;
   for (const Tensor& s : sums) {
     const double xx = s.xx / s.area, yy = s.yy / s.area, xy = s.xy / s.area;
-    values.push_back(s.area == 0 ? 0 : pressure ? -(xx + yy) / 2 : std::sqrt(std::max(0.0, xx * xx - xx * yy + yy * yy + 3 * xy * xy)));
+    values.push_back(s.area == 0 ? 0
+                     : pressure  ? -(xx + yy) / 2
+                                 : std::sqrt(std::max(0.0, xx * xx - xx * yy + yy * yy + 3 * xy * xy)));
   }
   return values;
 }
@@ -156,7 +193,10 @@ std::vector<double> Fields::of_material(const std::string& name, const Frame& fr
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       for (const int s : sides_[t]) {
         if (s < 0 || std::isnan(springs[s])) continue;
-        for (const int i : mesh_.triangles[t]) values[i] += springs[s] / (energy ? shared_by_[s] : 1), weight[i] += 1;
+        for (const int i : mesh_.triangles[t]) {
+          values[i] += springs[s] / (energy ? shared_by_[s] : 1);
+          weight[i] += 1;
+        }
       }
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double over = energy ? rest_area_[i] : weight[i];

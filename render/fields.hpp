@@ -21,10 +21,12 @@ struct Motion {
 /// A held body does not move.
 Motion motion_of(const FrameMesh& mesh, const Frame& frame, int body);
 
-/// Where the energy is: translation along the normal and along the tangent, spin and vibration of the projectile, target, contact, effects. [m0 c^2]
+/// Where the energy is: translation along the normal and along the tangent, spin and vibration of the projectile,
+/// target, contact, effects. [m0 c^2]
 std::array<double, 7> ledger_parts(const FrameMesh& mesh, const Frame& frame);
 
-/// Where the rims are nearest to each other: the middle between the projectile's rim nodes and their nearest ones on the target, the nearer the heavier. [R]
+/// Where the rims are nearest to each other: the middle between the projectile's rim nodes and their nearest ones on
+/// the target, the nearer the heavier. [R]
 Vec2 contact_place(const FrameMesh& mesh, const Frame& frame);
 
 /// A plot's quantity, by its name in plot_quantities().
@@ -36,7 +38,8 @@ class Fields {
   explicit Fields(const FrameMesh& mesh);
 
   /// A quantity of material_quantities() at every node: the mean over the triangles around it. [node]
-  /// Stress of a triangle of area A: (1/A) sum over its springs of T r n n / (how many triangles share the spring), r the spring's length and n its direction.   [here: the virial theorem]
+  /// Stress of a triangle of area A: (1/A) sum over its springs of T r n n / (how many triangles share the spring), r
+  /// the spring's length and n its direction.   [here: the virial theorem]
   std::vector<double> of_material(const std::string& name, const Frame& frame) const;
   /// A quantity of spring_quantities(); NaN for broken springs. [spring]
   std::vector<double> of_springs(const std::string& name, const Frame& frame) const;

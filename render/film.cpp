@@ -16,15 +16,40 @@ extern char** environ;
 
 namespace ricochet::render {
 
-Film::Film(const std::filesystem::path& path, int width, int height, double rate) : path_(path), beside_(path.string() + ".new") {
+Film::Film(const std::filesystem::path& path, int width, int height, double rate)
+    : path_(path), beside_(path.string() + ".new") {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw FileError(fmt::format("{} is a folder; give the film another name", path.string()));
+  if (std::filesystem::is_directory(path, error))
+    throw FileError(fmt::format("{} is a folder; give the film another name", path.string()));
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw FileError("cannot make a pipe to ffmpeg");
   // x264 wants even sizes: an odd picture gets a line of white.
-  std::vector<std::string> words{"ffmpeg", "-nostdin", "-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format", "rgb0", "-video_size", fmt::format("{}x{}", width, height), "-framerate",
-                                 fmt::format("{:g}", rate), "-i", "pipe:0", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,format=yuv420p", "-c:v", "libx264", "-crf", "18", "-movflags", "+faststart",
-                                 "-f", "mp4", "file:" + beside_.string()};
+  std::vector<std::string> words{"ffmpeg",
+                                 "-nostdin",
+                                 "-loglevel",
+                                 "error",
+                                 "-y",
+                                 "-f",
+                                 "rawvideo",
+                                 "-pixel_format",
+                                 "rgb0",
+                                 "-video_size",
+                                 fmt::format("{}x{}", width, height),
+                                 "-framerate",
+                                 fmt::format("{:g}", rate),
+                                 "-i",
+                                 "pipe:0",
+                                 "-vf",
+                                 "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,format=yuv420p",
+                                 "-c:v",
+                                 "libx264",
+                                 "-crf",
+                                 "18",
+                                 "-movflags",
+                                 "+faststart",
+                                 "-f",
+                                 "mp4",
+                                 "file:" + beside_.string()};
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -35,8 +60,10 @@ Film::Film(const std::filesystem::path& path, int width, int height, double rate
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);  // ^C is ours: ffmpeg ends when the pipe does
   const int failed = posix_spawnp(&process_, "ffmpeg", &actions, &attributes, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions), posix_spawnattr_destroy(&attributes);
-  close(ends[0]), pipe_ = ends[1];
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  close(ends[0]);
+  pipe_ = ends[1];
   if (failed) {
     close(pipe_);
     throw FileError("a film needs ffmpeg, which is not installed; apt-get install ffmpeg");
@@ -55,7 +82,10 @@ void Film::add(const Image& image) {
   for (std::size_t at = 0; at < image.rgba.size();) {
     const ssize_t count = write(pipe_, image.rgba.data() + at, image.rgba.size() - at);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw FileError(fmt::format("ffmpeg could not write {} (its message stands above); see that its folder is there and can be written", path_.string()));
+    if (count < 0)
+      throw FileError(fmt::format(
+          "ffmpeg could not write {} (its message stands above); see that its folder is there and can be written",
+          path_.string()));
     at += static_cast<std::size_t>(count);
   }
 }

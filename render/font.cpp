@@ -22,7 +22,8 @@ struct Font::Face {
 
 Font::Font(const char* path) : face_(std::make_unique<Face>()), atlas_(static_cast<std::size_t>(side) * side, 0) {
   if (FT_Init_FreeType(&face_->library)) throw Error("FreeType cannot start");
-  if (FT_New_Face(face_->library, path, 0, &face_->face)) throw FileError(fmt::format("the font {} is missing; apt-get install fonts-dejavu-core", path));
+  if (FT_New_Face(face_->library, path, 0, &face_->face))
+    throw FileError(fmt::format("the font {} is missing; apt-get install fonts-dejavu-core", path));
 }
 
 Font::~Font() = default;
@@ -30,19 +31,34 @@ Font::~Font() = default;
 const Font::Glyph& Font::glyph(char32_t character, int size) {
   const auto known = glyphs_.find({size, character});
   if (known != glyphs_.end()) return known->second;
-  if (face_->size != size) FT_Set_Pixel_Sizes(face_->face, 0, static_cast<FT_UInt>(size)), face_->size = size;
-  if (FT_Load_Char(face_->face, character, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT)) throw Error(fmt::format("FreeType cannot draw the character U+{:04X}", static_cast<unsigned>(character)));
+  if (face_->size != size) {
+    FT_Set_Pixel_Sizes(face_->face, 0, static_cast<FT_UInt>(size));
+    face_->size = size;
+  }
+  if (FT_Load_Char(face_->face, character, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT))
+    throw Error(fmt::format("FreeType cannot draw the character U+{:04X}", static_cast<unsigned>(character)));
   const FT_GlyphSlot slot = face_->face->glyph;
   const FT_Bitmap& bitmap = slot->bitmap;
   Glyph glyph;
-  glyph.width = static_cast<int>(bitmap.width), glyph.height = static_cast<int>(bitmap.rows);
-  glyph.left = slot->bitmap_left, glyph.top = slot->bitmap_top, glyph.advance = static_cast<double>(slot->advance.x) / 64;
-  if (pen_x_ + glyph.width + 1 > side) pen_x_ = 0, pen_y_ += row_height_ + 1, row_height_ = 0;
-  if (pen_y_ + glyph.height + 1 > side) throw Error("the texts of a picture have more different characters than one picture has room for");
-  glyph.x = pen_x_, glyph.y = pen_y_;
+  glyph.width = static_cast<int>(bitmap.width);
+  glyph.height = static_cast<int>(bitmap.rows);
+  glyph.left = slot->bitmap_left;
+  glyph.top = slot->bitmap_top;
+  glyph.advance = static_cast<double>(slot->advance.x) / 64;
+  if (pen_x_ + glyph.width + 1 > side) {
+    pen_x_ = 0;
+    pen_y_ += row_height_ + 1;
+    row_height_ = 0;
+  }
+  if (pen_y_ + glyph.height + 1 > side)
+    throw Error("the texts of a picture have more different characters than one picture has room for");
+  glyph.x = pen_x_;
+  glyph.y = pen_y_;
   for (int y = 0; y < glyph.height; ++y)
-    std::copy_n(bitmap.buffer + y * bitmap.pitch, glyph.width, atlas_.begin() + static_cast<std::ptrdiff_t>(pen_y_ + y) * side + pen_x_);
-  pen_x_ += glyph.width + 1, row_height_ = std::max(row_height_, glyph.height);
+    std::copy_n(bitmap.buffer + y * bitmap.pitch, glyph.width,
+                atlas_.begin() + static_cast<std::ptrdiff_t>(pen_y_ + y) * side + pen_x_);
+  pen_x_ += glyph.width + 1;
+  row_height_ = std::max(row_height_, glyph.height);
   ++version_;
   return glyphs_.emplace(std::pair{size, character}, glyph).first->second;
 }
@@ -51,7 +67,11 @@ std::u32string characters(const std::string& utf8) {
   std::u32string text;
   for (std::size_t i = 0; i < utf8.size();) {
     const unsigned char first = static_cast<unsigned char>(utf8[i]);
-    const int more = first < 0x80 ? 0 : first >> 5 == 0b110 ? 1 : first >> 4 == 0b1110 ? 2 : first >> 3 == 0b11110 ? 3 : -1;
+    const int more = first < 0x80            ? 0
+                     : first >> 5 == 0b110   ? 1
+                     : first >> 4 == 0b1110  ? 2
+                     : first >> 3 == 0b11110 ? 3
+                                             : -1;
     char32_t c = more == 0 ? first : more > 0 ? first & (0x3f >> more) : 0xfffd;
     ++i;
     for (int k = 0; k < more; ++k, ++i) {

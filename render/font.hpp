@@ -26,9 +26,9 @@ class Font {
   /// The glyph of a character of `size` pixels an em. What the font lacks is its box for missing ones.
   const Glyph& glyph(char32_t character, int size);
 
-  static constexpr int side = 2048;                             ///< of the atlas
+  static constexpr int side = 2048;  ///< of the atlas
   const std::vector<std::uint8_t>& atlas() const { return atlas_; }
-  int version() const { return version_; }                      ///< changes with the atlas
+  int version() const { return version_; }  ///< changes with the atlas
 
  private:
   struct Face;

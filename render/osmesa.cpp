@@ -14,9 +14,12 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; 
 namespace ricochet::render {
 
 void* osmesa_symbol(const char* name) {
-  // Loaded alone: with libGL before it every pixel stays 0 without an error. Never unloaded: LLVM inside does not survive that.
+  // Loaded alone: with libGL before it every pixel stays 0 without an error. Never unloaded: LLVM inside does not
+  // survive that.
   static void* const library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
-  if (!library) throw FileError(fmt::format("the OSMesa library, which draws without a display, is missing ({}); apt-get install libosmesa6", dlerror()));
+  if (!library)
+    throw FileError(fmt::format(
+        "the OSMesa library, which draws without a display, is missing ({}); apt-get install libosmesa6", dlerror()));
   void* const symbol = dlsym(library, name);
   if (!symbol) throw Error(fmt::format("OSMesa lacks {}", name));
   return symbol;

@@ -4,8 +4,8 @@
 #include <string>
 
 #define GL_GLEXT_PROTOTYPES  // declared, never linked: for their types
-#include <GL/osmesa.h>
 #include <GL/glext.h>
+#include <GL/osmesa.h>
 
 namespace ricochet::render {
 
@@ -15,8 +15,12 @@ void* osmesa_symbol(const char* name);
 void* gl_symbol(const char* name);
 
 template <class Function>
-Function osmesa(const char* name) { return reinterpret_cast<Function>(osmesa_symbol(name)); }
+Function osmesa(const char* name) {
+  return reinterpret_cast<Function>(osmesa_symbol(name));
+}
 template <class Function>
-Function gl(const char* name) { return reinterpret_cast<Function>(gl_symbol(name)); }
+Function gl(const char* name) {
+  return reinterpret_cast<Function>(gl_symbol(name));
+}
 
 }  // namespace ricochet::render

@@ -31,7 +31,8 @@ std::vector<double> readable_ticks(double low, double high, int count) {
   std::vector<double> list;
   for (int more = count; more < count + 6; ++more) {
     list = ticks(low, high, more);
-    if (std::count_if(list.begin(), list.end(), [&](double v) { return std::abs(v) > 1e-9 * (high - low); }) >= 2) break;
+    if (std::count_if(list.begin(), list.end(), [&](double v) { return std::abs(v) > 1e-9 * (high - low); }) >= 2)
+      break;
   }
   return list;
 }
@@ -40,7 +41,13 @@ std::vector<double> readable_ticks(double low, double high, int count) {
 
 std::string number_text(double value, double step) {
   if (std::abs(value) < 1e-12 * std::max(1.0, step)) value = 0;
-  std::string text = step > 0 ? fmt::format("{:.{}f}", value, std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)) + (std::abs(step / std::pow(10.0, std::floor(std::log10(step) + 1e-9)) - 2.5) < 1e-6))) : fmt::format("{:.4g}", value);
+  std::string text =
+      step > 0
+          ? fmt::format(
+                "{:.{}f}", value,
+                std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)) +
+                                (std::abs(step / std::pow(10.0, std::floor(std::log10(step) + 1e-9)) - 2.5) < 1e-6)))
+          : fmt::format("{:.4g}", value);
   if (text[0] == '-') text.replace(0, 1, "−");
   return text;
 }
@@ -54,24 +61,32 @@ int power_of(double most) {
 std::string label_of(const Quantity& quantity, int power) {
   const std::string factor = power == 0 ? "" : fmt::format("10^{{{}}}", number_text(power));
   if (factor.empty() && quantity.unit.empty()) return quantity.label;
-  return fmt::format("{} [{}{}{}]", quantity.label, factor, factor.empty() || quantity.unit.empty() ? "" : " ", quantity.unit);
+  return fmt::format("{} [{}{}{}]", quantity.label, factor, factor.empty() || quantity.unit.empty() ? "" : " ",
+                     quantity.unit);
 }
 
 std::vector<BarMark> bar_marks(const Scale& scale, int power, bool tall) {
   const double factor = std::pow(10.0, power);
   const std::vector<double> values = readable_ticks(scale.low / factor, scale.high / factor, tall ? 5 : 3);
   std::vector<BarMark> marks;
-  for (const double value : values) marks.push_back({value * factor, number_text(value, values.size() > 1 ? values[1] - values[0] : 0)});
+  for (const double value : values)
+    marks.push_back({value * factor, number_text(value, values.size() > 1 ? values[1] - values[0] : 0)});
   return marks;
 }
 
-void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours, const std::vector<BarMark>& marks) {
+void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours,
+                     const std::vector<BarMark>& marks) {
   const double share = box.height / static_cast<double>(colours.size()), thin = std::max(1.0, size / 18.0);
   for (std::size_t i = 0; i < colours.size(); ++i) {
-    const double low = std::round(box.y + box.height - share * static_cast<double>(i + 1)), high = std::round(box.y + box.height - share * static_cast<double>(i));
+    const double low = std::round(box.y + box.height - share * static_cast<double>(i + 1)),
+                 high = std::round(box.y + box.height - share * static_cast<double>(i));
     canvas.rectangle({box.x, low}, {box.width, high - low}, colours[i]);
   }
-  canvas.polyline({{box.x, box.y}, {box.x + box.width, box.y}, {box.x + box.width, box.y + box.height}, {box.x, box.y + box.height}}, thin, grey, true);
+  canvas.polyline({{box.x, box.y},
+                   {box.x + box.width, box.y},
+                   {box.x + box.width, box.y + box.height},
+                   {box.x, box.y + box.height}},
+                  thin, grey, true);
   double last = 1e300;
   for (const BarMark& mark : marks) {
     const double y = box.y + box.height * (scale.low < scale.high ? 1 - scale(mark.value) : 0.5);
@@ -83,7 +98,8 @@ void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scal
 }
 
 void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile) {
-  static constexpr std::array<const char*, 7> names{"normal", "tangential", "spin", "vibration", "target", "contact", "effects"};
+  static constexpr std::array<const char*, 7> names{"normal", "tangential", "spin",   "vibration",
+                                                    "target", "contact",    "effects"};
   const Survey& survey = tile.subject->survey;
   const std::array<double, 7> parts = ledger_parts(tile.subject->mesh, *tile.frame);
   const std::size_t count = survey.effects ? 7 : 6;
@@ -98,23 +114,31 @@ void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile) {
     const double width = survey.most_energy > 0 ? std::max(0.0, parts[k]) / survey.most_energy * box.width : 0;
     if (width > 0) canvas.rectangle({x, y}, {width, bar}, colour);
     x += width;
-    canvas.rectangle({text, std::round(box.y + 0.35 * size)}, {std::round(0.7 * small), std::round(0.7 * small)}, colour);
+    canvas.rectangle({text, std::round(box.y + 0.35 * size)}, {std::round(0.7 * small), std::round(0.7 * small)},
+                     colour);
     canvas.text({text + 1.0 * small, box.y + 0.35 * size + 0.7 * small}, names[k], small, black);
     text += 1.9 * small + canvas.text_width(names[k], small);
   }
   // What effects owe (a potential that has fallen) is taken off the end: a dark stroke over as much of the bar.
-  if (parts[6] < -1e-4 * survey.most_energy) canvas.rectangle({x + parts[6] / survey.most_energy * box.width, y + 0.35 * bar}, {-parts[6] / survey.most_energy * box.width, 0.3 * bar}, kind_colour(6));
-  canvas.polyline({{box.x, y}, {box.x + box.width, y}, {box.x + box.width, y + bar}, {box.x, y + bar}}, thin, grey, true);
+  if (parts[6] < -1e-4 * survey.most_energy)
+    canvas.rectangle({x + parts[6] / survey.most_energy * box.width, y + 0.35 * bar},
+                     {-parts[6] / survey.most_energy * box.width, 0.3 * bar}, kind_colour(6));
+  canvas.polyline({{box.x, y}, {box.x + box.width, y}, {box.x + box.width, y + bar}, {box.x, y + bar}}, thin, grey,
+                  true);
 }
 
 void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const Quantity& quantity) {
   const Survey& survey = tile.subject->survey;
   const auto [least, most] = std::minmax_element(survey.series.begin(), survey.series.end());
   double low = *least, high = *most;
-  if (quantity.name != "height") low = std::min(0.0, low), high = std::max(0.0, high);
+  if (quantity.name != "height") {
+    low = std::min(0.0, low);
+    high = std::max(0.0, high);
+  }
   if (high == low) high = low + 1;
   const double room = 0.06 * (high - low);
-  high += room, low -= low == 0 ? 0 : room;
+  high += room;
+  low -= low == 0 ? 0 : room;
   const double thin = std::max(1.0, size / 18.0);
   const double first = survey.times.front(), last = survey.times.back() > first ? survey.times.back() : first + 1;
   const int power = power_of(std::max(high, -low));
@@ -125,18 +149,23 @@ void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const
   const auto marks = readable_ticks(low / factor, high / factor, in.height > 5 * size ? 4 : 3);
   for (const double mark : marks) {
     canvas.line({in.x, y(mark * factor)}, {in.x + in.width, y(mark * factor)}, thin, mark == 0 ? grey : faint);
-    canvas.text({in.x - 0.4 * size, y(mark * factor) + 0.36 * size}, number_text(mark, marks.size() > 1 ? marks[1] - marks[0] : 0), size, black, Align::right);
+    canvas.text({in.x - 0.4 * size, y(mark * factor) + 0.36 * size},
+                number_text(mark, marks.size() > 1 ? marks[1] - marks[0] : 0), size, black, Align::right);
   }
   const auto moments = ticks(first, last, in.width > 30 * size ? 6 : 3);
   for (const double t : moments) {
     canvas.line({x(t), in.y + in.height}, {x(t), in.y + in.height + 0.3 * size}, thin, grey);
-    if (t + 0.12 * (last - first) < last) canvas.text({x(t), in.y + in.height + 1.3 * size}, number_text(t, moments.size() > 1 ? moments[1] - moments[0] : 0), size, black, Align::centre);
+    if (t + 0.12 * (last - first) < last)
+      canvas.text({x(t), in.y + in.height + 1.3 * size},
+                  number_text(t, moments.size() > 1 ? moments[1] - moments[0] : 0), size, black, Align::centre);
   }
   canvas.text({in.x + in.width, in.y + in.height + 1.3 * size}, "t [R/c]", size, black, Align::right);
   canvas.text({box.x, box.y + 0.8 * size}, label_of(quantity, power), size, black);
-  canvas.line({in.x, in.y}, {in.x, in.y + in.height}, thin, grey), canvas.line({in.x, in.y + in.height}, {in.x + in.width, in.y + in.height}, thin, grey);
+  canvas.line({in.x, in.y}, {in.x, in.y + in.height}, thin, grey);
+  canvas.line({in.x, in.y + in.height}, {in.x + in.width, in.y + in.height}, thin, grey);
   Points curve;
-  for (std::size_t k = 0; k <= tile.index && k < survey.series.size(); ++k) curve.push_back({x(survey.times[k]), y(survey.series[k])});
+  for (std::size_t k = 0; k <= tile.index && k < survey.series.size(); ++k)
+    curve.push_back({x(survey.times[k]), y(survey.series[k])});
   canvas.polyline(curve, std::max(1.2, 0.12 * size), kind_colour(0));
   if (!curve.empty()) canvas.disc(curve.back(), 0.25 * size, kind_colour(5));
 }

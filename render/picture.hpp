@@ -25,17 +25,18 @@ struct Subject {
 struct Tile {
   const Subject* subject;
   const Frame* frame;
-  std::size_t index;     ///< of the frame in the surveyed sequence
-  std::string caption;   ///< above it
+  std::size_t index;    ///< of the frame in the surveyed sequence
+  std::string caption;  ///< above it
 };
 
 struct Layout {
-  int width, height;     ///< of the painting [pixels]
+  int width, height;  ///< of the painting [pixels]
   int columns = 1;
 };
 
 /// Paints tiles row by row. `clock` stands in the upper left corner.
-Painting paint(const Show& show, const Layout& layout, Font& font, const std::vector<Tile>& tiles, const std::string& clock);
+Painting paint(const Show& show, const Layout& layout, Font& font, const std::vector<Tile>& tiles,
+               const std::string& clock);
 
 /// "t = 1.25 R/c", and Psi1 if all tiles have the same.
 std::string clock_text(const std::vector<Tile>& tiles);
@@ -54,7 +55,8 @@ struct BarMark {
   std::string text;
 };
 std::vector<BarMark> bar_marks(const Scale& scale, int power, bool tall);
-void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours, const std::vector<BarMark>& marks);
+void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours,
+                     const std::vector<BarMark>& marks);
 void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile);
 void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const Quantity& quantity);
 /// The power of ten that an axis up to `most` is best given in; 0 for numbers of common size.

@@ -15,11 +15,13 @@ void append(png_structp writer, png_bytep bytes, png_size_t count) {
   static_cast<std::string*>(png_get_io_ptr(writer))->append(reinterpret_cast<const char*>(bytes), count);
 }
 
-// libpng wants its error function not to return; an exception passes through its C frames, which hold nothing to release.
+// libpng wants its error function not to return; an exception passes through its C frames, which hold nothing to
+// release.
 [[noreturn]] void fail(png_structp, png_const_charp message) { throw Error(std::string("libpng: ") + message); }
 void ignore(png_structp, png_const_charp) {}
 
-// The rows without filters, compressed by libdeflate at its fastest: as fast as the fastest of libpng's own strategies (Z_RLE), files a quarter smaller (tests/bench/frames.cpp).
+// The rows without filters, compressed by libdeflate at its fastest: as fast as the fastest of libpng's own strategies
+// (Z_RLE), files a quarter smaller (tests/bench/frames.cpp).
 std::string deflated(const Image& image) {
   std::string rows;
   rows.reserve(static_cast<std::size_t>(image.height) * (1 + 3 * static_cast<std::size_t>(image.width)));
@@ -29,9 +31,14 @@ std::string deflated(const Image& image) {
     const std::size_t start = rows.size();
     rows.resize(start + 3 * static_cast<std::size_t>(image.width));
     char* to = rows.data() + start;
-    for (int x = 0; x < image.width; ++x, pixel += 4, to += 3) to[0] = static_cast<char>(pixel[0]), to[1] = static_cast<char>(pixel[1]), to[2] = static_cast<char>(pixel[2]);
+    for (int x = 0; x < image.width; ++x, pixel += 4, to += 3) {
+      to[0] = static_cast<char>(pixel[0]);
+      to[1] = static_cast<char>(pixel[1]);
+      to[2] = static_cast<char>(pixel[2]);
+    }
   }
-  const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(libdeflate_alloc_compressor(1), libdeflate_free_compressor);
+  const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
+      libdeflate_alloc_compressor(1), libdeflate_free_compressor);
   if (!compressor) throw Error("libdeflate has no memory");
   std::string bytes(libdeflate_zlib_compress_bound(compressor.get(), rows.size()), '\0');
   bytes.resize(libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), bytes.data(), bytes.size()));
@@ -54,7 +61,8 @@ bool is_whole(const std::string& bytes) {
     const std::size_t length = big_endian(bytes, at);
     if (length > bytes.size() - at - 12) return false;
     if (libdeflate_crc32(0, bytes.data() + at + 4, length + 4) != big_endian(bytes, at + 8 + length)) return false;
-    type = std::string_view(bytes).substr(at + 4, 4), at += 12 + length;
+    type = std::string_view(bytes).substr(at + 4, 4);
+    at += 12 + length;
   }
   return at == bytes.size() && type == "IEND";
 }
@@ -79,8 +87,8 @@ std::string png(const Image& image, const Texts& texts) {
   png_infop info = png_create_info_struct(writer);
   try {
     png_set_write_fn(writer, &bytes, append, nullptr);
-    png_set_IHDR(writer, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(writer, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     std::vector<png_text> chunks;
     for (const auto& [key, text] : texts) {
       png_text chunk{};
@@ -93,7 +101,8 @@ std::string png(const Image& image, const Texts& texts) {
     png_set_text(writer, info, chunks.data(), static_cast<int>(chunks.size()));
     png_write_info(writer, info);
     const std::string pixels = deflated(image);
-    png_write_chunk(writer, reinterpret_cast<png_const_bytep>("IDAT"), reinterpret_cast<png_const_bytep>(pixels.data()), pixels.size());
+    png_write_chunk(writer, reinterpret_cast<png_const_bytep>("IDAT"), reinterpret_cast<png_const_bytep>(pixels.data()),
+                    pixels.size());
     png_write_chunk(writer, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
   } catch (...) {
     png_destroy_write_struct(&writer, &info);

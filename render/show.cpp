@@ -16,7 +16,8 @@ std::vector<std::string> names_of(std::span<const Quantity> quantities, std::vec
 
 std::string docs_of(std::span<const Quantity> quantities) {
   std::string text;
-  for (const Quantity& q : quantities) text += fmt::format("; {}: {}{}", q.name, q.doc, q.unit.empty() ? "" : " [" + q.unit + "]");
+  for (const Quantity& q : quantities)
+    text += fmt::format("; {}: {}{}", q.name, q.doc, q.unit.empty() ? "" : " [" + q.unit + "]");
   return text;
 }
 
@@ -69,15 +70,30 @@ const Quantity* coloured_quantity(const Show& show) {
 
 const Quantity* plotted_quantity(const Show& show) { return named(plot_quantities(), show.plot); }
 
-Smoothing Show::how_smooth() const { return smoothing == "supersample" ? Smoothing::supersample : smoothing == "multisample" ? Smoothing::multisample : Smoothing::lines; }
+Smoothing Show::how_smooth() const {
+  return smoothing == "supersample"   ? Smoothing::supersample
+         : smoothing == "multisample" ? Smoothing::multisample
+                                      : Smoothing::lines;
+}
 
 const std::vector<Member<Show>>& Show::fields() {
-  const auto flag = [](const char* name, bool on, const char* doc) { return Field{name, "boolean", "", doc, any_number, on ? "true" : "false"}; };
-  const auto choice = [](const char* name, const char* initial, std::string doc, std::vector<std::string> choices) { return Field{name, "string", "", std::move(doc), any_number, initial, false, std::move(choices)}; };
+  const auto flag = [](const char* name, bool on, const char* doc) {
+    return Field{name, "boolean", "", doc, any_number, on ? "true" : "false"};
+  };
+  const auto choice = [](const char* name, const char* initial, std::string doc, std::vector<std::string> choices) {
+    return Field{name, "string", "", std::move(doc), any_number, initial, false, std::move(choices)};
+  };
   static const std::vector<Member<Show>> list{
       {{"title", "string", "", "above the picture", any_number, "", true}, &Show::title},
-      {choice("material", "energy_density", "what colours the bodies: none (nothing is filled), plain" + docs_of(material_quantities()), names_of(material_quantities(), {"none", "plain"})), &Show::material},
-      {choice("springs", "plain", "how springs are drawn: none, plain (thin and dark), or coloured where the material is none or plain" + docs_of(spring_quantities()), names_of(spring_quantities(), {"none", "plain"})), &Show::springs},
+      {choice("material", "energy_density",
+              "what colours the bodies: none (nothing is filled), plain" + docs_of(material_quantities()),
+              names_of(material_quantities(), {"none", "plain"})),
+       &Show::material},
+      {choice("springs", "plain",
+              "how springs are drawn: none, plain (thin and dark), or coloured where the material is none or plain" +
+                  docs_of(spring_quantities()),
+              names_of(spring_quantities(), {"none", "plain"})),
+       &Show::springs},
       {flag("rims", true, "outlines of the bodies"), &Show::rims},
       {flag("anchors", true, "hatching where a rim is held"), &Show::anchors},
       {flag("forces", false, "forces of contact on the projectile's nodes, as arrows"), &Show::forces},
@@ -85,35 +101,73 @@ const std::vector<Member<Show>>& Show::fields() {
       {flag("spin", false, "the projectile's turn since the start: a radius that turns with it"), &Show::spin},
       {flag("trail", false, "the path of the projectile's centre"), &Show::trail},
       {flag("ghost", false, "outlines of the bodies as if they were rigid"), &Show::ghost},
-      {{"magnify", "number", "", "factor of the deformation, the difference from a rigid motion", {0, 1e6}, "1"}, &Show::magnify},
+      {{"magnify", "number", "", "factor of the deformation, the difference from a rigid motion", {0, 1e6}, "1"},
+       &Show::magnify},
       {flag("colour_bar", true, "what the colours mean, with unit"), &Show::colour_bar},
       {flag("clock", true, "time and Psi1"), &Show::clock},
-      {flag("ledger", false, "where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, vibration, target, contact"), &Show::ledger},
-      {choice("plot", "none", "a plot that grows with time" + docs_of(plot_quantities()), names_of(plot_quantities(), {"none"})), &Show::plot},
-      {choice("colours", "auto", "of the colour bar; auto: ylgnbu, or puor for a quantity of both signs", {"auto", "ylgnbu", "puor", "cividis"}), &Show::colours},
-      {choice("scale", "auto", "of the colour bar; auto: sqrt for energies, else linear", {"auto", "linear", "sqrt"}), &Show::scale},
-      {{"low", "number", "", "lower end of the colour bar; from the whole sequence unless given", any_number, "", true}, &Show::low},
-      {{"high", "number", "", "upper end of the colour bar; from the whole sequence unless given: all but the strongest thousandth", any_number, "", true}, &Show::high},
-      {choice("camera", "fit", "fit: all of the sequence; follow: the projectile in the middle; contact: the place of impact, close", {"fit", "follow", "contact"}), &Show::camera},
-      {{"width", "number", "R", "width of what the cameras follow and contact see; 5 and 2.5 unless given", {1e-3, 1e4}, "", true}, &Show::width},
-      {choice("smoothing", "lines", "lines: strokes are smooth by themselves; multisample: four samples at every edge; supersample: four times the pixels, slow", {"lines", "multisample", "supersample"}), &Show::smoothing},
+      {flag("ledger", false,
+            "where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, "
+            "vibration, target, contact"),
+       &Show::ledger},
+      {choice("plot", "none", "a plot that grows with time" + docs_of(plot_quantities()),
+              names_of(plot_quantities(), {"none"})),
+       &Show::plot},
+      {choice("colours", "auto", "of the colour bar; auto: ylgnbu, or puor for a quantity of both signs",
+              {"auto", "ylgnbu", "puor", "cividis"}),
+       &Show::colours},
+      {choice("scale", "auto", "of the colour bar; auto: sqrt for energies, else linear", {"auto", "linear", "sqrt"}),
+       &Show::scale},
+      {{"low", "number", "", "lower end of the colour bar; from the whole sequence unless given", any_number, "", true},
+       &Show::low},
+      {{"high", "number", "",
+        "upper end of the colour bar; from the whole sequence unless given: all but the strongest thousandth",
+        any_number, "", true},
+       &Show::high},
+      {choice("camera", "fit",
+              "fit: all of the sequence; follow: the projectile in the middle; contact: the place of impact, close",
+              {"fit", "follow", "contact"}),
+       &Show::camera},
+      {{"width",
+        "number",
+        "R",
+        "width of what the cameras follow and contact see; 5 and 2.5 unless given",
+        {1e-3, 1e4},
+        "",
+        true},
+       &Show::width},
+      {choice("smoothing", "lines",
+              "lines: strokes are smooth by themselves; multisample: four samples at every edge; supersample: four "
+              "times the pixels, slow",
+              {"lines", "multisample", "supersample"}),
+       &Show::smoothing},
   };
   return list;
 }
 
 void Show::check() const {
-  const bool spring_field = named(spring_quantities(), springs) != nullptr, material_field = named(material_quantities(), material) != nullptr;
-  if (spring_field && material_field) throw FieldError("springs", fmt::format("'{}' colours the springs and '{}' the material, and there is one colour bar; make one of them plain or none", springs, material));
+  const bool spring_field = named(spring_quantities(), springs) != nullptr,
+             material_field = named(material_quantities(), material) != nullptr;
+  if (spring_field && material_field)
+    throw FieldError("springs", fmt::format("'{}' colours the springs and '{}' the material, and there is one colour "
+                                            "bar; make one of them plain or none",
+                                            springs, material));
   const Quantity* q = coloured_quantity(*this);
-  if (!q && (!std::isnan(low) || !std::isnan(high))) throw FieldError(std::isnan(low) ? "high" : "low", "nothing is coloured by a quantity");
+  if (!q && (!std::isnan(low) || !std::isnan(high)))
+    throw FieldError(std::isnan(low) ? "high" : "low", "nothing is coloured by a quantity");
   if (low >= high) throw FieldError("high", fmt::format("must be above low = {:g}", low));
-  if (high - low < 1e-6 * std::max(std::abs(high), std::abs(low))) throw FieldError("high", fmt::format("is too close to low = {:g}", low));
-  if (q && q->is_signed && std::isnan(low) && high <= 0) throw FieldError("high", fmt::format("must be above 0 where low is not given: '{}' has both signs", q->name));
-  if (q && q->is_signed && std::isnan(high) && low >= 0) throw FieldError("low", fmt::format("must be below 0 where high is not given: '{}' has both signs", q->name));
-  if (q && !q->is_signed && high <= 0) throw FieldError("high", fmt::format("must be above 0: '{}' is never below", q->name));
+  if (high - low < 1e-6 * std::max(std::abs(high), std::abs(low)))
+    throw FieldError("high", fmt::format("is too close to low = {:g}", low));
+  if (q && q->is_signed && std::isnan(low) && high <= 0)
+    throw FieldError("high", fmt::format("must be above 0 where low is not given: '{}' has both signs", q->name));
+  if (q && q->is_signed && std::isnan(high) && low >= 0)
+    throw FieldError("low", fmt::format("must be below 0 where high is not given: '{}' has both signs", q->name));
+  if (q && !q->is_signed && high <= 0)
+    throw FieldError("high", fmt::format("must be above 0: '{}' is never below", q->name));
   if (q && !q->is_signed && low < 0) throw FieldError("low", fmt::format("'{}' is never below 0", q->name));
-  if (q && q->is_signed && scale == "sqrt") throw FieldError("scale", fmt::format("'{}' has both signs; use linear", q->name));
-  if (camera == "fit" && !std::isnan(width)) throw FieldError("width", "goes with camera = \"follow\" or \"contact\"; fit shows all");
+  if (q && q->is_signed && scale == "sqrt")
+    throw FieldError("scale", fmt::format("'{}' has both signs; use linear", q->name));
+  if (camera == "fit" && !std::isnan(width))
+    throw FieldError("width", "goes with camera = \"follow\" or \"contact\"; fit shows all");
 }
 
 }  // namespace ricochet::render

@@ -17,7 +17,8 @@ std::jthread Studio::worker(BoundedQueue<Job>& queue, Work work) {
   });
 }
 
-Studio::Studio(int encoders, Write write, Film* film) : write_(std::move(write)), film_(film), files_(static_cast<std::size_t>(encoders) + 1) {
+Studio::Studio(int encoders, Write write, Film* film)
+    : write_(std::move(write)), film_(film), files_(static_cast<std::size_t>(encoders) + 1) {
   try {
     start(encoders);
   } catch (...) {
@@ -27,17 +28,22 @@ Studio::Studio(int encoders, Write write, Film* film) : write_(std::move(write))
 }
 
 void Studio::start(int encoders) {
-  for (int i = 0; i < encoders; ++i) threads_.push_back(worker(files_, [this](const Job& job) { write_(job.path, png(*job.image, job.texts)); }));
+  for (int i = 0; i < encoders; ++i)
+    threads_.push_back(worker(files_, [this](const Job& job) { write_(job.path, png(*job.image, job.texts)); }));
   if (film_) threads_.push_back(worker(frames_, [this](const Job& job) { film_->add(*job.image); }));
 }
 
 Studio::~Studio() { close(); }
 
-void Studio::close() { files_.close(), frames_.close(); }
+void Studio::close() {
+  files_.close();
+  frames_.close();
+}
 
 void Studio::take(Image image, const std::filesystem::path& path, Texts texts) {
   const auto shared = std::make_shared<const Image>(std::move(image));
-  const bool taken = (!film_ || frames_.push({shared, {}, {}})) && (path.empty() || files_.push({shared, path, std::move(texts)}));
+  const bool taken =
+      (!film_ || frames_.push({shared, {}, {}})) && (path.empty() || files_.push({shared, path, std::move(texts)}));
   if (!taken) finish();
 }
 

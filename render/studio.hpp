@@ -12,7 +12,8 @@
 
 namespace ricochet::render {
 
-/// Takes pictures off the hands of the thread that draws them: some threads encode PNG files, one feeds a film, in order.
+/// Takes pictures off the hands of the thread that draws them: some threads encode PNG files, one feeds a film, in
+/// order.
 class Studio {
  public:
   using Write = std::function<void(const std::filesystem::path&, const std::string&)>;

@@ -28,10 +28,14 @@ void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, 
   const Points places = shown_places(show, mesh, frame);
   for (const std::vector<int>& rim : mesh.rims)  // nodes that broke loose are not worth a smaller picture
     for (const int node : rim)
-      if (places[node].allFinite()) low = low.cwiseMin(places[node]), high = high.cwiseMax(places[node]);
+      if (places[node].allFinite()) {
+        low = low.cwiseMin(places[node]);
+        high = high.cwiseMax(places[node]);
+      }
   if (const Quantity* quantity = coloured_quantity(show)) {
     const bool material = show.material == quantity->name;
-    std::vector<double> values = material ? fields.of_material(quantity->name, frame) : fields.of_springs(quantity->name, frame);
+    std::vector<double> values =
+        material ? fields.of_material(quantity->name, frame) : fields.of_springs(quantity->name, frame);
     std::erase_if(values, [](double v) { return !std::isfinite(v); });
     if (!values.empty()) {
       // The one spring in a thousand that is strongest does not pale all others.
@@ -40,17 +44,20 @@ void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, 
         std::nth_element(values.begin(), place, values.end());
         return *place;
       };
-      value_high = std::max(value_high, share(0.999)), value_low = std::min(value_low, share(0.001));
+      value_high = std::max(value_high, share(0.999));
+      value_low = std::min(value_low, share(0.001));
     }
   }
   if (show.ledger) {
     double sum = 0;
     const std::array<double, 7> parts = ledger_parts(mesh, frame);
     for (const double part : parts) sum += std::max(0.0, part);
-    most_energy = std::max(most_energy, sum), effects = effects || std::abs(parts.back()) > 1e-4 * most_energy;
+    most_energy = std::max(most_energy, sum);
+    effects = effects || std::abs(parts.back()) > 1e-4 * most_energy;
   }
   if (show.forces)
-    for (int i = 0; i < mesh.projectile_nodes; ++i) most_force = std::max<double>(most_force, frame.contact_force[static_cast<std::size_t>(i)].norm());
+    for (int i = 0; i < mesh.projectile_nodes; ++i)
+      most_force = std::max<double>(most_force, frame.contact_force[static_cast<std::size_t>(i)].norm());
   if (show.velocity || show.trail) {
     const Motion motion = motion_of(mesh, frame, 0);
     most_speed = std::max(most_speed, motion.velocity.norm());
@@ -61,7 +68,8 @@ void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, 
 }
 
 double Scale::operator()(double value) const {
-  if (low < 0 && high > 0) return std::clamp(0.5 + 0.5 * value / (value < 0 ? -low : high), 0.0, 1.0);  // 0 in the middle of the colours
+  if (low < 0 && high > 0)
+    return std::clamp(0.5 + 0.5 * value / (value < 0 ? -low : high), 0.0, 1.0);  // 0 in the middle of the colours
   const double part = std::clamp((value - low) / (high - low), 0.0, 1.0);
   return root ? std::sqrt(part) : part;
 }
@@ -71,14 +79,22 @@ Scale common_scale(const Show& show, const std::vector<const Survey*>& surveys) 
   const Quantity* quantity = coloured_quantity(show);
   if (!quantity) return scale;
   double low = 0, high = 0;
-  for (const Survey* survey : surveys) low = std::min(low, survey->value_low), high = std::max(high, survey->value_high);
-  if (quantity->is_signed) high = std::max(high, -low), low = -high;
-  else low = 0;
+  for (const Survey* survey : surveys) {
+    low = std::min(low, survey->value_low);
+    high = std::max(high, survey->value_high);
+  }
+  if (quantity->is_signed) {
+    high = std::max(high, -low);
+    low = -high;
+  } else
+    low = 0;
   if (high == low) high = low + 1;  // all is at rest
   scale.high = !std::isnan(show.high) ? show.high : quantity->is_signed && !std::isnan(show.low) ? -show.low : high;
   scale.low = !std::isnan(show.low) ? show.low : quantity->is_signed && !std::isnan(show.high) ? -show.high : low;
-  if (!(scale.high > scale.low)) throw FieldError("low", fmt::format("lies above all values, of which the greatest is {:.4g}", high));
-  scale.root = show.scale == "sqrt" || (show.scale == "auto" && !quantity->is_signed && quantity->name.starts_with("energy"));
+  if (!(scale.high > scale.low))
+    throw FieldError("low", fmt::format("lies above all values, of which the greatest is {:.4g}", high));
+  scale.root =
+      show.scale == "sqrt" || (show.scale == "auto" && !quantity->is_signed && quantity->name.starts_with("energy"));
   return scale;
 }
 

@@ -7,14 +7,15 @@
 
 namespace ricochet::render {
 
-/// What must be known of a whole sequence before its first picture is drawn, so that nothing jumps from one to the next.
+/// What must be known of a whole sequence before its first picture is drawn, so that nothing jumps from one to the
+/// next.
 struct Survey {
   Vec2 low = Vec2::Constant(1e300), high = Vec2::Constant(-1e300);  ///< of all that is shown [R]
   double value_low = 0, value_high = 0;  ///< of the coloured quantity, but for the outermost thousandth
-  double most_energy = 0;        ///< greatest sum of the ledger's parts above 0
-  bool effects = false;          ///< whether its last part ever counts
+  double most_energy = 0;                ///< greatest sum of the ledger's parts above 0
+  bool effects = false;                  ///< whether its last part ever counts
   double most_force = 0, most_speed = 0;
-  Points trail;                  ///< [frame] the projectile's centre
+  Points trail;                       ///< [frame] the projectile's centre
   std::vector<double> times, series;  ///< [frame] the plotted quantity
 
   void see(const Show& show, const FrameMesh& mesh, const Fields& fields, const Frame& frame);

@@ -13,7 +13,8 @@
 
 namespace ricochet::test {
 
-/// Under a sanitizer everything takes twenty to a hundred times longer, so the longest tests take fewer steps or kinds there.
+/// Under a sanitizer everything takes twenty to a hundred times longer, so the longest tests take fewer steps or kinds
+/// there.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool sanitized = true;
 #else
@@ -29,11 +30,18 @@ inline Points circle(double radius = 1, int corners = 400) {
   return points;
 }
 
-inline Points box(double width, double depth) { return {{-width / 2, -depth}, {width / 2, -depth}, {width / 2, 0}, {-width / 2, 0}}; }
+inline Points box(double width, double depth) {
+  return {{-width / 2, -depth}, {width / 2, -depth}, {width / 2, 0}, {-width / 2, 0}};
+}
 
-inline BodyNumbers numbers(int nodes, double stiffness, double roughness, int seed, const char* placement = "poisson_disk") {
+inline BodyNumbers numbers(int nodes, double stiffness, double roughness, int seed,
+                           const char* placement = "poisson_disk") {
   BodyNumbers n;
-  n.nodes = nodes, n.stiffness = stiffness, n.roughness = roughness, n.seed = seed, n.placement = placement;
+  n.nodes = nodes;
+  n.stiffness = stiffness;
+  n.roughness = roughness;
+  n.seed = seed;
+  n.placement = placement;
   return n;
 }
 
@@ -41,7 +49,8 @@ inline std::shared_ptr<const Body> disk(int nodes, double stiffness, double roug
   return std::make_shared<Body>(Body{circle(), numbers(nodes, stiffness, roughness, seed), {}, {}});
 }
 
-inline std::shared_ptr<const Body> wall(int nodes, double stiffness, double roughness, int seed, double width = 4, double depth = 1.5) {
+inline std::shared_ptr<const Body> wall(int nodes, double stiffness, double roughness, int seed, double width = 4,
+                                        double depth = 1.5) {
   Body body{box(width, depth), numbers(nodes, stiffness, roughness, seed), {}, {}};
   const auto held = [&](const Vec2& p) { return p.y() < -depth + 1e-9 || std::abs(p.x()) > width / 2 - 1e-9; };
   std::vector<bool> rim;
@@ -54,7 +63,8 @@ inline std::shared_ptr<const Body> wall(int nodes, double stiffness, double roug
 /// A hard disk of 60 nodes on a soft wall of 150: milliseconds.
 inline Scene small_scene(int seed = 1, double psi1 = 1, double roughness = 0.03) {
   Scene scene;
-  scene.projectile = disk(60, 1e4, roughness, seed), scene.target = wall(150, 400, roughness, seed);
+  scene.projectile = disk(60, 1e4, roughness, seed);
+  scene.target = wall(150, 400, roughness, seed);
   scene.launch.psi1 = psi1;
   return scene;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// exp(x) from additions, multiplications and one table-free scaling: the same bits on every machine and C library, and a
-// loop over it vectorises. Fewer than 2 units in the last place of error (tests/core/test_exponential.cpp).
+// exp(x) from additions, multiplications and one table-free scaling: the same bits on every machine and C library, and
+// a loop over it vectorises. Fewer than 2 units in the last place of error (tests/core/test_exponential.cpp).
 
 #include <bit>
 #include <cstdint>

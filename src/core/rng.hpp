@@ -20,8 +20,8 @@ class Random {
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
   /// Normal deviate of mean 0 and standard deviation 1, by algorithm N of C. F. F. Karney, "Sampling exactly from the
-  /// normal distribution", ACM Trans. Math. Softw. 42, 3 (2016). It only compares uniform numbers: no log, sin or exp of
-  /// a C library, whose last digits differ, enters a lattice.
+  /// normal distribution", ACM Trans. Math. Softw. 42, 3 (2016). It only compares uniform numbers: no log, sin or exp
+  /// of a C library, whose last digits differ, enters a lattice.
   double normal() {
     for (;;) {
       int k = 0;
@@ -37,7 +37,8 @@ class Random {
   }
 
  private:
-  /// True with probability exp(-1/2): the length of a falling run of uniform numbers that starts below 1/2 is even (von Neumann).
+  /// True with probability exp(-1/2): the length of a falling run of uniform numbers that starts below 1/2 is even (von
+  /// Neumann).
   bool with_probability_exp_half() {
     double last = 0.5;
     for (int n = 0;; ++n) {

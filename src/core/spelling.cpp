@@ -16,14 +16,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   for (std::size_t i = 1; i <= a.size(); ++i)
     for (std::size_t j = 1; j <= b.size(); ++j) {
       d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
     }
   return d[a.size()][b.size()];
 }
 
 std::string lower(std::string_view text) {
   std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return result;
 }
 
@@ -42,7 +44,8 @@ std::vector<std::string> nearest_names(std::string_view word, std::span<const st
     const std::size_t cost = prefix ? std::min<std::size_t>(distance, 1) : distance;
     if (cost > best_distance || std::find(best.begin(), best.end(), name) != best.end()) continue;
     if (cost < best_distance) best.clear();
-    best.push_back(name), best_distance = cost;
+    best.push_back(name);
+    best_distance = cost;
   }
   std::sort(best.begin(), best.end());  // tables of Lua have no order
   return best;

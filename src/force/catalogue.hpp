@@ -23,9 +23,10 @@
 
 namespace ricochet {
 
-/// A new effect is its header and its name here; everything else (the Lua function, its checks and documentation, the column of its
-/// energy, the tests of all effects) follows from what it says it is, by the concepts below.
-using Effect = std::variant<Gravity, Drag, Absorbing, MovingAnchor, Damping, Plastic, Breaking, Adhesion, Friction, Thermal>;
+/// A new effect is its header and its name here; everything else (the Lua function, its checks and documentation, the
+/// column of its energy, the tests of all effects) follows from what it says it is, by the concepts below.
+using Effect =
+    std::variant<Gravity, Drag, Absorbing, MovingAnchor, Damping, Plastic, Breaking, Adhesion, Friction, Thermal>;
 
 inline constexpr std::size_t effect_kinds = std::variant_size_v<Effect>;
 
@@ -36,7 +37,8 @@ concept NodeForce = requires(const E& effect, Moving<1>& moving) {
   { effect.energy(0, moving) } -> std::convertible_to<Lane<1>>;
 };
 
-/// Takes from each node a share of its velocity, by a rate that depends on its place at rest; solved exactly beside the step.
+/// Takes from each node a share of its velocity, by a rate that depends on its place at rest; solved exactly beside the
+/// step.
 template <class E>
 concept NodeDamping = requires(const E& effect, const Lattice& lattice) {
   { effect.rates(0, lattice) } -> std::same_as<std::vector<double>>;
@@ -45,12 +47,15 @@ concept NodeDamping = requires(const E& effect, const Lattice& lattice) {
 /// Takes energy from the relative motion of the ends of springs, beside the step.
 template <class E>
 concept SpringDamping = requires(const E& effect, Moving<1>& moving, const Lane<1>& h) {
-  { effect.damp(0, moving, h, true, [](int) { return 1.0; }) } -> std::convertible_to<Lane<1>>;
+  {
+    effect.damp(0, moving, h, true, [](int) { return 1.0; })
+    } -> std::convertible_to<Lane<1>>;
 };
 
 /// Springs that remember: what is left of each depends on two numbers, which change as it is stretched. One to a body.
 template <class E>
-concept SpringChange = requires(const E& effect, const Spring& spring, const Lane<1>& stretch, SpringMemory<1>& memory) {
+concept SpringChange = requires(const E& effect, const Spring& spring, const Lane<1>& stretch,
+                                SpringMemory<1>& memory) {
   { effect.rest(stretch, memory) } -> std::same_as<SpringRest<Lane<1>>>;
   { effect.change(Linear{}, spring, stretch, memory) } -> std::convertible_to<Lane<1>>;
   { effect.exceeded(0.0) } -> std::same_as<bool>;
@@ -72,7 +77,9 @@ concept PairForce = requires(const E& effect) {
 
 /// Acts between rims by what they remember of each other.
 template <class E>
-concept PairMemory = requires(const E& effect) { effect.slide(0.0, 0.0, 0.0, 1.0); };
+concept PairMemory = requires(const E& effect) {
+  effect.slide(0.0, 0.0, 0.0, 1.0);
+};
 
 /// Only sets how an impact starts.
 template <class E>
@@ -82,8 +89,8 @@ concept AtStart = std::same_as<E, Thermal>;
 template <class E>
 concept OwnNumbers = AtStart<E> || AnchorMotion<E>;
 
-/// True for an effect that depends on velocities, on the past or on time: it is computed beside the step, or by a step that evaluates each
-/// place once, which is of order 2.
+/// True for an effect that depends on velocities, on the past or on time: it is computed beside the step, or by a step
+/// that evaluates each place once, which is of order 2.
 inline bool is_split(const Effect& effect) {
   return std::visit([]<class E>(const E&) { return !(NodeForce<E> || PairForce<E> || AtStart<E>); }, effect);
 }
@@ -92,8 +99,10 @@ inline bool is_split(const Effect& effect) {
 inline int order_beside(const Effect& effect) {
   return std::visit(
       []<class E>(const E& e) {
-        if constexpr (requires { E::order; }) return E::order;
-        else return is_split(Effect(e)) ? 2 : 0;
+        if constexpr (requires { E::order; })
+          return E::order;
+        else
+          return is_split(Effect(e)) ? 2 : 0;
       },
       effect);
 }
@@ -112,7 +121,8 @@ std::string conflict_of(std::span<const Effect> effects);
 /// Calls `use` with a default-made effect of every kind.
 template <class Use>
 void each_effect_kind(Use&& use) {
-  [&]<std::size_t... i>(std::index_sequence<i...>) { (use(std::variant_alternative_t<i, Effect>{}), ...); }(std::make_index_sequence<effect_kinds>{});
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (use(std::variant_alternative_t<i, Effect>{}), ...); }
+  (std::make_index_sequence<effect_kinds>{});
 }
 
 /// "gravity g = 0.1 on = projectile" for every effect, a line each.

@@ -16,9 +16,9 @@ decltype(auto) with_spring_law(const Lattice& lattice, Use&& use) {
 }
 
 /// One force evaluation, kick and drift: v += kick F, x += drift v.
-/// Springs are a half list by node, so F of a node is complete once its own row is done, and no later row needs its position:
-/// kick and drift follow at once, while everything is in registers. `force` must hold what else acts on the nodes (contact).
-/// `uniform`: every spring has the body's stiffness, which spares looking for its own.
+/// Springs are a half list by node, so F of a node is complete once its own row is done, and no later row needs its
+/// position: kick and drift follow at once, while everything is in registers. `force` must hold what else acts on the
+/// nodes (contact). `uniform`: every spring has the body's stiffness, which spares looking for its own.
 template <bool uniform, int W, class Law>
 [[gnu::noinline]] void kick_and_drift(Moving<W>& body, const Law law, const Lane<W>& kick, const Lane<W>& drift) {
   const Lattice& lattice = *body.lattice;
@@ -32,31 +32,44 @@ template <bool uniform, int W, class Law>
   for (int i = 0, free = lattice.free; i < free; ++i) {
     // Assigned, not copied: GCC copies an Eigen array in halves, and the full load that follows waits for both.
     Lane<W> xi, yi, fx, fy;
-    xi = position[2 * i], yi = position[2 * i + 1], fx = force[2 * i], fy = force[2 * i + 1];
+    xi = position[2 * i];
+    yi = position[2 * i + 1];
+    fx = force[2 * i];
+    fy = force[2 * i + 1];
     for (int n = first[i + 1] - first[i]; n > 0; --n, ++s) {
       const std::size_t j = 2 * static_cast<std::size_t>(ends[s][1]);
       const Lane<W> dx = position[j] - xi, dy = position[j + 1] - yi;
       const Lane<W> r = (dx * dx + dy * dy).sqrt();
-      const Lane<W> per_distance = 1.0 / r;  // not tension / r: the divider would wait for the tension, which costs 15 %
+      const Lane<W> per_distance =
+          1.0 / r;  // not tension / r: the divider would wait for the tension, which costs 15 %
       const Lane<W> stretch = r - length[s];
       Lane<W> of_spring;
-      if constexpr (uniform) of_spring = stiffness;
-      else of_spring = stiffness * strength[s];
+      if constexpr (uniform)
+        of_spring = stiffness;
+      else
+        of_spring = stiffness * strength[s];
       const Lane<W> pull = of_spring * law.scaled_tension(stretch) * per_distance;
       const Lane<W> px = pull * dx, py = pull * dy;
-      fx += px, fy += py;
-      force[j] -= px, force[j + 1] -= py;
+      fx += px;
+      fy += py;
+      force[j] -= px;
+      force[j + 1] -= py;
     }
     const Lane<W> vx = velocity[2 * i] + kick_ * fx, vy = velocity[2 * i + 1] + kick_ * fy;
-    velocity[2 * i] = vx, velocity[2 * i + 1] = vy;
-    position[2 * i] = xi + drift_ * vx, position[2 * i + 1] = yi + drift_ * vy;
-    force[2 * i].setZero(), force[2 * i + 1].setZero();
-    pulse += vx, pulse += vy;
+    velocity[2 * i] = vx;
+    velocity[2 * i + 1] = vy;
+    position[2 * i] = xi + drift_ * vx;
+    position[2 * i + 1] = yi + drift_ * vy;
+    force[2 * i].setZero();
+    force[2 * i + 1].setZero();
+    pulse += vx;
+    pulse += vy;
   }
   body.pulse = pulse;
 }
 
-/// x and y of a node in one or two lanes: x of each lane, then y. GCC's own vectors: it spreads Eigen's over two registers.
+/// x and y of a node in one or two lanes: x of each lane, then y. GCC's own vectors: it spreads Eigen's over two
+/// registers.
 template <int W>
 struct NodeVector;
 template <>
@@ -68,36 +81,48 @@ struct NodeVector<2> {
   using Type = double __attribute__((vector_size(32), aligned(16), may_alias));
 };
 
-/// The same for one or two impacts, whose springs fill the registers four or two at a time. Every number is made by the same operations,
-/// and those of a node are summed in the same order, so the bits are those of a lane.
+/// The same for one or two impacts, whose springs fill the registers four or two at a time. Every number is made by the
+/// same operations, and those of a node are summed in the same order, so the bits are those of a lane.
 template <bool uniform, int W, class Law>
-  requires(W <= 2)
-[[gnu::noinline]] void kick_and_drift(Moving<W>& body, const Law law, const Lane<W>& kick, const Lane<W>& drift) {
+requires(W <= 2)
+    [[gnu::noinline]] void kick_and_drift(Moving<W>& body, const Law law, const Lane<W>& kick, const Lane<W>& drift) {
   using Node = typename NodeVector<W>::Type;
   const Lattice& lattice = *body.lattice;
   const std::array<int, 2>* ends = lattice.spring.ends();
   const double *length = lattice.spring.length(), *strength = lattice.spring.stiffness();
-  Node *position = reinterpret_cast<Node*>(body.position.data()), *velocity = reinterpret_cast<Node*>(body.velocity.data()), *force = reinterpret_cast<Node*>(body.force.data());
+  Node *position = reinterpret_cast<Node*>(body.position.data()),
+       *velocity = reinterpret_cast<Node*>(body.velocity.data()), *force = reinterpret_cast<Node*>(body.force.data());
   Node kick_, drift_;
-  for (int lane = 0; lane < W; ++lane) kick_[lane] = kick_[W + lane] = kick[lane], drift_[lane] = drift_[W + lane] = drift[lane];
+  for (int lane = 0; lane < W; ++lane) {
+    kick_[lane] = kick_[W + lane] = kick[lane];
+    drift_[lane] = drift_[W + lane] = drift[lane];
+  }
   const auto pull_by = [&]<int N>(std::integral_constant<int, N>, std::size_t s, const Lane<N * W>& stiffness) {
     Node d[N];
     for (std::size_t k = 0; k < N; ++k) d[k] = position[ends[s + k][1]] - position[ends[s + k][0]];
     Lane<N * W> dx, dy, rest, of_spring = stiffness;
     for (int k = 0; k < N; ++k)
-      for (int lane = 0; lane < W; ++lane) dx[k * W + lane] = d[k][lane], dy[k * W + lane] = d[k][W + lane], rest[k * W + lane] = length[s + static_cast<std::size_t>(k)];
+      for (int lane = 0; lane < W; ++lane) {
+        dx[k * W + lane] = d[k][lane];
+        dy[k * W + lane] = d[k][W + lane];
+        rest[k * W + lane] = length[s + static_cast<std::size_t>(k)];
+      }
     if constexpr (!uniform)
       for (int k = 0; k < N; ++k)
         for (int lane = 0; lane < W; ++lane) of_spring[k * W + lane] *= strength[s + static_cast<std::size_t>(k)];
-    const Lane<N * W> r = (dx * dx + dy * dy).sqrt();
-    const Lane<N * W> per_distance = 1.0 / r;
-    const Lane<N * W> stretch = r - rest;
-    const Lane<N * W> pull = of_spring * law.scaled_tension(stretch) * per_distance;
-    const Lane<N * W> px = pull * dx, py = pull * dy;
+    const Lane<N* W> r = (dx * dx + dy * dy).sqrt();
+    const Lane<N* W> per_distance = 1.0 / r;
+    const Lane<N* W> stretch = r - rest;
+    const Lane<N* W> pull = of_spring * law.scaled_tension(stretch) * per_distance;
+    const Lane<N*W> px = pull * dx, py = pull * dy;
     for (int k = 0; k < N; ++k) {
       Node p;
-      for (int lane = 0; lane < W; ++lane) p[lane] = px[k * W + lane], p[W + lane] = py[k * W + lane];
-      force[ends[s + static_cast<std::size_t>(k)][0]] += p, force[ends[s + static_cast<std::size_t>(k)][1]] -= p;
+      for (int lane = 0; lane < W; ++lane) {
+        p[lane] = px[k * W + lane];
+        p[W + lane] = py[k * W + lane];
+      }
+      force[ends[s + static_cast<std::size_t>(k)][0]] += p;
+      force[ends[s + static_cast<std::size_t>(k)][1]] -= p;
     }
   };
   constexpr int at_once = 4 / W;
@@ -119,7 +144,10 @@ template <bool uniform, int W, class Law>
 
 template <int W>
 void kick_and_drift(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
-  with_spring_law(*body.lattice, [&](const auto& law) { body.lattice->uniform ? kick_and_drift<true>(body, law, kick, drift) : kick_and_drift<false>(body, law, kick, drift); });
+  with_spring_law(*body.lattice, [&](const auto& law) {
+    body.lattice->uniform ? kick_and_drift<true>(body, law, kick, drift)
+                          : kick_and_drift<false>(body, law, kick, drift);
+  });
 }
 
 /// Potential energy of all springs, above that at rest. [m0 c^2]

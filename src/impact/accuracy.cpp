@@ -22,10 +22,13 @@ double value_of(const Outcome& outcome, const std::string& column) {
   throw std::logic_error("no outcome is called " + column);
 }
 
-double richardson(double at_step, double at_half, int order) { return std::abs(at_step - at_half) / (1 - std::pow(2.0, -order)); }
+double richardson(double at_step, double at_half, int order) {
+  return std::abs(at_step - at_half) / (1 - std::pow(2.0, -order));
+}
 
 std::vector<std::string> methods_for(double accuracy) {
-  if (accuracy >= 1e-5) return {"multirate_8", "multirate_5", "multirate_3", "multirate_2", "verlet", "takahashi_imada"};
+  if (accuracy >= 1e-5)
+    return {"multirate_8", "multirate_5", "multirate_3", "multirate_2", "verlet", "takahashi_imada"};
   if (accuracy >= 1e-8) return {"multirate_3", "multirate_2", "takahashi_imada", "chin_4a"};
   return {"blanes_moan_srkn6b"};
 }
@@ -59,16 +62,21 @@ struct Trial {
 class Trials {
  public:
   /// `scenes` are tried in their order; the hardest one is moved to the front.
-  Trials(std::vector<const TrialScene*>& scenes, const std::string& method, int threads, const std::atomic<bool>& stop) : scenes_(scenes), method_(method), threads_(threads), stop_(stop) {}
+  Trials(std::vector<const TrialScene*>& scenes, const std::string& method, int threads, const std::atomic<bool>& stop)
+      : scenes_(scenes), method_(method), threads_(threads), stop_(stop) {}
 
-  // The greatest estimated error of all scenes, or of those up to one above `allowed`; NaN if one of them does not finish.
+  // The greatest estimated error of all scenes, or of those up to one above `allowed`; NaN if one of them does not
+  // finish.
   double error_at(double theta, int order, double allowed) {
     double worst = 0;
     some_count = false;
     for (std::size_t first = 0; first < scenes_.size(); first += at_once) {
       const std::size_t last = std::min(first + at_once, scenes_.size());
       std::vector<Trial> trials;
-      for (std::size_t i = first; i < last; ++i) trials.push_back({scenes_[i], theta}), trials.push_back({scenes_[i], theta / 2});
+      for (std::size_t i = first; i < last; ++i) {
+        trials.push_back({scenes_[i], theta});
+        trials.push_back({scenes_[i], theta / 2});
+      }
       run(trials);
       std::size_t hardest = scenes_.size();
       for (std::size_t i = first; i < last; ++i) {
@@ -77,10 +85,14 @@ class Trials {
         some_count = true;
         const double error = richardson(at_step.value, at_half.value, order);
         if (std::isnan(error)) reason = at_step.reason.empty() ? at_half.reason : at_step.reason;
-        if (!(error <= worst) && !std::isnan(worst)) worst = error, hardest = i;
+        if (!(error <= worst) && !std::isnan(worst)) {
+          worst = error;
+          hardest = i;
+        }
       }
       if (!(worst <= allowed)) {
-        std::rotate(scenes_.begin(), scenes_.begin() + static_cast<std::ptrdiff_t>(hardest), scenes_.begin() + static_cast<std::ptrdiff_t>(hardest) + 1);
+        std::rotate(scenes_.begin(), scenes_.begin() + static_cast<std::ptrdiff_t>(hardest),
+                    scenes_.begin() + static_cast<std::ptrdiff_t>(hardest) + 1);
         break;
       }
     }
@@ -97,10 +109,17 @@ class Trials {
   void run(std::vector<Trial>& trials) {
     in_parallel(trials, threads_, [&](Trial& trial) {
       Scene scene = trial.of->scene;
-      scene.integration.method = method_, scene.integration.accuracy = not_given, scene.integration.theta = trial.theta;
+      scene.integration.method = method_;
+      scene.integration.accuracy = not_given;
+      scene.integration.theta = trial.theta;
       const Outcome outcome = run_scene(*trial.of->projectile, *trial.of->target, scene, stop_);
-      if (outcome.status == Status::finished) trial.value = value_of(outcome, scene.integration.accuracy_of), trial.counts = !std::isnan(trial.value);
-      else trial.counts = outcome.status != Status::no_contact, trial.reason = outcome.reason;
+      if (outcome.status == Status::finished) {
+        trial.value = value_of(outcome, scene.integration.accuracy_of);
+        trial.counts = !std::isnan(trial.value);
+      } else {
+        trial.counts = outcome.status != Status::no_contact;
+        trial.reason = outcome.reason;
+      }
     });
     if (stop_) throw Error("interrupted", Exit::interrupted);
     count += static_cast<int>(trials.size());
@@ -127,9 +146,13 @@ Candidate candidate(const std::vector<TrialScene>& scenes, const std::string& na
   Candidate c{&method, std::numeric_limits<double>::infinity(), 0, 0, 0};
   for (const TrialScene& trial : scenes) {
     Scene scene = trial.scene;
-    scene.integration.method = name, scene.integration.accuracy = not_given;
+    scene.integration.method = name;
+    scene.integration.accuracy = not_given;
     const Start start = launch(scene, *trial.projectile, *trial.target);
-    if (&trial == &scenes.front()) c.step_of_theta = start.step / start.theta, c.work = work_of_step(method, *trial.projectile, *trial.target);
+    if (&trial == &scenes.front()) {
+      c.step_of_theta = start.step / start.theta;
+      c.work = work_of_step(method, *trial.projectile, *trial.target);
+    }
     c.usual = std::min(c.usual, start.theta);  // the default step resolves the contact's onset
   }
   c.longest = c.usual * std::min(2.0, 0.8 * method.stability_limit / c.usual);  // room for springs that stiffen
@@ -137,25 +160,33 @@ Candidate candidate(const std::vector<TrialScene>& scenes, const std::string& na
 }
 
 struct Reached {
-  double theta = 0, error = std::numeric_limits<double>::infinity();  ///< theta 0: the accuracy was not reached; the least error was this
+  double theta = 0, error = std::numeric_limits<double>::infinity();  ///< theta 0: the accuracy was not reached; the
+                                                                      ///< least error was this
   std::string reason;
 };
 
 // Shortens the step of a method until the estimated error is small enough, but not below `shortest`.
-Reached shorten_step(Trials& trials, const Candidate& c, const Integration& asked, double shortest, bool from_longest, const std::vector<Effect>& effects) {
+Reached shorten_step(Trials& trials, const Candidate& c, const Integration& asked, double shortest, bool from_longest,
+                     const std::vector<Effect>& effects) {
   const double wanted = asked.accuracy;
   int order = c.method->outcome_order;
   for (const Effect& effect : effects)
     if (order_beside(effect) > 0) order = std::min(order, order_beside(effect));
-  const double guess = std::clamp(c.usual * std::pow(wanted / c.method->usual_accuracy, 1.0 / order), c.usual / 4, c.longest);
-  double theta = from_longest ? c.longest : std::max(guess, shortest), best = std::numeric_limits<double>::infinity(), previous = not_given;
+  const double guess =
+      std::clamp(c.usual * std::pow(wanted / c.method->usual_accuracy, 1.0 / order), c.usual / 4, c.longest);
+  double theta = from_longest ? c.longest : std::max(guess, shortest), best = std::numeric_limits<double>::infinity(),
+         previous = not_given;
   for (int attempt = 0; attempt < most_attempts && theta >= shortest; ++attempt) {
     const double error = trials.error_at(theta, order, aim * wanted);
-    if (!trials.some_count) throw FieldError("accuracy_of", fmt::format("{} is not defined in this impact; name another outcome", asked.accuracy_of));
+    if (!trials.some_count)
+      throw FieldError("accuracy_of",
+                       fmt::format("{} is not defined in this impact; name another outcome", asked.accuracy_of));
     if (error <= aim * wanted) return {theta, error, ""};
-    // Two attempts in a row that gain less than a step of half as long should by far: rounding, or paths that part at a near tie.
+    // Two attempts in a row that gain less than a step of half as long should by far: rounding, or paths that part at a
+    // near tie.
     if (!(error < best / 2) && !(previous < 2 * best) && attempt > 3) break;
-    previous = best, best = std::min(best, std::isnan(error) ? best : error);
+    previous = best;
+    best = std::min(best, std::isnan(error) ? best : error);
     const double ratio = std::isnan(error) ? 0.5 : std::pow(0.7 * aim * wanted / error, 1.0 / order);
     theta *= std::clamp(ratio, 0.2, 0.8);
   }
@@ -168,14 +199,16 @@ Choice choose_for_accuracy(std::vector<TrialScene> scenes, int threads, const st
   const auto began = std::chrono::steady_clock::now();
   const Scene& scene = scenes.front().scene;
   const Integration asked = scene.integration;
-  std::vector<std::string> names = asked.method == "auto" ? methods_for(asked.accuracy) : std::vector<std::string>{asked.method};
+  std::vector<std::string> names =
+      asked.method == "auto" ? methods_for(asked.accuracy) : std::vector<std::string>{asked.method};
   if (asked.method == "auto") {
     std::erase_if(names, [&](const std::string& name) { return !scene.conflict_with(method_named(name)).empty(); });
     if (names.empty()) names = {"verlet"};  // beside any effect
   }
   const auto passes_by = [&](const TrialScene& trial) {
     Scene plain = trial.scene;
-    plain.integration.method = names.back(), plain.integration.accuracy = not_given;
+    plain.integration.method = names.back();
+    plain.integration.accuracy = not_given;
     return !launch(plain, *trial.projectile, *trial.target).touches;
   };
   const std::vector<TrialScene> all = scenes;
@@ -189,7 +222,8 @@ Choice choose_for_accuracy(std::vector<TrialScene> scenes, int threads, const st
   std::vector<Candidate> candidates;
   for (const std::string& name : names)
     if (const Candidate c = candidate(scenes, name); c.cost() < last.cost()) candidates.push_back(c);
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.cost() < b.cost(); });
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.cost() < b.cost(); });
   candidates.push_back(last);
   std::vector<const TrialScene*> in_order;
   for (const TrialScene& trial : scenes) in_order.push_back(&trial);
@@ -197,7 +231,8 @@ Choice choose_for_accuracy(std::vector<TrialScene> scenes, int threads, const st
   Reached reached;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& c = candidates[i];
-    const double shortest = i + 1 < candidates.size() ? c.work / (candidates[i + 1].cost() * c.step_of_theta) : c.usual / most_shortened;
+    const double shortest =
+        i + 1 < candidates.size() ? c.work / (candidates[i + 1].cost() * c.step_of_theta) : c.usual / most_shortened;
     Trials trials(in_order, c.method->name, threads, stop);
     // A single scene's estimate may be small by chance, the more steps are tried; that of several hardly.
     reached = shorten_step(trials, c, asked, shortest, scenes.size() > 2, scene.effects);
@@ -206,13 +241,19 @@ Choice choose_for_accuracy(std::vector<TrialScene> scenes, int threads, const st
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return {c.method->name, reached.theta * c.step_of_theta, reached.theta, reached.error, trial_count, seconds};
   }
-  throw FieldError("accuracy", std::isinf(reached.error) ? fmt::format("no trial run finished ({})", reached.reason)
-                                                         : fmt::format("{:g} is below what {} can reach for {} here: the estimated error stays at {:.2g}; ask for {:.2g}, or for another method",
-                                                                       asked.accuracy, names.back(), asked.accuracy_of, reached.error, 2.1 * reached.error));
+  throw FieldError("accuracy", std::isinf(reached.error)
+                                   ? fmt::format("no trial run finished ({})", reached.reason)
+                                   : fmt::format("{:g} is below what {} can reach for {} here: the estimated error "
+                                                 "stays at {:.2g}; ask for {:.2g}, or for another method",
+                                                 asked.accuracy, names.back(), asked.accuracy_of, reached.error,
+                                                 2.1 * reached.error));
 }
 
-Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop) {
-  const auto borrowed = [](const Lattice& lattice) { return std::shared_ptr<const Lattice>(std::shared_ptr<const Lattice>(), &lattice); };
+Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target, const Scene& scene,
+                                const std::atomic<bool>& stop) {
+  const auto borrowed = [](const Lattice& lattice) {
+    return std::shared_ptr<const Lattice>(std::shared_ptr<const Lattice>(), &lattice);
+  };
   return choose_for_accuracy({{borrowed(projectile), borrowed(target), scene}}, 1, stop);
 }
 
@@ -225,21 +266,30 @@ std::string kind_of(const Scene& scene) {
   std::string kind = fmt::format("{:.9g}", scene.launch.velocity().norm());
   for (const auto* body : {&scene.projectile, &scene.target}) {
     const BodyNumbers& n = (*body)->numbers;
-    kind += fmt::format(" {} {} {} {} {} {} {} {}", n.nodes, n.placement, n.stiffness, n.quartic, n.mass, n.roughness, n.prestress, (*body)->anchored.empty());
+    kind += fmt::format(" {} {} {} {} {} {} {} {}", n.nodes, n.placement, n.stiffness, n.quartic, n.mass, n.roughness,
+                        n.prestress, (*body)->anchored.empty());
     // Of an outline and of a stiffness that depends on the place: their extremes tell kinds apart.
     Vec2 low = Vec2::Zero(), high = low;
-    for (const Vec2& p : (*body)->outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    for (const Vec2& p : (*body)->outline) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
     kind += fmt::format(" {:.9g} {:.9g} {:.9g};", signed_area((*body)->outline), (high - low).x(), (high - low).y());
-    if (const auto& k = (*body)->node_stiffness; !k.empty()) kind += fmt::format("{:.2g} {:.2g};", *std::min_element(k.begin(), k.end()), *std::max_element(k.begin(), k.end()));
+    if (const auto& k = (*body)->node_stiffness; !k.empty())
+      kind +=
+          fmt::format("{:.2g} {:.2g};", *std::min_element(k.begin(), k.end()), *std::max_element(k.begin(), k.end()));
   }
   const Integration& i = scene.integration;
-  return kind + fmt::format("{} {} {} {} {} {} {} {} {}", i.method, i.accuracy, i.accuracy_of, i.energy_tolerance, i.time_limit, scene.contact.V0, scene.contact.xi, scene.contact.reach, scene.contact.sides) +
+  return kind +
+         fmt::format("{} {} {} {} {} {} {} {} {}", i.method, i.accuracy, i.accuracy_of, i.energy_tolerance,
+                     i.time_limit, scene.contact.V0, scene.contact.xi, scene.contact.reach, scene.contact.sides) +
          batch_text_of(scene.effects);
 }
 
 }  // namespace
 
-std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, const std::atomic<bool>& stop, const std::function<void(const std::string&)>& told) {
+std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, const std::atomic<bool>& stop,
+                                     const std::function<void(const std::string&)>& told) {
   std::map<std::string, std::vector<std::size_t>> kinds;
   for (std::size_t i = 0; i < scenes.size(); ++i)
     if (!std::isnan(scenes[i].integration.accuracy)) {
@@ -249,7 +299,8 @@ std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, con
     std::vector<TrialScene> tried;
     std::set<std::size_t> places;
     const std::size_t count = std::min(members.size(), most_tried);
-    for (std::size_t k = 0; k < count; ++k) places.insert(members[count > 1 ? k * (members.size() - 1) / (count - 1) : 0]);
+    for (std::size_t k = 0; k < count; ++k)
+      places.insert(members[count > 1 ? k * (members.size() - 1) / (count - 1) : 0]);
     for (const std::size_t i : places) {
       Scene plain = scenes[i];
       plain.integration.accuracy = not_given;
@@ -268,10 +319,15 @@ std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, con
       throw SceneError(error, members.front());
     }
     const Integration& wanted = scenes[members.front()].integration;
-    told(fmt::format("accuracy {:g} of {}: {} with theta {:.3g} (a step of {:.3g} R/c), estimated error {:.2g} ({} trial runs of {} scene{}, {:.1f} s)", wanted.accuracy, wanted.accuracy_of, choice.method,
-                     choice.theta, choice.step, choice.error, choice.trials, tried.size(), tried.size() == 1 ? "" : "s", choice.seconds));
+    told(
+        fmt::format("accuracy {:g} of {}: {} with theta {:.3g} (a step of {:.3g} R/c), estimated error {:.2g} ({} "
+                    "trial runs of {} scene{}, {:.1f} s)",
+                    wanted.accuracy, wanted.accuracy_of, choice.method, choice.theta, choice.step, choice.error,
+                    choice.trials, tried.size(), tried.size() == 1 ? "" : "s", choice.seconds));
     for (const std::size_t i : members) {
-      scenes[i].integration.method = choice.method, scenes[i].integration.theta = choice.theta, scenes[i].integration.accuracy = not_given;
+      scenes[i].integration.method = choice.method;
+      scenes[i].integration.theta = choice.theta;
+      scenes[i].integration.accuracy = not_given;
       scenes[i].error_estimate = choice.error;
     }
   }

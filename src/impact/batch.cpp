@@ -27,8 +27,8 @@ struct Work {
   }
 };
 
-// Runs what is in the engine's lanes and in the queue, `width` lanes at a time. When the queue is empty and half of the lanes
-// would idle, the rest moves into an engine of half the width.
+// Runs what is in the engine's lanes and in the queue, `width` lanes at a time. When the queue is empty and half of the
+// lanes would idle, the rest moves into an engine of half the width.
 template <int W>
 bool drain(Engine<W>& engine, const Work& work, int width) {
   const auto fill = [&](int lane) {
@@ -62,9 +62,11 @@ bool drain(Engine<W>& engine, const Work& work, int width) {
     const int steps = engine.steps_between_looks();
     for (int i = 1; i <= steps; ++i) engine.advance_one_step(i == steps);
     const auto now = Clock::now();
-    for (const int lane : busy) engine.spend(lane, std::chrono::duration<double>(now - counted).count() / static_cast<double>(busy.size()));
+    for (const int lane : busy)
+      engine.spend(lane, std::chrono::duration<double>(now - counted).count() / static_cast<double>(busy.size()));
     counted = now;
-    work.use.steps += steps * W, work.use.busy += steps * static_cast<std::int64_t>(busy.size());
+    work.use.steps += steps * W;
+    work.use.busy += steps * static_cast<std::int64_t>(busy.size());
     if (work.stop) return false;
     engine.look([&](int lane, const Outcome& outcome) {
       work.finished(engine.run(lane).index, outcome, engine.run(lane).seconds);
@@ -75,8 +77,8 @@ bool drain(Engine<W>& engine, const Work& work, int width) {
 
 }  // namespace
 
-bool run_queue(const Lattice& projectile, const Lattice& target, const std::vector<Scene>& scenes, Queue& queue, int width, const std::atomic<bool>& stop,
-               const Finished& finished, LaneUse& use) {
+bool run_queue(const Lattice& projectile, const Lattice& target, const std::vector<Scene>& scenes, Queue& queue,
+               int width, const std::atomic<bool>& stop, const Finished& finished, LaneUse& use) {
   std::optional<SceneError> refused;
   const Work work{projectile, target, scenes, queue, stop, finished, use, refused};
   const int used = std::min<int>(width, static_cast<int>(std::min<std::size_t>(queue.left(), lanes)));
@@ -88,7 +90,8 @@ bool run_queue(const Lattice& projectile, const Lattice& target, const std::vect
   return whole;
 }
 
-Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop, const Observer* observer) {
+Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop,
+                  const Observer* observer) {
   Engine<1> engine(projectile, target, scene.method(), scene.effects);
   if (const auto outcome = engine.begin(0, scene, 0)) return *outcome;
   Outcome result;
@@ -99,14 +102,23 @@ Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene&
   watch();
   const auto seen = [&] { return engine.run(0).time() >= observer->until; };
   while (!stop && !(ended && (!observer || seen())) && !(observer && observer->no_longer && seen())) {
-    for (int i = 0; i < engine.steps_between_looks(); ++i) engine.advance_one_step(), watch();
-    if (!ended) engine.look([&](int, const Outcome& outcome) { result = outcome, ended = true; });
+    for (int i = 0; i < engine.steps_between_looks(); ++i) {
+      engine.advance_one_step();
+      watch();
+    }
+    if (!ended)
+      engine.look([&](int, const Outcome& outcome) {
+        result = outcome;
+        ended = true;
+      });
     if (ended && result.status == Status::not_finite) break;
   }
   return result;
 }
 
-void check_start(const Lattice& projectile, const Lattice& target, const Scene& scene) { Engine<1>(projectile, target, scene.method(), scene.effects).begin(0, scene, 0); }
+void check_start(const Lattice& projectile, const Lattice& target, const Scene& scene) {
+  Engine<1>(projectile, target, scene.method(), scene.effects).begin(0, scene, 0);
+}
 
 Snapshot run_until(const Lattice& projectile, const Lattice& target, const Scene& scene, double time) {
   Engine<1> engine(projectile, target, scene.method(), scene.effects);

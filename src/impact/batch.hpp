@@ -10,7 +10,8 @@
 
 namespace ricochet {
 
-/// What an observer sees of one impact at the end of a step. Positions [R] and velocities [c] by node of either lattice.
+/// What an observer sees of one impact at the end of a step. Positions [R] and velocities [c] by node of either
+/// lattice.
 struct Snapshot {
   double time = 0;  ///< since the rims came within reach of each other [R/c]
   std::int64_t step = 0;
@@ -21,7 +22,8 @@ struct Snapshot {
   std::array<std::vector<SpringRest<double>>, 2> springs{};
 };
 
-/// Looks at a single impact without changing a bit of it. `due(time)` is asked at the end of every step whether to look there.
+/// Looks at a single impact without changing a bit of it. `due(time)` is asked at the end of every step whether to look
+/// there.
 struct Observer {
   double until = 0;  ///< go on up to this time, even past the end of the impact
   std::function<bool(double)> due;
@@ -64,14 +66,16 @@ struct LaneUse {
   std::int64_t steps = 0, busy = 0;
 };
 
-/// Runs the scenes of a queue, `width` at a time (1 ... lanes), until none is left: a lane whose impact has ended takes the next one. The
-/// outcome of a scene does not depend on `width`, on its neighbours or on when it starts. Returns false if `stop` ended it early.
-/// Throws SceneError with the scene's place in `scenes` if one cannot start, when those that were running have ended.
-bool run_queue(const Lattice& projectile, const Lattice& target, const std::vector<Scene>& scenes, Queue& queue, int width, const std::atomic<bool>& stop,
-               const Finished& finished, LaneUse& use);
+/// Runs the scenes of a queue, `width` at a time (1 ... lanes), until none is left: a lane whose impact has ended takes
+/// the next one. The outcome of a scene does not depend on `width`, on its neighbours or on when it starts. Returns
+/// false if `stop` ended it early. Throws SceneError with the scene's place in `scenes` if one cannot start, when those
+/// that were running have ended.
+bool run_queue(const Lattice& projectile, const Lattice& target, const std::vector<Scene>& scenes, Queue& queue,
+               int width, const std::atomic<bool>& stop, const Finished& finished, LaneUse& use);
 
 /// Runs one scene alone, watched.
-Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop, const Observer* observer = nullptr);
+Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop,
+                  const Observer* observer = nullptr);
 
 /// Throws FieldError if the scene cannot start.
 void check_start(const Lattice& projectile, const Lattice& target, const Scene& scene);

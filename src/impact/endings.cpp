@@ -11,12 +11,15 @@
 namespace ricochet {
 namespace {
 
-// True if the projectile never comes down to `level` along n. Its lowest point falls no faster than spin times radius, so time
-// can advance by the gap over that speed.
+// True if the projectile never comes down to `level` along n. Its lowest point falls no faster than spin times radius,
+// so time can advance by the gap over that speed.
 bool stays_clear(const Points& projectile, const Flight& flight, const Vec2& n, double speed, double level) {
   Points arms;
   double radius = 0;
-  for (const Vec2& p : projectile) arms.push_back(p - flight.centre), radius = std::max(radius, arms.back().norm());
+  for (const Vec2& p : projectile) {
+    arms.push_back(p - flight.centre);
+    radius = std::max(radius, arms.back().norm());
+  }
   double time = 0;
   for (int advance = 0; advance < 1000; ++advance) {
     const double height = n.dot(flight.centre) + speed * time - level;
@@ -25,7 +28,8 @@ bool stays_clear(const Points& projectile, const Flight& flight, const Vec2& n, 
     double lowest = radius;
     for (const Vec2& a : arms) lowest = std::min(lowest, n.dot(turned(a, c, s)));
     if (height + lowest <= 0) return false;
-    time += flight.spin == 0 ? radius / speed : std::min((height + lowest) / (std::abs(flight.spin) * radius), radius / speed);
+    time += flight.spin == 0 ? radius / speed
+                             : std::min((height + lowest) / (std::abs(flight.spin) * radius), radius / speed);
   }
   return false;  // too close to tell: asked again at the next look
 }

@@ -26,8 +26,8 @@ struct Intruder {
   double depth;       ///< a target node's distance from the projectile's rim [R]
 };
 
-/// The first rim node of one body that is inside the other. A one-sided contact pushes projectile nodes only: a target node may then
-/// stand in the gap between two of them, but no deeper than `gap` [R].
+/// The first rim node of one body that is inside the other. A one-sided contact pushes projectile nodes only: a target
+/// node may then stand in the gap between two of them, but no deeper than `gap` [R].
 std::optional<Intruder> inside_one_another(const Points& projectile, const Points& target, bool two_sided, double gap);
 
 }  // namespace ricochet

@@ -22,12 +22,23 @@ void append(std::vector<Eigen::Vector2f>& all, const Points& points) {
 
 Frame frame_of(const Snapshot& shot) {
   Frame frame;
-  frame.time = shot.time, frame.step = shot.step;
-  append(frame.position, shot.projectile), append(frame.position, shot.target);
-  append(frame.velocity, shot.projectile_velocity), append(frame.velocity, shot.target_velocity);
-  append(frame.contact_force, shot.projectile_force), append(frame.contact_force, shot.target_force);
+  frame.time = shot.time;
+  frame.step = shot.step;
+  append(frame.position, shot.projectile);
+  append(frame.position, shot.target);
+  append(frame.velocity, shot.projectile_velocity);
+  append(frame.velocity, shot.target_velocity);
+  append(frame.contact_force, shot.projectile_force);
+  append(frame.contact_force, shot.target_force);
   const Ledger& e = shot.energy;
-  frame.energy = {e.projectile_translation, e.projectile_rotation, e.projectile_vibration, e.target_translation, e.target_rotation, e.target_vibration, e.contact, e.total()};
+  frame.energy = {e.projectile_translation,
+                  e.projectile_rotation,
+                  e.projectile_vibration,
+                  e.target_translation,
+                  e.target_rotation,
+                  e.target_vibration,
+                  e.contact,
+                  e.total()};
   return frame;
 }
 
@@ -39,7 +50,8 @@ Frame moved_back(const Snapshot& shot, const Start& start, double time) {
   for (const Vec2& p : shot.projectile) centre += p / static_cast<double>(shot.projectile.size());
   for (Vec2& p : earlier.projectile) p = centre + time * start.velocity + turned(p - centre, c, s);
   for (Vec2& v : earlier.projectile_velocity) v = start.velocity + turned(v - start.velocity, c, s);
-  earlier.time = time, earlier.step = static_cast<std::int64_t>(std::floor(time / start.step));
+  earlier.time = time;
+  earlier.step = static_cast<std::int64_t>(std::floor(time / start.step));
   return frame_of(earlier);
 }
 
@@ -52,8 +64,12 @@ void add_elongations(Frame& frame, const Snapshot& shot, const Lattice& projecti
     const Points& places = b == 0 ? shot.projectile : shot.target;
     for (std::size_t s = 0; s < lattice.spring.size(); ++s) {
       const Spring spring = lattice.spring[s];
-      if (rests.empty()) frame.elongation.push_back(static_cast<float>((places[spring.node] - places[spring.other]).norm() - spring.length));
-      else frame.elongation.push_back(rests[s].share > 0 ? static_cast<float>(rests[s].elastic) : std::numeric_limits<float>::quiet_NaN());
+      if (rests.empty())
+        frame.elongation.push_back(
+            static_cast<float>((places[spring.node] - places[spring.other]).norm() - spring.length));
+      else
+        frame.elongation.push_back(rests[s].share > 0 ? static_cast<float>(rests[s].elastic)
+                                                      : std::numeric_limits<float>::quiet_NaN());
     }
   }
 }
@@ -63,7 +79,8 @@ void add_elongations(Frame& frame, const Snapshot& shot, const Lattice& projecti
 FrameMesh frame_mesh(const Scene& scene, const Lattice& projectile, const Lattice& target) {
   FrameMesh mesh;
   mesh.projectile_nodes = projectile.nodes();
-  mesh.mass = {projectile.mass, target.mass}, mesh.quartic = {projectile.quartic, target.quartic};
+  mesh.mass = {projectile.mass, target.mass};
+  mesh.quartic = {projectile.quartic, target.quartic};
   const Vec2 velocity = scene.launch.velocity();
   mesh.psi1 = velocity.y() < 0 ? velocity.x() / -velocity.y() : not_given;
   int offset = 0;
@@ -71,11 +88,13 @@ FrameMesh frame_mesh(const Scene& scene, const Lattice& projectile, const Lattic
     const Lattice& lattice = b == 0 ? projectile : target;
     const double stiffness = (b == 0 ? scene.projectile : scene.target)->numbers.stiffness;
     for (int i = 0; i < lattice.nodes(); ++i) {
-      mesh.rest.push_back(lattice.points[i]), mesh.anchored.push_back(i >= lattice.free);
+      mesh.rest.push_back(lattice.points[i]);
+      mesh.anchored.push_back(i >= lattice.free);
       for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
         const Spring spring = lattice.spring[s];
         mesh.springs.push_back({i + offset, spring.other + offset});
-        mesh.length.push_back(spring.length), mesh.stiffness.push_back(spring.stiffness * stiffness);
+        mesh.length.push_back(spring.length);
+        mesh.stiffness.push_back(spring.stiffness * stiffness);
       }
     }
     for (const Triangle& t : lattice.triangles) mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
@@ -85,7 +104,8 @@ FrameMesh frame_mesh(const Scene& scene, const Lattice& projectile, const Lattic
   return mesh;
 }
 
-Course follow_course(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop) {
+Course follow_course(const Lattice& projectile, const Lattice& target, const Scene& scene,
+                     const std::atomic<bool>& stop) {
   const Start start = launch(scene, projectile, target);
   if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to show");
   Course course;
@@ -93,12 +113,19 @@ Course follow_course(const Lattice& projectile, const Lattice& target, const Sce
   double most = 0;
   bool touched = false;
   const auto look = [&](const Snapshot& shot) {
-    if (shot.energy.contact > most) most = shot.energy.contact, course.tightest = shot.time;
+    if (shot.energy.contact > most) {
+      most = shot.energy.contact;
+      course.tightest = shot.time;
+    }
     if (shot.energy.contact <= touch_share * start.energy) return;
-    if (!touched) course.first_touch = shot.time, touched = true;
+    if (!touched) {
+      course.first_touch = shot.time;
+      touched = true;
+    }
     course.last_touch = shot.time;
   };
-  const Observer observer{0, equally_spaced(0, course_spacing, std::numeric_limits<std::int64_t>::max(), start.step), look};
+  const Observer observer{0, equally_spaced(0, course_spacing, std::numeric_limits<std::int64_t>::max(), start.step),
+                          look};
   course.outcome = run_scene(projectile, target, scene, stop, &observer);
   return course;
 }
@@ -110,17 +137,21 @@ std::vector<double> frame_times(const Course& course, double from, double until,
   std::vector<double> times;
   for (int k = 0; k < count; ++k) {
     const double film = count == 1 ? 0 : total * k / (count - 1), slow = film - (a - from);
-    times.push_back(slow <= 0 ? from + film : slow <= slow_motion * (b - a) ? a + slow / slow_motion : b + slow - slow_motion * (b - a));
+    times.push_back(slow <= 0                       ? from + film
+                    : slow <= slow_motion * (b - a) ? a + slow / slow_motion
+                                                    : b + slow - slow_motion * (b - a));
   }
   for (int k = 1; k < count; ++k)
     if (times[k] - times[k - 1] < course.step * (1 - 1e-9))
-      throw FieldError("frames", fmt::format("{} frames in {:.4g} R/c are closer than the time step {:.3g} R/c; ask for {} or fewer, or give the scene a smaller step", count,
-                                             until - from, course.step, static_cast<std::int64_t>(total / slow_motion / course.step) + 1));
+      throw FieldError("frames", fmt::format("{} frames in {:.4g} R/c are closer than the time step {:.3g} R/c; ask "
+                                             "for {} or fewer, or give the scene a smaller step",
+                                             count, until - from, course.step,
+                                             static_cast<std::int64_t>(total / slow_motion / course.step) + 1));
   return times;
 }
 
-bool film_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::vector<double>& times, const std::atomic<bool>& stop,
-                const std::function<void(Frame)>& use) {
+bool film_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::vector<double>& times,
+                const std::atomic<bool>& stop, const std::function<void(Frame)>& use) {
   const Start start = launch(scene, projectile, target);
   if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to show");
   std::size_t next = 0;
@@ -131,7 +162,8 @@ bool film_scene(const Lattice& projectile, const Lattice& target, const Scene& s
       use(std::move(frame));
       ++next;
     };
-    while (next < times.size() && shot.time == 0 && times[next] < -start.step / 2) hand_over(moved_back(shot, start, times[next]));
+    while (next < times.size() && shot.time == 0 && times[next] < -start.step / 2)
+      hand_over(moved_back(shot, start, times[next]));
     if (is_due(shot.time)) hand_over(frame_of(shot));
   };
   const Observer observer{times.empty() ? 0 : times.back() + start.step, is_due, look, true};

@@ -4,8 +4,8 @@
 
 namespace ricochet {
 
-/// The share of a body's area that lies in triangles turned over since they were at rest, in W lanes. A body of springs resists no such
-/// fold; one that folded by more than slivers is no elastic solid any more.
+/// The share of a body's area that lies in triangles turned over since they were at rest, in W lanes. A body of springs
+/// resists no such fold; one that folded by more than slivers is no elastic solid any more.
 template <int W>
 Lane<W> inverted_share(const Moving<W>& body) {
   const Lattice& lattice = *body.lattice;

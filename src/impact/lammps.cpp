@@ -11,8 +11,10 @@
 
 namespace ricochet {
 
-LammpsFiles lammps_files(const Scene& scene, const Lattice& projectile, const Lattice& target, const std::string& name) {
-  if (!scene.effects.empty()) throw FieldError("effects", "LAMMPS files hold springs and repulsion only; leave the effects out");
+LammpsFiles lammps_files(const Scene& scene, const Lattice& projectile, const Lattice& target,
+                         const std::string& name) {
+  if (!scene.effects.empty())
+    throw FieldError("effects", "LAMMPS files hold springs and repulsion only; leave the effects out");
   const Start start = launch(scene, projectile, target);
   if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to export");
 
@@ -28,7 +30,9 @@ LammpsFiles lammps_files(const Scene& scene, const Lattice& projectile, const La
   for (const Vec2& p : points) far = std::max(far, p.lpNorm<Eigen::Infinity>());
 
   std::string atoms, velocities, coefficients, bonds;
-  const auto add = [](std::string& text, const auto& form, const auto&... values) { fmt::format_to(std::back_inserter(text), fmt::runtime(form), values...); };
+  const auto add = [](std::string& text, const auto& form, const auto&... values) {
+    fmt::format_to(std::back_inserter(text), fmt::runtime(form), values...);
+  };
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool flies = static_cast<int>(i) < of_projectile;
     const Vec2& p = points[i];
@@ -37,7 +41,8 @@ LammpsFiles lammps_files(const Scene& scene, const Lattice& projectile, const La
     add(velocities, "{} {:.17g} {:.17g} 0\n", i + 1, v.x(), v.y());
   }
   std::size_t bond = 0;
-  for (const auto& [lattice, body, before] : {std::tuple(&projectile, scene.projectile.get(), 0), std::tuple(&target, scene.target.get(), of_projectile)})
+  for (const auto& [lattice, body, before] :
+       {std::tuple(&projectile, scene.projectile.get(), 0), std::tuple(&target, scene.target.get(), of_projectile)})
     for (std::size_t s = 0; s < lattice->spring.size(); ++s) {
       const Spring spring = lattice->spring[s];
       const double ka = spring.stiffness * body->numbers.stiffness;
@@ -47,18 +52,25 @@ LammpsFiles lammps_files(const Scene& scene, const Lattice& projectile, const La
     }
 
   LammpsFiles files;
-  add(files.data, "{} by ricochet; units R, m0, c\n\n{} atoms\n{} bonds\n5 atom types\n{} bond types\n{} extra bond per atom\n\n", name, points.size(), bond, bond, 0);
+  add(files.data,
+      "{} by ricochet; units R, m0, c\n\n{} atoms\n{} bonds\n5 atom types\n{} bond types\n{} extra bond per atom\n\n",
+      name, points.size(), bond, bond, 0);
   // A box with room for the flight: the boundaries are fixed, and an atom beyond them would be lost.
-  add(files.data, "{0:.17g} {1:.17g} xlo xhi\n{0:.17g} {1:.17g} ylo yhi\n-0.5 0.5 zlo zhi\n\n", -3 * far - 1, 3 * far + 1);
-  add(files.data, "Masses\n\n1 {0:.17g}\n2 {0:.17g}\n3 {1:.17g}\n4 {1:.17g}\n5 {1:.17g}\n\n", projectile.mass, target.mass);
-  files.data += "Bond Coeffs # class2\n\n" + coefficients + "\nAtoms # bond\n\n" + atoms + "\nVelocities\n\n" + velocities + "\nBonds\n\n" + bonds;
+  add(files.data, "{0:.17g} {1:.17g} xlo xhi\n{0:.17g} {1:.17g} ylo yhi\n-0.5 0.5 zlo zhi\n\n", -3 * far - 1,
+      3 * far + 1);
+  add(files.data, "Masses\n\n1 {0:.17g}\n2 {0:.17g}\n3 {1:.17g}\n4 {1:.17g}\n5 {1:.17g}\n\n", projectile.mass,
+      target.mass);
+  files.data += "Bond Coeffs # class2\n\n" + coefficients + "\nAtoms # bond\n\n" + atoms + "\nVelocities\n\n" +
+                velocities + "\nBonds\n\n" + bonds;
 
   const ExponentialRepulsion& contact = start.energy > 0 ? start.contact : scene.contact;
   const double step = start.step;
-  const auto steps = static_cast<std::int64_t>(std::ceil((start.energy > 0 ? 4 / std::max(1e-9, -start.velocity.y()) * contact.reach + 10 : 10) / step));
+  const auto steps = static_cast<std::int64_t>(
+      std::ceil((start.energy > 0 ? 4 / std::max(1e-9, -start.velocity.y()) * contact.reach + 10 : 10) / step));
   files.input = fmt::format(
       "# {0}: an impact of two lattices by LAMMPS; lmp -in {0}.in\n"
-      "# Repulsion acts between rim nodes, not between nodes and segments: this is another law of contact than Ricochet's.\n"
+      "# Repulsion acts between rim nodes, not between nodes and segments: this is another law of contact than "
+      "Ricochet's.\n"
       "units lj\ndimension 2\nboundary f f p\natom_style bond\nnewton on\natom_modify map array\n"
       "neighbor {1:.17g} bin\nbond_style class2\npair_style born {2:.17g}\nspecial_bonds lj 1 1 1\nread_data {0}.data\n"
       "pair_coeff * * 0 1 0 0 0\npair_coeff 2 4 {3:.17g} {4:.17g} 0 0 0\n"
@@ -69,7 +81,8 @@ LammpsFiles lammps_files(const Scene& scene, const Lattice& projectile, const La
       if (a != 2 || b != 4) files.input += fmt::format("neigh_modify exclude type {} {}\n", a, b);
   files.input += fmt::format(
       "group projectile type 1 2\ngroup free type 1 2 3 4\nfix move free nve\n"
-      "thermo 1000\nvariable vx equal vcm(projectile,x)\nvariable vy equal vcm(projectile,y)\nthermo_style custom step time etotal ke pe v_vx v_vy\nthermo_modify format float %.15g\n"
+      "thermo 1000\nvariable vx equal vcm(projectile,x)\nvariable vy equal vcm(projectile,y)\nthermo_style custom step "
+      "time etotal ke pe v_vx v_vy\nthermo_modify format float %.15g\n"
       "timestep {:.17g}\nvariable steps index {}\nrun ${{steps}}\n",
       step, steps);
   return files;

@@ -14,7 +14,8 @@ namespace ricochet {
 enum class Status { finished, energy_drift, not_finite, unstable, tunnelled, no_contact, out_of_time, not_run };
 
 inline std::string name_of(Status status) {
-  static const char* names[] = {"finished", "energy_drift", "not_finite", "unstable", "tunnelled", "no_contact", "out_of_time", "not_run"};
+  static const char* names[] = {"finished",  "energy_drift", "not_finite",  "unstable",
+                                "tunnelled", "no_contact",   "out_of_time", "not_run"};
   return names[static_cast<int>(status)];
 }
 
@@ -26,7 +27,8 @@ struct Ledger {
   double effects = 0;  ///< gained in the potentials of effects and lost to those that dissipate, since the start
 
   double total() const {
-    return projectile_translation + projectile_rotation + projectile_vibration + target_translation + target_rotation + target_vibration + contact + effects;
+    return projectile_translation + projectile_rotation + projectile_vibration + target_translation + target_rotation +
+           target_vibration + contact + effects;
   }
 };
 
@@ -54,8 +56,9 @@ struct Outcome {
     none.fill(undefined);
     return none;
   }
-  OfEffects effect_energy = no_effects();  ///< of each kind that the scene names: lost to it, or gained in its potential [m0 c^2]
-  OfEffects effect_count = no_effects();   ///< of each kind that changes springs: how many it changed
+  OfEffects effect_energy =
+      no_effects();  ///< of each kind that the scene names: lost to it, or gained in its potential [m0 c^2]
+  OfEffects effect_count = no_effects();  ///< of each kind that changes springs: how many it changed
 
   static const std::vector<std::pair<Field, std::function<double(const Outcome&)>>>& fields();
 };

@@ -9,10 +9,12 @@
 namespace ricochet {
 
 /// How many threads `asked` means; 0: as many as the machine has.
-inline std::size_t threads_of(int asked) { return asked > 0 ? static_cast<std::size_t>(asked) : std::max(1u, std::thread::hardware_concurrency()); }
+inline std::size_t threads_of(int asked) {
+  return asked > 0 ? static_cast<std::size_t>(asked) : std::max(1u, std::thread::hardware_concurrency());
+}
 
-/// Calls work(item) for every item, in order as threads become free, on `threads` threads (0: as many as the machine has). The first
-/// exception keeps further items from starting and is thrown once all threads have ended.
+/// Calls work(item) for every item, in order as threads become free, on `threads` threads (0: as many as the machine
+/// has). The first exception keeps further items from starting and is thrown once all threads have ended.
 template <class Item, class Do>
 void in_parallel(std::vector<Item>& items, int threads, Do&& work) {
   std::atomic<std::size_t> next = 0;

@@ -6,9 +6,9 @@ namespace ricochet {
 /// Momentum, angular momentum and their energies of a body, in W lanes.
 template <int W>
 struct RigidMotion {
-  Lane<W> x, y, vx, vy, omega;                    ///< centre of mass, its velocity, L / I of the body as deformed
-  Lane<W> spin;                                   ///< L / I of the body at rest: once free, it keeps its value while the body vibrates
-  Lane<W> translation, rotation;                  ///< energies [m0 c^2]
+  Lane<W> x, y, vx, vy, omega;    ///< centre of mass, its velocity, L / I of the body as deformed
+  Lane<W> spin;                   ///< L / I of the body at rest: once free, it keeps its value while the body vibrates
+  Lane<W> translation, rotation;  ///< energies [m0 c^2]
 };
 
 /// An anchored body has no rigid motion: all its energy is vibration, its centre the mean of its nodes at rest.
@@ -21,11 +21,20 @@ RigidMotion<W> rigid_motion(const Moving<W>& body) {
   motion.translation = motion.rotation = Lane<W>::Zero();
   if (lattice.anchored()) {
     const Vec2 centre = lattice.centre();
-    motion.x.setConstant(centre.x()), motion.y.setConstant(centre.y());
+    motion.x.setConstant(centre.x());
+    motion.y.setConstant(centre.y());
   } else {
     const int n = lattice.nodes();
-    for (int i = 0; i < n; ++i) motion.x += position.x(i), motion.y += position.y(i), motion.vx += body.velocity.x(i), motion.vy += body.velocity.y(i);
-    motion.x /= n, motion.y /= n, motion.vx /= n, motion.vy /= n;
+    for (int i = 0; i < n; ++i) {
+      motion.x += position.x(i);
+      motion.y += position.y(i);
+      motion.vx += body.velocity.x(i);
+      motion.vy += body.velocity.y(i);
+    }
+    motion.x /= n;
+    motion.y /= n;
+    motion.vx /= n;
+    motion.vy /= n;
     Lane<W> momentum = Lane<W>::Zero(), inertia = Lane<W>::Zero();
     for (int i = 0; i < n; ++i) {
       const Lane<W> dx = position.x(i) - motion.x, dy = position.y(i) - motion.y;

@@ -17,7 +17,8 @@ template <class Struct>
 std::string text_of(const std::string& prefix, const Struct& values) {
   std::string text;
   for (const auto& member : Struct::fields())
-    std::visit([&](auto place) { text += fmt::format("{}.{} = {}\n", prefix, member.field.name, values.*place); }, member.place);
+    std::visit([&](auto place) { text += fmt::format("{}.{} = {}\n", prefix, member.field.name, values.*place); },
+               member.place);
   return text;
 }
 
@@ -25,14 +26,23 @@ std::string text_of(const std::string& prefix, const Struct& values) {
 
 const std::vector<Member<Launch>>& Launch::fields() {
   static const std::vector<Member<Launch>> list{
-      {{"speed", "number", "c", "impact speed |v|; 0.1 unless normal_speed is given", positive, "", true}, &Launch::speed},
-      {{"psi1", "number", "", "tangent of the incident angle, v_t / v_n; 0 unless given otherwise", not_negative, "", true}, &Launch::psi1},
-      {{"angle", "number", "degrees", "incident angle from the normal, instead of psi1", {0, 90}, "", true}, &Launch::angle},
-      {{"normal_speed", "number", "c", "speed along the normal, instead of speed", positive, "", true}, &Launch::normal_speed},
-      {{"tangential_speed", "number", "c", "speed along the surface, with normal_speed", not_negative, "", true}, &Launch::tangential_speed},
+      {{"speed", "number", "c", "impact speed |v|; 0.1 unless normal_speed is given", positive, "", true},
+       &Launch::speed},
+      {{"psi1", "number", "", "tangent of the incident angle, v_t / v_n; 0 unless given otherwise", not_negative, "",
+        true},
+       &Launch::psi1},
+      {{"angle", "number", "degrees", "incident angle from the normal, instead of psi1", {0, 90}, "", true},
+       &Launch::angle},
+      {{"normal_speed", "number", "c", "speed along the normal, instead of speed", positive, "", true},
+       &Launch::normal_speed},
+      {{"tangential_speed", "number", "c", "speed along the surface, with normal_speed", not_negative, "", true},
+       &Launch::tangential_speed},
       {{"spin", "number", "c/R", "angular velocity before impact, counter-clockwise", any_number, "0"}, &Launch::spin},
-      {{"at", "number", "R", "where along x the smooth projectile would touch the smooth target", any_number, "0"}, &Launch::at},
-      {{"height", "number", "R", "starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart", any_number, "", true},
+      {{"at", "number", "R", "where along x the smooth projectile would touch the smooth target", any_number, "0"},
+       &Launch::at},
+      {{"height", "number", "R",
+        "starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart", any_number, "",
+        true},
        &Launch::height},
   };
   return list;
@@ -66,17 +76,43 @@ const std::vector<Member<Integration>>& Integration::fields() {
     return names;
   }();
   static const std::vector<Member<Integration>> list{
-      {{"method", "string", "", "integrator; auto is pefrl, or the cheapest one for `accuracy`", any_number, "auto", false, choices}, &Integration::method},
-      {{"step", "number", "R/c", "time step; chosen from the stiffest node and the contact's onset unless given", positive, "", true}, &Integration::step},
-      {{"theta", "number", "", "time step times the bound of the highest frequency of this scene's lattices, instead of a step: equal for lattices of one kind", positive, "", true},
+      {{"method", "string", "", "integrator; auto is pefrl, or the cheapest one for `accuracy`", any_number, "auto",
+        false, choices},
+       &Integration::method},
+      {{"step", "number", "R/c", "time step; chosen from the stiffest node and the contact's onset unless given",
+        positive, "", true},
+       &Integration::step},
+      {{"theta", "number", "",
+        "time step times the bound of the highest frequency of this scene's lattices, instead of a step: equal for "
+        "lattices of one kind",
+        positive, "", true},
        &Integration::theta},
-      {{"accuracy", "number", "", "wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs", {1e-12, 0.1}, "", true},
+      {{"accuracy",
+        "number",
+        "",
+        "wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs",
+        {1e-12, 0.1},
+        "",
+        true},
        &Integration::accuracy},
-      {{"accuracy_of", "string", "", "the outcome that accuracy is about", any_number, "e", false, {"e", "beta", "mu", "psi2", "vn", "vt", "omega"}},
+      {{"accuracy_of",
+        "string",
+        "",
+        "the outcome that accuracy is about",
+        any_number,
+        "e",
+        false,
+        {"e", "beta", "mu", "psi2", "vn", "vt", "omega"}},
        &Integration::accuracy_of},
-      {{"time_limit", "number", "R/c", "an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given", positive, "", true},
+      {{"time_limit", "number", "R/c",
+        "an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given", positive, "", true},
        &Integration::time_limit},
-      {{"energy_tolerance", "number", "", "an impact whose total energy strays further, relative to its start, ends energy_drift", {1e-13, std::numeric_limits<double>::infinity()}, "0.01"},
+      {{"energy_tolerance",
+        "number",
+        "",
+        "an impact whose total energy strays further, relative to its start, ends energy_drift",
+        {1e-13, std::numeric_limits<double>::infinity()},
+        "0.01"},
        &Integration::energy_tolerance},
   };
   return list;
@@ -97,22 +133,28 @@ const Method& Scene::method() const {
 std::string Scene::conflict_with(const Method& method) const {
   for (const Effect& effect : effects) {
     const char* name = std::visit([]<class E>(const E&) { return E::name; }, effect);
-    if (is_split(effect) && method.outcome_order > 2) return fmt::format("{} of order {} would fall to order {} beside {}; give verlet or leave method out", method.name, method.outcome_order, order_beside(effect), name);
-    if (method.multirate()) return fmt::format("{} cannot hold {} beside the target's long steps; give verlet or leave method out", method.name, name);
+    if (is_split(effect) && method.outcome_order > 2)
+      return fmt::format("{} of order {} would fall to order {} beside {}; give verlet or leave method out",
+                         method.name, method.outcome_order, order_beside(effect), name);
+    if (method.multirate())
+      return fmt::format("{} cannot hold {} beside the target's long steps; give verlet or leave method out",
+                         method.name, name);
   }
   return "";
 }
 
 std::string Scene::text() const {
-  return fmt::format("projectile {} ka {}\ntarget {} ka {}\n", projectile->geometry_text(), projectile->numbers.stiffness, target->geometry_text(),
-                     target->numbers.stiffness) +
-         text_of("launch", launch) + text_of("contact", contact) + text_of("integration", integration) + (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects));
+  return fmt::format("projectile {} ka {}\ntarget {} ka {}\n", projectile->geometry_text(),
+                     projectile->numbers.stiffness, target->geometry_text(), target->numbers.stiffness) +
+         text_of("launch", launch) + text_of("contact", contact) + text_of("integration", integration) +
+         (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects));
 }
 
 std::string Scene::hash() const { return hash_text(text()); }
 
 std::string Scene::group() const {
-  return projectile->geometry_text() + "\n" + target->geometry_text() + "\n" + integration.method + "\n" + batch_text_of(effects);
+  return projectile->geometry_text() + "\n" + target->geometry_text() + "\n" + integration.method + "\n" +
+         batch_text_of(effects);
 }
 
 }  // namespace ricochet

@@ -1,5 +1,6 @@
 #pragma once
-// A scene: everything that fixes one impact. Plain data with a canonical text; equal texts give equal outcomes, bit for bit.
+// A scene: everything that fixes one impact. Plain data with a canonical text; equal texts give equal outcomes, bit for
+// bit.
 
 #include <limits>
 #include <memory>
@@ -14,8 +15,8 @@ namespace ricochet {
 
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
-/// How the projectile comes in. The normal is +y: it falls along -y and moves along +x. Either `speed` with `psi1` or `angle`,
-/// or `normal_speed` with `tangential_speed`.
+/// How the projectile comes in. The normal is +y: it falls along -y and moves along +x. Either `speed` with `psi1` or
+/// `angle`, or `normal_speed` with `tangential_speed`.
 struct Launch {
   double speed = not_given;
   double psi1 = not_given;
@@ -52,9 +53,11 @@ struct Scene {
   ExponentialRepulsion contact;
   Integration integration;
   std::vector<Effect> effects;  ///< what acts beside springs and contact
-  double error_estimate = not_given;  ///< of integration.accuracy_of, if its step was chosen for an accuracy; no part of the text
+  double error_estimate =
+      not_given;  ///< of integration.accuracy_of, if its step was chosen for an accuracy; no part of the text
 
-  /// The method named, or the one that `auto` stands for: verlet beside effects that are split off the step, pefrl else.
+  /// The method named, or the one that `auto` stands for: verlet beside effects that are split off the step, pefrl
+  /// else.
   const Method& method() const;
   /// Why a method cannot be used beside the effects of the scene; empty if it can.
   std::string conflict_with(const Method& method) const;

@@ -18,7 +18,8 @@ const int SweepOptions::lanes_at_most = lanes;
 
 namespace {
 
-// Results are handed over when so many have ended, or so much time has passed: seldom enough to cost nothing, often enough to lose little.
+// Results are handed over when so many have ended, or so much time has passed: seldom enough to cost nothing, often
+// enough to lose little.
 constexpr std::size_t most_kept = 16;
 constexpr double longest_kept = 1;  // [s]
 
@@ -26,7 +27,8 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
 
-/// Scenes that share lattices. The lattices are built by the first thread that comes and dropped by the last that leaves.
+/// Scenes that share lattices. The lattices are built by the first thread that comes and dropped by the last that
+/// leaves.
 struct Group {
   explicit Group(std::vector<std::size_t> of) : scenes(of), queue(std::move(of)) {}
   std::vector<std::size_t> scenes;
@@ -48,9 +50,11 @@ std::vector<std::unique_ptr<Group>> groups_of(const std::vector<Scene>& scenes, 
   // The longest first, as far as sizes tell: the last one to end should be a short one.
   const auto duration = [&](const std::vector<std::size_t>& of) {
     const Scene& scene = scenes[of.front()];
-    return static_cast<double>(of.size()) * std::pow(scene.projectile->numbers.nodes + scene.target->numbers.nodes, 1.5);
+    return static_cast<double>(of.size()) *
+           std::pow(scene.projectile->numbers.nodes + scene.target->numbers.nodes, 1.5);
   };
-  std::stable_sort(members.begin(), members.end(), [&](const auto& a, const auto& b) { return duration(a) > duration(b); });
+  std::stable_sort(members.begin(), members.end(),
+                   [&](const auto& a, const auto& b) { return duration(a) > duration(b); });
   std::vector<std::unique_ptr<Group>> groups;
   for (auto& of : members) groups.push_back(std::make_unique<Group>(std::move(of)));
   return groups;
@@ -77,7 +81,8 @@ class Schedule {
   Group* join() {
     const std::lock_guard lock(mutex_);
     Group* group = nullptr;
-    if (begun_ < groups_.size()) group = groups_[begun_++].get();
+    if (begun_ < groups_.size())
+      group = groups_[begun_++].get();
     else
       for (auto& other : groups_)
         if (other->queue.left() > (group ? group->queue.left() : 0)) group = other.get();
@@ -86,7 +91,10 @@ class Schedule {
   }
   void leave(Group& group) {
     const std::lock_guard lock(mutex_);
-    if (--group.threads == 0 && group.queue.left() == 0) group.projectile.reset(), group.target.reset();
+    if (--group.threads == 0 && group.queue.left() == 0) {
+      group.projectile.reset();
+      group.target.reset();
+    }
   }
   /// Nothing more is begun.
   void close() {
@@ -103,8 +111,9 @@ class Schedule {
 
 }  // namespace
 
-bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, const SweepOptions& options, const std::atomic<bool>& stop,
-               const std::function<void(const std::vector<Result>&)>& some_done, SweepUse* use) {
+bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, const SweepOptions& options,
+               const std::atomic<bool>& stop, const std::function<void(const std::vector<Result>&)>& some_done,
+               SweepUse* use) {
   Schedule schedule(groups_of(scenes, todo));
   std::mutex done;
   LaneUse lane_use;
@@ -112,8 +121,10 @@ bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, 
   const auto began = Clock::now();
   std::vector<int> threads(threads_of(options.threads));
   // Few scenes are spread over the threads rather than over the lanes of one.
-  const std::size_t scenes_a_thread = (static_cast<std::size_t>(std::count(todo.begin(), todo.end(), true)) + threads.size() - 1) / threads.size();
-  const int width = static_cast<int>(std::min(static_cast<std::size_t>(options.batch), std::max<std::size_t>(1, scenes_a_thread)));
+  const std::size_t scenes_a_thread =
+      (static_cast<std::size_t>(std::count(todo.begin(), todo.end(), true)) + threads.size() - 1) / threads.size();
+  const int width =
+      static_cast<int>(std::min(static_cast<std::size_t>(options.batch), std::max<std::size_t>(1, scenes_a_thread)));
   in_parallel(threads, options.threads, [&](int) {
     const auto thread_began = Clock::now();
     LaneUse own_use;
@@ -123,17 +134,19 @@ bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, 
       if (results.empty()) return;
       const std::lock_guard lock(done);
       some_done(results);
-      results.clear(), handed_over = Clock::now();
+      results.clear();
+      handed_over = Clock::now();
     };
     try {
       while (Group* group = stop ? nullptr : schedule.join()) {
         build(*group, scenes);
-        run_queue(*group->projectile, *group->target, scenes, group->queue, width, stop,
-                  [&](std::size_t i, const Outcome& outcome, double seconds) {
-                    results.push_back({i, outcome, seconds});
-                    if (results.size() >= most_kept || seconds_since(handed_over) > longest_kept) hand_over();
-                  },
-                  own_use);
+        run_queue(
+            *group->projectile, *group->target, scenes, group->queue, width, stop,
+            [&](std::size_t i, const Outcome& outcome, double seconds) {
+              results.push_back({i, outcome, seconds});
+              if (results.size() >= most_kept || seconds_since(handed_over) > longest_kept) hand_over();
+            },
+            own_use);
         schedule.leave(*group);
       }
       hand_over();
@@ -146,17 +159,22 @@ bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, 
       throw;
     }
     const std::lock_guard lock(done);
-    worked += seconds_since(thread_began), lane_use.steps += own_use.steps, lane_use.busy += own_use.busy;
+    worked += seconds_since(thread_began);
+    lane_use.steps += own_use.steps;
+    lane_use.busy += own_use.busy;
   });
   if (use) {
-    use->seconds = seconds_since(began), use->threads = static_cast<int>(threads.size());
+    use->seconds = seconds_since(began);
+    use->threads = static_cast<int>(threads.size());
     use->idle_threads = 1 - worked / (use->seconds * use->threads);
-    use->idle_lanes = lane_use.steps > 0 ? 1 - static_cast<double>(lane_use.busy) / static_cast<double>(lane_use.steps) : 0;
+    use->idle_lanes =
+        lane_use.steps > 0 ? 1 - static_cast<double>(lane_use.busy) / static_cast<double>(lane_use.steps) : 0;
   }
   return !stop;
 }
 
-void check_scenes(const std::vector<Scene>& scenes, const std::vector<bool>& which, const SweepOptions& options, const std::atomic<bool>& stop) {
+void check_scenes(const std::vector<Scene>& scenes, const std::vector<bool>& which, const SweepOptions& options,
+                  const std::atomic<bool>& stop) {
   auto groups = groups_of(scenes, which);
   in_parallel(groups, options.threads, [&](std::unique_ptr<Group>& group) {
     if (stop) return;
@@ -166,7 +184,8 @@ void check_scenes(const std::vector<Scene>& scenes, const std::vector<bool>& whi
       } catch (const FieldError& error) {
         throw SceneError(error, i);
       }
-    group->projectile.reset(), group->target.reset();
+    group->projectile.reset();
+    group->target.reset();
   });
 }
 

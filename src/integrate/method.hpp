@@ -5,35 +5,38 @@
 
 namespace ricochet {
 
-/// One force evaluation of a step and what follows it: v += kick h F/m; x += drift h v. With a gradient, the force is that at
-/// x + gradient h^2 F(x)/m, which takes a second evaluation and no derivative of F.
+/// One force evaluation of a step and what follows it: v += kick h F/m; x += drift h v. With a gradient, the force is
+/// that at x + gradient h^2 F(x)/m, which takes a second evaluation and no derivative of F.
 struct Stage {
   double kick, drift, gradient = 0;
 };
 
-/// An explicit Runge-Kutta method for (x, v): X_i = x + h sum_j a_ij V_j, V_i = v + h sum_j a_ij F(X_j)/m, and the same with b.
+/// An explicit Runge-Kutta method for (x, v): X_i = x + h sum_j a_ij V_j, V_i = v + h sum_j a_ij F(X_j)/m, and the same
+/// with b.
 struct Tableau {
   std::vector<std::vector<double>> a;  ///< [stage][earlier stage]
   std::vector<double> b;               ///< [stage]
 };
 
-/// A symplectic composition, or a Runge-Kutta method to hold it against (then `stages` is empty). A run stays ahead of the ends of its steps by one kick (`ahead_kick`, 0 for methods that begin with a
-/// drift) and one drift, so that the last part of a step and the first of the next are one. Coefficients only; the one loop is in
-/// compose.hpp.
+/// A symplectic composition, or a Runge-Kutta method to hold it against (then `stages` is empty). A run stays ahead of
+/// the ends of its steps by one kick (`ahead_kick`, 0 for methods that begin with a drift) and one drift, so that the
+/// last part of a step and the first of the next are one. Coefficients only; the one loop is in compose.hpp.
 struct Method {
   std::string name;
   std::string source;
   int order;
   double stability_limit;  ///< largest h omega of a harmonic oscillator; strict: bounded everywhere below
-  double usual;            ///< h omega of the default step, at which e is accurate to about 1e-4 (scripts/what_accuracy_costs.lua)
+  double
+      usual;  ///< h omega of the default step, at which e is accurate to about 1e-4 (scripts/what_accuracy_costs.lua)
   double ahead_kick, ahead_drift;
   std::vector<Stage> stages;
 
   /// At which e, v and spin converge; above `order` for a method that is conjugate to a better one.
   int outcome_order = order;
 
-  /// Above 0 for a multirate method: the target's springs kick once a step, while `stages` move the projectile, the contact and
-  /// the target's rim. Largest h omega of the target at which it is of use: errors grow by the fourth power, and leap beyond.
+  /// Above 0 for a multirate method: the target's springs kick once a step, while `stages` move the projectile, the
+  /// contact and the target's rim. Largest h omega of the target at which it is of use: errors grow by the fourth
+  /// power, and leap beyond.
   double slow_limit = 0;
   bool multirate() const { return slow_limit > 0; }
 

@@ -13,8 +13,9 @@ struct FrequencyBound {
   int node;      ///< the node that sets it
 };
 
-/// omega^2 <= 2 max_i lambda_max(K_ii) / m with K_ii = sum of k n n^T (prestressed: and |T|/r (1 - n n^T)) over the springs of node i: for a network whose every
-/// spring joins two nodes, K <= 2 blockdiag(K_ii) as a quadratic form, because k (n.(u_i - u_j))^2 <= 2k (n.u_i)^2 + 2k (n.u_j)^2. [here]
+/// omega^2 <= 2 max_i lambda_max(K_ii) / m with K_ii = sum of k n n^T (prestressed: and |T|/r (1 - n n^T)) over the
+/// springs of node i: for a network whose every spring joins two nodes, K <= 2 blockdiag(K_ii) as a quadratic form,
+/// because k (n.(u_i - u_j))^2 <= 2k (n.u_i)^2 + 2k (n.u_j)^2. [here]
 FrequencyBound frequency_bound(const Lattice& lattice, double stiffness);
 
 /// A bound of the highest frequency in W lanes.
@@ -25,7 +26,8 @@ struct SquaredBounds {
 };
 
 /// The largest 2 lambda_max(K_ii) / m over the free nodes as the springs are stretched now: K_ii is the sum of
-/// T'(x) n n^T + (|T|/r) (1 - n n^T). The half list gives a spring's block to both its ends. rest(s, x): what is left of spring s at a stretch x.
+/// T'(x) n n^T + (|T|/r) (1 - n n^T). The half list gives a spring's block to both its ends. rest(s, x): what is left
+/// of spring s at a stretch x.
 template <int W, class Rest>
 SquaredBounds<W> squared_frequency_bound(const Moving<W>& body, Rest&& rest) {
   const Lattice& lattice = *body.lattice;
@@ -37,7 +39,8 @@ SquaredBounds<W> squared_frequency_bound(const Moving<W>& body, Rest&& rest) {
   for (int i = 0; i < lattice.free; ++i)
     for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
       const Spring spring = lattice.spring[s];
-      const Lane<W> dx = body.position.x(spring.other) - body.position.x(i), dy = body.position.y(spring.other) - body.position.y(i);
+      const Lane<W> dx = body.position.x(spring.other) - body.position.x(i),
+                    dy = body.position.y(spring.other) - body.position.y(i);
       const Lane<W> r = (dx * dx + dy * dy).sqrt();
       const SpringRest<Lane<W>> left = rest(s, Lane<W>(r - spring.length));
       const Lane<W>& x = left.elastic;
@@ -46,7 +49,9 @@ SquaredBounds<W> squared_frequency_bound(const Moving<W>& body, Rest&& rest) {
       const Lane<W> nx = dx / r, ny = dy / r, more = along - across;
       for (const int node : {i, spring.other}) {
         Block& b = blocks[node];
-        b.xx += across + more * nx * nx, b.xy += more * nx * ny, b.yy += across + more * ny * ny;
+        b.xx += across + more * nx * nx;
+        b.xy += more * nx * ny;
+        b.yy += across + more * ny * ny;
       }
     }
   SquaredBounds<W> largest;
@@ -55,7 +60,10 @@ SquaredBounds<W> squared_frequency_bound(const Moving<W>& body, Rest&& rest) {
     const Lane<W> half = (b.xx - b.yy) / 2;
     const Lane<W> eigenvalue = (b.xx + b.yy) / 2 + (half * half + b.xy * b.xy).sqrt();
     for (int lane = 0; lane < W; ++lane)
-      if (eigenvalue[lane] > largest.omega2[lane]) largest.omega2[lane] = eigenvalue[lane], largest.node[static_cast<std::size_t>(lane)] = i;
+      if (eigenvalue[lane] > largest.omega2[lane]) {
+        largest.omega2[lane] = eigenvalue[lane];
+        largest.node[static_cast<std::size_t>(lane)] = i;
+      }
   }
   largest.omega2 *= 2 / lattice.mass * body.stiffness;
   return largest;

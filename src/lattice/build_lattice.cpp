@@ -35,7 +35,8 @@ std::shared_ptr<const Lattice> build_lattice(const Body& body) {
 
   // Reverse Cuthill-McKee order, free nodes before anchored ones.
   std::vector<int> order = reverse_cuthill_mckee(static_cast<int>(plan.points.size()), edges);
-  const auto anchors = std::stable_partition(order.begin(), order.end(), [&](int i) { return !held(static_cast<std::size_t>(i)); });
+  const auto anchors =
+      std::stable_partition(order.begin(), order.end(), [&](int i) { return !held(static_cast<std::size_t>(i)); });
   std::vector<int> number(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) number[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
 
@@ -48,7 +49,8 @@ std::shared_ptr<const Lattice> build_lattice(const Body& body) {
   lattice->smooth_rim = plan.smooth_rim;
   for (int i = 0; i < plan.rim; ++i) lattice->rim.push_back(number[static_cast<std::size_t>(i)]);
   for (const Triangle& t : triangles)
-    lattice->triangles.push_back({number[static_cast<std::size_t>(t[0])], number[static_cast<std::size_t>(t[1])], number[static_cast<std::size_t>(t[2])]});
+    lattice->triangles.push_back({number[static_cast<std::size_t>(t[0])], number[static_cast<std::size_t>(t[1])],
+                                  number[static_cast<std::size_t>(t[2])]});
 
   struct Edge {
     int low, high;
@@ -59,13 +61,17 @@ std::shared_ptr<const Lattice> build_lattice(const Body& body) {
   for (const auto& [a, b] : edges) {
     const auto [low, high] = std::minmax(number[static_cast<std::size_t>(a)], number[static_cast<std::size_t>(b)]);
     // The stiffness of a place is that at the middle of its ends' values, relative to the body's number.
-    const double stiffness = body.node_stiffness.empty()
-                                 ? 1.0
-                                 : (body.node_stiffness[static_cast<std::size_t>(a)] + body.node_stiffness[static_cast<std::size_t>(b)]) / 2 / body.numbers.stiffness;
-    const bool on_rim = b < plan.rim && (b - a == 1 || b - a == plan.rim - 1);  // edges are pairs a < b, the rim's nodes come first
+    const double stiffness =
+        body.node_stiffness.empty()
+            ? 1.0
+            : (body.node_stiffness[static_cast<std::size_t>(a)] + body.node_stiffness[static_cast<std::size_t>(b)]) /
+                  2 / body.numbers.stiffness;
+    const bool on_rim =
+        b < plan.rim && (b - a == 1 || b - a == plan.rim - 1);  // edges are pairs a < b, the rim's nodes come first
     springs.push_back({low, high, on_rim, stiffness});
   }
-  std::sort(springs.begin(), springs.end(), [](const Edge& a, const Edge& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
+  std::sort(springs.begin(), springs.end(),
+            [](const Edge& a, const Edge& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
   lattice->first.assign(plan.points.size() + 1, 0);
   for (const Edge& e : springs) {
     lattice->edges.push_back({e.low, e.high});
@@ -77,11 +83,16 @@ std::shared_ptr<const Lattice> build_lattice(const Body& body) {
   for (std::size_t i = 0; i + 1 < lattice->first.size(); ++i) lattice->first[i + 1] += lattice->first[i];
   if (body.numbers.prestress > 0) {
     Random random(static_cast<std::uint64_t>(body.numbers.seed), prestress_stream);
-    for (std::size_t s = 0; s < lattice->spring.size(); ++s) lattice->spring.set_length(s, lattice->spring[s].length * std::max(0.1, 1 + body.numbers.prestress * random.normal()));
+    for (std::size_t s = 0; s < lattice->spring.size(); ++s)
+      lattice->spring.set_length(
+          s, lattice->spring[s].length * std::max(0.1, 1 + body.numbers.prestress * random.normal()));
     try {
       relax(*lattice);
     } catch (const Error& error) {
-      throw FieldError("prestress", fmt::format("{} is too much for this lattice ({} nodes, seed {}): {}; lower it or take another seed", body.numbers.prestress, body.numbers.nodes, body.numbers.seed, error.what()));
+      throw FieldError(
+          "prestress",
+          fmt::format("{} is too much for this lattice ({} nodes, seed {}): {}; lower it or take another seed",
+                      body.numbers.prestress, body.numbers.nodes, body.numbers.seed, error.what()));
     }
     for (int i = 0; i < lattice->free; ++i)
       for (int s = lattice->first[i]; s < lattice->first[i + 1]; ++s) {

@@ -15,7 +15,10 @@ std::size_t number_from(int start, const Graph& graph, std::vector<bool>& seen, 
   seen[static_cast<std::size_t>(start)] = true;
   for (std::size_t next = first; next < order.size(); ++next)
     for (const int neighbour : graph[static_cast<std::size_t>(order[next])])
-      if (!seen[static_cast<std::size_t>(neighbour)]) seen[static_cast<std::size_t>(neighbour)] = true, order.push_back(neighbour);
+      if (!seen[static_cast<std::size_t>(neighbour)]) {
+        seen[static_cast<std::size_t>(neighbour)] = true;
+        order.push_back(neighbour);
+      }
   return order.size() - first;
 }
 
@@ -23,9 +26,13 @@ std::size_t number_from(int start, const Graph& graph, std::vector<bool>& seen, 
 
 std::vector<int> reverse_cuthill_mckee(int nodes, const std::vector<std::pair<int, int>>& edges) {
   Graph graph(static_cast<std::size_t>(nodes));
-  for (const auto& [a, b] : edges) graph[static_cast<std::size_t>(a)].push_back(b), graph[static_cast<std::size_t>(b)].push_back(a);
+  for (const auto& [a, b] : edges) {
+    graph[static_cast<std::size_t>(a)].push_back(b);
+    graph[static_cast<std::size_t>(b)].push_back(a);
+  }
   const auto by_degree = [&](int a, int b) {
-    return std::pair(graph[static_cast<std::size_t>(a)].size(), a) < std::pair(graph[static_cast<std::size_t>(b)].size(), b);
+    return std::pair(graph[static_cast<std::size_t>(a)].size(), a) <
+           std::pair(graph[static_cast<std::size_t>(b)].size(), b);
   };
   for (auto& neighbours : graph) std::sort(neighbours.begin(), neighbours.end(), by_degree);
 

@@ -6,7 +6,8 @@
 namespace ricochet {
 namespace {
 
-// Twice the area of the triangle a, b, c. Its sign is all that is used; points within rounding of a line count as on it.
+// Twice the area of the triangle a, b, c. Its sign is all that is used; points within rounding of a line count as on
+// it.
 double orientation(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
 
 bool on_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
@@ -44,19 +45,20 @@ bool is_simple(const Points& outline) {
     const Vec2 &a = tree.from(i), &b = tree.to(i);
     if (a == b) return false;
     bool meets = false;
-    tree.search(
-        [&](const Vec2& low, const Vec2& high) { return !meets && boxes_meet(a.cwiseMin(b), a.cwiseMax(b), low, high); },
-        [&](std::size_t j) {
-          if (j <= i) return;  // each pair once
-          const Vec2 &c = tree.from(j), &d = tree.to(j);
-          const bool next = j == i + 1, previous = (j + 1) % n == i;
-          if (next || previous) {  // neighbours: only a fold back onto each other is wrong
-            const Vec2 &corner = next ? b : a, &before = next ? a : b, &after = next ? d : c;
-            if (orientation(before, corner, after) == 0 && (before - corner).dot(after - corner) > 0) meets = true;
-          } else if (segments_meet(a, b, c, d)) {
-            meets = true;
-          }
-        });
+    tree.search([&](const Vec2& low,
+                    const Vec2& high) { return !meets && boxes_meet(a.cwiseMin(b), a.cwiseMax(b), low, high); },
+                [&](std::size_t j) {
+                  if (j <= i) return;  // each pair once
+                  const Vec2 &c = tree.from(j), &d = tree.to(j);
+                  const bool next = j == i + 1, previous = (j + 1) % n == i;
+                  if (next || previous) {  // neighbours: only a fold back onto each other is wrong
+                    const Vec2 &corner = next ? b : a, &before = next ? a : b, &after = next ? d : c;
+                    if (orientation(before, corner, after) == 0 && (before - corner).dot(after - corner) > 0)
+                      meets = true;
+                  } else if (segments_meet(a, b, c, d)) {
+                    meets = true;
+                  }
+                });
     if (meets) return false;
   }
   return true;
@@ -64,11 +66,13 @@ bool is_simple(const Points& outline) {
 
 bool contains(const ChainTree& outline, const Vec2& p) {
   bool inside = false;
-  outline.search([&](const Vec2& low, const Vec2& high) { return low.y() <= p.y() && p.y() <= high.y() && p.x() <= high.x(); },
-                 [&](std::size_t s) {
-                   const Vec2 &a = outline.to(s), &b = outline.from(s);
-                   if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) inside = !inside;
-                 });
+  outline.search(
+      [&](const Vec2& low, const Vec2& high) { return low.y() <= p.y() && p.y() <= high.y() && p.x() <= high.x(); },
+      [&](std::size_t s) {
+        const Vec2 &a = outline.to(s), &b = outline.from(s);
+        if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
+          inside = !inside;
+      });
   return inside;
 }
 
@@ -76,7 +80,8 @@ bool outlines_overlap(const ChainTree& a, const ChainTree& b) {
   bool meets = false;
   for (std::size_t i = 0; i < a.size() && !meets; ++i) {
     const Vec2 &p = a.from(i), &q = a.to(i);
-    b.search([&](const Vec2& low, const Vec2& high) { return !meets && boxes_meet(p.cwiseMin(q), p.cwiseMax(q), low, high); },
+    b.search([&](const Vec2& low,
+                 const Vec2& high) { return !meets && boxes_meet(p.cwiseMin(q), p.cwiseMax(q), low, high); },
              [&](std::size_t s) { meets = meets || segments_meet(p, q, b.from(s), b.to(s)); });
   }
   return meets || contains(a, b.from(0)) || contains(b, a.from(0));
@@ -87,7 +92,8 @@ Points resample(const Points& outline, double spacing) {
   const double cos_turn = std::sqrt(3.0) / 2;  // 30 degrees
   std::vector<std::size_t> corners;
   for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 in = (outline[i] - outline[(i + n - 1) % n]).normalized(), out = (outline[(i + 1) % n] - outline[i]).normalized();
+    const Vec2 in = (outline[i] - outline[(i + n - 1) % n]).normalized(),
+               out = (outline[(i + 1) % n] - outline[i]).normalized();
     if (in.dot(out) < cos_turn) corners.push_back(i);
   }
   const bool smooth = corners.empty();
@@ -97,7 +103,8 @@ Points resample(const Points& outline, double spacing) {
   for (std::size_t c = 0; c < corners.size(); ++c) {
     const std::size_t first = corners[c], last = c + 1 < corners.size() ? corners[c + 1] : corners[0] + n;
     std::vector<double> arc{0};  // arc length from `first` to each point of this stretch
-    for (std::size_t i = first; i < last; ++i) arc.push_back(arc.back() + (outline[(i + 1) % n] - outline[i % n]).norm());
+    for (std::size_t i = first; i < last; ++i)
+      arc.push_back(arc.back() + (outline[(i + 1) % n] - outline[i % n]).norm());
     const int least = smooth ? 3 : 1;
     const int pieces = std::max(least, static_cast<int>(std::lround(arc.back() / spacing)));
     std::size_t edge = 0;
@@ -115,7 +122,8 @@ Points outward_normals(const Points& outline) {
   const std::size_t n = outline.size();
   Points normals(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 in = (outline[i] - outline[(i + n - 1) % n]).normalized(), out = (outline[(i + 1) % n] - outline[i]).normalized();
+    const Vec2 in = (outline[i] - outline[(i + n - 1) % n]).normalized(),
+               out = (outline[(i + 1) % n] - outline[i]).normalized();
     normals[i] = -perpendicular(in + out).normalized();
   }
   return normals;

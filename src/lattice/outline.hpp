@@ -20,7 +20,8 @@ bool contains(const ChainTree& outline, const Vec2& point);
 bool outlines_overlap(const ChainTree& a, const ChainTree& b);
 
 /// Points along the outline, `spacing` apart as nearly as an even division allows. Corners (a turn of more than 30
-/// degrees) keep their place; between corners, and around an outline that has none, the points are evenly spaced by arc length.
+/// degrees) keep their place; between corners, and around an outline that has none, the points are evenly spaced by arc
+/// length.
 Points resample(const Points& outline, double spacing);
 
 /// Outward unit normal at each point of a counter-clockwise outline: the direction of the mean of both edges' normals.

@@ -18,7 +18,10 @@ struct Box {
 
 Box bounding_box(const Points& points) {
   Box box{points.front(), points.front()};
-  for (const Vec2& p : points) box.low = box.low.cwiseMin(p), box.high = box.high.cwiseMax(p);
+  for (const Vec2& p : points) {
+    box.low = box.low.cwiseMin(p);
+    box.high = box.high.cwiseMax(p);
+  }
   return box;
 }
 
@@ -29,7 +32,8 @@ class Inside {
     height_ = (box_.high.y() - box_.low.y()) / static_cast<double>(strips_.size());
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
-      for (std::size_t s = strip(std::min(a.y(), b.y())); s <= strip(std::max(a.y(), b.y())); ++s) strips_[s].push_back(i);
+      for (std::size_t s = strip(std::min(a.y(), b.y())); s <= strip(std::max(a.y(), b.y())); ++s)
+        strips_[s].push_back(i);
     }
   }
 
@@ -40,7 +44,8 @@ class Inside {
     return inside;
   }
 
-  /// Where the outline crosses the height y, from left to right: a line at y is inside from the first to the second, and so on.
+  /// Where the outline crosses the height y, from left to right: a line at y is inside from the first to the second,
+  /// and so on.
   std::vector<double> crossings(double y) const {
     std::vector<double> xs;
     if (y < box_.low.y() || y > box_.high.y()) return xs;
@@ -77,7 +82,8 @@ Vec2 draw(const Box& box, Random& random) {
   return {x, random.uniform(box.low.y(), box.high.y())};
 }
 
-/// A grid over a box that answers whether a point in it has a neighbour nearer than `distance`, which must not be above the first one given.
+/// A grid over a box that answers whether a point in it has a neighbour nearer than `distance`, which must not be above
+/// the first one given.
 class Neighbours {
  public:
   Neighbours(const Box& box, double distance) : low_(box.low), cell_(distance) {
@@ -87,12 +93,19 @@ class Neighbours {
   }
   void add(const Vec2& p) {
     Member& first = cells_[static_cast<std::size_t>(cell(p))];
-    if (std::isnan(first.x)) first.x = p.x(), first.y = p.y();
-    else more_.push_back({p.x(), p.y(), first.next}), first.next = static_cast<std::int32_t>(more_.size() - 1);
+    if (std::isnan(first.x)) {
+      first.x = p.x();
+      first.y = p.y();
+    } else {
+      more_.push_back({p.x(), p.y(), first.next});
+      first.next = static_cast<std::int32_t>(more_.size() - 1);
+    }
   }
   bool any_nearer(const Vec2& p, double distance) const {
     const double square = distance * distance;
-    const auto nearer = [&](const Member& m) { return (p.x() - m.x) * (p.x() - m.x) + (p.y() - m.y) * (p.y() - m.y) < square; };
+    const auto nearer = [&](const Member& m) {
+      return (p.x() - m.x) * (p.x() - m.x) + (p.y() - m.y) * (p.y() - m.y) < square;
+    };
     for (std::int64_t row = cell(p) - columns_ - 1, last = row + 2 * columns_; row <= last; row += columns_)
       for (std::int64_t c = row; c < row + 3; ++c) {
         const Member* m = &cells_[static_cast<std::size_t>(c)];
@@ -112,7 +125,8 @@ class Neighbours {
   };
 
   std::int64_t cell(const Vec2& p) const {
-    return (static_cast<std::int64_t>((p.y() - low_.y()) / cell_) + 1) * columns_ + static_cast<std::int64_t>((p.x() - low_.x()) / cell_) + 1;
+    return (static_cast<std::int64_t>((p.y() - low_.y()) / cell_) + 1) * columns_ +
+           static_cast<std::int64_t>((p.x() - low_.x()) / cell_) + 1;
   }
 
   Vec2 low_;
@@ -121,25 +135,32 @@ class Neighbours {
   std::vector<Member> cells_, more_;  // cells_: [row][column]
 };
 
-/// Squares of an outline's box that lie wholly inside and wholly nearer than some distance to a point: darts at a nearly full surface mostly
-/// fall there, and one bit tells. Another tells of most darts whether they are inside at all.
+/// Squares of an outline's box that lie wholly inside and wholly nearer than some distance to a point: darts at a
+/// nearly full surface mostly fall there, and one bit tells. Another tells of most darts whether they are inside at
+/// all.
 class Covered {
  public:
   Covered(const Points& outline, const Inside& inside, double side) : low_(inside.box().low), side_(side) {
     const Vec2 size = (inside.box().high - low_) / side_;
-    columns_ = static_cast<std::int64_t>(size.x()) + 1, rows_ = static_cast<std::int64_t>(size.y()) + 1;
+    columns_ = static_cast<std::int64_t>(size.x()) + 1;
+    rows_ = static_cast<std::int64_t>(size.y()) + 1;
     covered_.resize(static_cast<std::size_t>(columns_ * rows_ / 64 + 1));
     inside_ = divided_ = covered_;
     for (std::int64_t j = 0; j < rows_; ++j) {
       const std::vector<double> xs = inside.crossings(low_.y() + side_ * (static_cast<double>(j) + 0.5));
       for (std::size_t k = 0; k + 1 < xs.size(); k += 2)
-        for (std::int64_t i = column(Vec2(xs[k], 0)), last = column(Vec2(xs[k + 1], 0)); i <= last; ++i) set(inside_, j * columns_ + i);
+        for (std::int64_t i = column(Vec2(xs[k], 0)), last = column(Vec2(xs[k + 1], 0)); i <= last; ++i)
+          set(inside_, j * columns_ + i);
     }
     // An edge divides only squares that its stretches of less than a side reach.
     for (std::size_t k = 0; k < outline.size(); ++k) {
       const Vec2 &a = outline[k], edge = outline[(k + 1) % outline.size()] - a;
       const int pieces = static_cast<int>(edge.norm() / side_) + 1;
-      for (int piece = 0; piece <= pieces; ++piece) around(a + edge * piece / pieces, 1, [&](std::int64_t square) { unset(inside_, square), set(divided_, square); });
+      for (int piece = 0; piece <= pieces; ++piece)
+        around(a + edge * piece / pieces, 1, [&](std::int64_t square) {
+          unset(inside_, square);
+          set(divided_, square);
+        });
     }
   }
   void clear() { std::fill(covered_.begin(), covered_.end(), 0); }
@@ -147,11 +168,15 @@ class Covered {
   void add(const Vec2& p, double distance) {
     const double within = distance * (1 - 1e-9);  // the squares' corners are rounded
     const std::int64_t reach = static_cast<std::int64_t>(within / side_) + 1;
-    for (std::int64_t j = std::max<std::int64_t>(0, row(p) - reach), last = std::min(rows_ - 1, row(p) + reach); j <= last; ++j) {
-      const double below = low_.y() + side_ * static_cast<double>(j) - p.y(), farthest = std::max(-below, below + side_);
+    for (std::int64_t j = std::max<std::int64_t>(0, row(p) - reach), last = std::min(rows_ - 1, row(p) + reach);
+         j <= last; ++j) {
+      const double below = low_.y() + side_ * static_cast<double>(j) - p.y(),
+                   farthest = std::max(-below, below + side_);
       const double half = std::sqrt(std::max(0.0, within * within - farthest * farthest));
-      const std::int64_t from = std::max<std::int64_t>(0, static_cast<std::int64_t>(std::ceil((p.x() - half - low_.x()) / side_)));
-      const std::int64_t to = std::min(columns_, static_cast<std::int64_t>(std::floor((p.x() + half - low_.x()) / side_)));
+      const std::int64_t from =
+          std::max<std::int64_t>(0, static_cast<std::int64_t>(std::ceil((p.x() - half - low_.x()) / side_)));
+      const std::int64_t to =
+          std::min(columns_, static_cast<std::int64_t>(std::floor((p.x() + half - low_.x()) / side_)));
       for (std::int64_t i = j * columns_ + from, end = j * columns_ + to; i < end;) {
         const std::int64_t next = std::min(end, (i / 64 + 1) * 64);
         const auto word = static_cast<std::size_t>(i / 64);
@@ -164,21 +189,34 @@ class Covered {
   void expect(std::int64_t square) const { __builtin_prefetch(&covered_[static_cast<std::size_t>(square / 64)]); }
   bool operator()(std::int64_t square) const { return is_set(covered_, square); }
   /// Whether p, which lies in that square, is inside the outline.
-  bool inside(std::int64_t square, const Vec2& p, const Inside& inside) const { return is_set(inside_, square) || (is_set(divided_, square) && inside(p)); }
+  bool inside(std::int64_t square, const Vec2& p, const Inside& inside) const {
+    return is_set(inside_, square) || (is_set(divided_, square) && inside(p));
+  }
 
  private:
   using Bits = std::vector<std::uint64_t>;
-  static bool is_set(const Bits& bits, std::int64_t i) { return bits[static_cast<std::size_t>(i / 64)] >> (i % 64) & 1; }
-  static void set(Bits& bits, std::int64_t i) { bits[static_cast<std::size_t>(i / 64)] |= std::uint64_t{1} << (i % 64); }
-  static void unset(Bits& bits, std::int64_t i) { bits[static_cast<std::size_t>(i / 64)] &= ~(std::uint64_t{1} << (i % 64)); }
-  std::int64_t column(const Vec2& p) const { return std::clamp<std::int64_t>(static_cast<std::int64_t>((p.x() - low_.x()) / side_), 0, columns_ - 1); }
-  std::int64_t row(const Vec2& p) const { return std::clamp<std::int64_t>(static_cast<std::int64_t>((p.y() - low_.y()) / side_), 0, rows_ - 1); }
+  static bool is_set(const Bits& bits, std::int64_t i) {
+    return bits[static_cast<std::size_t>(i / 64)] >> (i % 64) & 1;
+  }
+  static void set(Bits& bits, std::int64_t i) {
+    bits[static_cast<std::size_t>(i / 64)] |= std::uint64_t{1} << (i % 64);
+  }
+  static void unset(Bits& bits, std::int64_t i) {
+    bits[static_cast<std::size_t>(i / 64)] &= ~(std::uint64_t{1} << (i % 64));
+  }
+  std::int64_t column(const Vec2& p) const {
+    return std::clamp<std::int64_t>(static_cast<std::int64_t>((p.x() - low_.x()) / side_), 0, columns_ - 1);
+  }
+  std::int64_t row(const Vec2& p) const {
+    return std::clamp<std::int64_t>(static_cast<std::int64_t>((p.y() - low_.y()) / side_), 0, rows_ - 1);
+  }
 
   // Calls use(square) for those at most `reach` from that of p.
   template <class Use>
   void around(const Vec2& p, std::int64_t reach, Use&& use) {
     for (std::int64_t j = std::max<std::int64_t>(0, row(p) - reach); j <= std::min(rows_ - 1, row(p) + reach); ++j)
-      for (std::int64_t i = std::max<std::int64_t>(0, column(p) - reach); i <= std::min(columns_ - 1, column(p) + reach); ++i)
+      for (std::int64_t i = std::max<std::int64_t>(0, column(p) - reach);
+           i <= std::min(columns_ - 1, column(p) + reach); ++i)
         use(j * columns_ + i);
   }
 
@@ -197,8 +235,8 @@ Points place_uniform(const Inside& inside, int count, Random& random) {
   return points;
 }
 
-// Dart throwing with a falling radius: random sequential packing jams at a coverage of 0.547, which is a least distance of
-// 0.83 spacings; start just below and shrink by 1 % whenever darts keep missing.
+// Dart throwing with a falling radius: random sequential packing jams at a coverage of 0.547, which is a least distance
+// of 0.83 spacings; start just below and shrink by 1 % whenever darts keep missing.
 Points place_poisson_disk(const Points& outline, const Inside& inside, int count, double spacing, Random& random) {
   double distance = 0.82 * spacing;
   Neighbours neighbours(inside.box(), distance);
@@ -217,16 +255,22 @@ Points place_poisson_disk(const Points& outline, const Inside& inside, int count
   };
   std::array<Dart, 32> darts;  // at once, because each falls anywhere and would wait for memory
   for (std::int64_t misses = 0;;) {
-    for (Dart& dart : darts) dart.p = draw(inside.box(), random), dart.square = covered.square_of(dart.p), covered.expect(dart.square);
+    for (Dart& dart : darts) {
+      dart.p = draw(inside.box(), random);
+      dart.square = covered.square_of(dart.p);
+      covered.expect(dart.square);
+    }
     for (const auto& [p, square] : darts) {
       if (static_cast<int>(points.size()) == count) return points;
       const bool miss = covered(square);
       if (!miss && !covered.inside(square, p, inside)) continue;
       if (!miss && !neighbours.any_nearer(p, distance)) {
-        neighbours.add(p), covered.add(p, distance);
+        neighbours.add(p);
+        covered.add(p, distance);
         points.push_back(p);
       } else if (++misses > 20 * static_cast<std::int64_t>(count) + 1000) {
-        distance *= 0.99, misses = 0;
+        distance *= 0.99;
+        misses = 0;
         cover_again();
       }
     }
@@ -271,9 +315,12 @@ Points place_interior(const Points& outline, Placement placement, int count, dou
   if (count <= 0) return {};
   const Inside inside(outline);
   switch (placement) {
-    case Placement::uniform: return place_uniform(inside, count, random);
-    case Placement::poisson_disk: return place_poisson_disk(outline, inside, count, spacing, random);
-    case Placement::triangular: return place_triangular(outline, inside, count, spacing);
+    case Placement::uniform:
+      return place_uniform(inside, count, random);
+    case Placement::poisson_disk:
+      return place_poisson_disk(outline, inside, count, spacing, random);
+    case Placement::triangular:
+      return place_triangular(outline, inside, count, spacing);
   }
   return {};
 }

@@ -16,9 +16,12 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-using Face = CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
+using Face =
+    CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<Vertex, Face>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 constexpr int unseen = 0, outside = 1, inside = 2;
 
@@ -39,16 +42,19 @@ void mark_outside(Triangulation& triangulation) {
 
 std::vector<Triangle> triangulate(const Points& points, int rim) {
   std::vector<std::pair<Kernel::Point_2, int>> vertices;
-  for (std::size_t i = 0; i < points.size(); ++i) vertices.emplace_back(Kernel::Point_2(points[i].x(), points[i].y()), static_cast<int>(i));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    vertices.emplace_back(Kernel::Point_2(points[i].x(), points[i].y()), static_cast<int>(i));
   Triangulation triangulation;
   triangulation.insert(vertices.begin(), vertices.end());
   if (triangulation.number_of_vertices() != points.size()) {
     std::sort(vertices.begin(), vertices.end());
-    const auto twin = std::adjacent_find(vertices.begin(), vertices.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
+    const auto twin = std::adjacent_find(vertices.begin(), vertices.end(),
+                                         [](const auto& a, const auto& b) { return a.first == b.first; });
     throw Error(fmt::format("two nodes coincide at ({}, {})", twin->first.x(), twin->first.y()));
   }
   std::vector<Triangulation::Vertex_handle> handles(points.size());
-  for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v) handles[static_cast<std::size_t>(v->info())] = v;
+  for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v)
+    handles[static_cast<std::size_t>(v->info())] = v;
   for (int i = 0; i < rim; ++i) {
     const auto here = handles[static_cast<std::size_t>(i)], next = handles[static_cast<std::size_t>((i + 1) % rim)];
     triangulation.insert_constraint(here, next);

@@ -21,8 +21,12 @@ double cross_sum(const Points& places, const Vec2& centre, const Points& vectors
 // Takes the translation and the rotation about the centre of `places` off the vectors.
 void take_off_rigid_motion(const Points& places, Points& vectors) {
   Vec2 centre = Vec2::Zero(), mean = Vec2::Zero();
-  for (std::size_t i = 0; i < vectors.size(); ++i) centre += places[i], mean += vectors[i];
-  centre /= static_cast<double>(vectors.size()), mean /= static_cast<double>(vectors.size());
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    centre += places[i];
+    mean += vectors[i];
+  }
+  centre /= static_cast<double>(vectors.size());
+  mean /= static_cast<double>(vectors.size());
   double inertia = 0;
   for (const Vec2& p : places) inertia += (p - centre).squaredNorm();
   for (Vec2& v : vectors) v -= mean;
@@ -36,12 +40,17 @@ Vibrations::Vibrations(const Lattice& lattice) : lattice_(lattice) {
   const std::vector<int> held = held_coordinates(lattice);
   std::vector<int> column(static_cast<std::size_t>(2 * lattice.free), -1);
   for (int c = 0; c < 2 * lattice.free; ++c)
-    if (std::find(held.begin(), held.end(), c) == held.end()) column[static_cast<std::size_t>(c)] = static_cast<int>(kept_.size()), kept_.push_back(c);
+    if (std::find(held.begin(), held.end(), c) == held.end()) {
+      column[static_cast<std::size_t>(c)] = static_cast<int>(kept_.size());
+      kept_.push_back(c);
+    }
   const Eigen::SparseMatrix<double> whole = tangent_stiffness(lattice);
   std::vector<Eigen::Triplet<double>> entries;
   for (int c = 0; c < whole.outerSize(); ++c)
     for (Eigen::SparseMatrix<double>::InnerIterator entry(whole, c); entry; ++entry)
-      if (column[static_cast<std::size_t>(entry.row())] >= 0 && column[static_cast<std::size_t>(c)] >= 0) entries.emplace_back(column[static_cast<std::size_t>(entry.row())], column[static_cast<std::size_t>(c)], entry.value());
+      if (column[static_cast<std::size_t>(entry.row())] >= 0 && column[static_cast<std::size_t>(c)] >= 0)
+        entries.emplace_back(column[static_cast<std::size_t>(entry.row())], column[static_cast<std::size_t>(c)],
+                             entry.value());
   Eigen::SparseMatrix<double> matrix(static_cast<int>(kept_.size()), static_cast<int>(kept_.size()));
   matrix.setFromTriplets(entries.begin(), entries.end());
   factors_.compute(matrix);
@@ -53,9 +62,11 @@ Vibrations::Sample Vibrations::draw(double temperature, double stiffness, std::i
   Eigen::VectorXd z(static_cast<int>(kept_.size()));
   for (double& value : z) value = random.normal();
   // K = P^T L L^T P with the permutation P that keeps the factor sparse.
-  const Eigen::VectorXd u = std::sqrt(temperature / stiffness) * (factors_.permutationPinv() * Eigen::VectorXd(factors_.matrixU().solve(z)));
+  const Eigen::VectorXd u =
+      std::sqrt(temperature / stiffness) * (factors_.permutationPinv() * Eigen::VectorXd(factors_.matrixU().solve(z)));
   Sample sample{Points(static_cast<std::size_t>(lattice_.free), Vec2::Zero()), {}};
-  for (std::size_t k = 0; k < kept_.size(); ++k) sample.displacement[static_cast<std::size_t>(kept_[k] / 2)][kept_[k] % 2] = u[static_cast<int>(k)];
+  for (std::size_t k = 0; k < kept_.size(); ++k)
+    sample.displacement[static_cast<std::size_t>(kept_[k] / 2)][kept_[k] % 2] = u[static_cast<int>(k)];
   const double thermal_speed = std::sqrt(temperature / lattice_.mass);
   for (int i = 0; i < lattice_.free; ++i) {
     const double x = random.normal(), y = random.normal();

@@ -7,9 +7,10 @@ namespace ricochet {
 
 /// Vibrations of a lattice in thermal equilibrium, to first order in the displacements.
 ///
-/// With K = L L^T (per unit of the stiffness ka) and z of independent normal deviates, u = sqrt(T/ka) L^-T z has the density exp(-ka u.K.u / 2T), and
-/// velocities are normal with variance T/m. A lattice without anchors is held in three coordinates while u is drawn, which singles out one of
-/// all displacements that differ by a rigid motion; the rigid part of u and v is then taken off. [here]
+/// With K = L L^T (per unit of the stiffness ka) and z of independent normal deviates, u = sqrt(T/ka) L^-T z has the
+/// density exp(-ka u.K.u / 2T), and velocities are normal with variance T/m. A lattice without anchors is held in three
+/// coordinates while u is drawn, which singles out one of all displacements that differ by a rigid motion; the rigid
+/// part of u and v is then taken off. [here]
 class Vibrations {
  public:
   /// Factorises K once. Throws Error if the lattice is not rigid (a node hangs loose).
@@ -19,7 +20,8 @@ class Vibrations {
     Points displacement;  ///< [free node] [R]
     Points velocity;      ///< [free node] [c]
   };
-  /// `temperature`: mean energy of a mode [m0 c^2]; `stiffness`: ka [m0 c^2/R^2]; `body`: chooses the random stream beside `seed`.
+  /// `temperature`: mean energy of a mode [m0 c^2]; `stiffness`: ka [m0 c^2/R^2]; `body`: chooses the random stream
+  /// beside `seed`.
   Sample draw(double temperature, double stiffness, std::int64_t seed, int body) const;
 
  private:

@@ -18,11 +18,13 @@
 namespace ricochet {
 
 std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes) {
-  return with_chosen_steps(scenes, session.options.threads, stop_requested, [&](const std::string& line) { session.print(line + "\n"); });
+  return with_chosen_steps(scenes, session.options.threads, stop_requested,
+                           [&](const std::string& line) { session.print(line + "\n"); });
 }
 
 std::vector<Scene> with_quietly_chosen_steps(Session& session, const std::vector<Scene>& scenes) {
-  return with_chosen_steps(scenes, session.options.threads, stop_requested, [&](const std::string& line) { session.log(line + "\n"); });
+  return with_chosen_steps(scenes, session.options.threads, stop_requested,
+                           [&](const std::string& line) { session.log(line + "\n"); });
 }
 
 Scene with_chosen_step(Session& session, const Scene& scene) {
@@ -58,15 +60,17 @@ class Pinned {
   bool known_ = false;
 };
 
-// accuracy_runs(scene, list of { method =, step = } or { method =, theta = }, repeats): a row for each, with method, evaluations (of
-// the force) and seconds (the least of the repeats). Steps that are refused, and runs that do not finish, have their status.
+// accuracy_runs(scene, list of { method =, step = } or { method =, theta = }, repeats): a row for each, with method,
+// evaluations (of the force) and seconds (the least of the repeats). Steps that are refused, and runs that do not
+// finish, have their status.
 int accuracy_runs(lua_State* L) {
   Session& session = session_of(L);
   const SceneObject& object = scene_at(L, 1);
   const lua_Integer repeats = luaL_checkinteger(L, 3);
   std::shared_ptr<const Lattice> projectile, target;
   try {
-    projectile = build_lattice(*object.scene.projectile), target = build_lattice(*object.scene.target);
+    projectile = build_lattice(*object.scene.projectile);
+    target = build_lattice(*object.scene.target);
   } catch (const FieldError& error) {
     throw_at(session, object.site, error);
   }
@@ -78,7 +82,9 @@ int accuracy_runs(lua_State* L) {
     lua_rawgeti(L, 2, k);
     Scene scene = object.scene;
     scene.integration.accuracy = not_given;
-    lua_getfield(L, -1, "method"), lua_getfield(L, -2, "step"), lua_getfield(L, -3, "theta");
+    lua_getfield(L, -1, "method");
+    lua_getfield(L, -2, "step");
+    lua_getfield(L, -3, "theta");
     scene.integration.method = lua_tostring(L, -3);
     const Method& method = method_named(scene.integration.method);
     scene.integration.step = lua_isnil(L, -2) ? not_given : lua_tonumber(L, -2);
@@ -93,13 +99,17 @@ int accuracy_runs(lua_State* L) {
       }
     } catch (const FieldError& error) {
       if (error.field != "step" && error.field != "theta") throw_at(session, object.site, error);
-      outcome.status = Status::unstable, outcome.reason = error.what(), outcome.step = scene.integration.step;
+      outcome.status = Status::unstable;
+      outcome.reason = error.what();
+      outcome.step = scene.integration.step;
     }
     if (stop_requested) throw Error("interrupted", Exit::interrupted);
     lua_pop(L, 4);
     push_row(L, row_of(scene, outcome, seconds));
-    lua_pushstring(L, method.name.c_str()), lua_setfield(L, -2, "method");
-    lua_pushnumber(L, outcome.steps * work_of_step(method, *projectile, *target)), lua_setfield(L, -2, "evaluations");
+    lua_pushstring(L, method.name.c_str());
+    lua_setfield(L, -2, "method");
+    lua_pushnumber(L, outcome.steps * work_of_step(method, *projectile, *target));
+    lua_setfield(L, -2, "evaluations");
     lua_seti(L, rows, k);
   }
   return 1;
@@ -111,13 +121,20 @@ int method_list(lua_State* L) {
   lua_Integer n = 0;
   for (const Method& m : methods()) {
     lua_createtable(L, 0, 7);
-    lua_pushstring(L, m.name.c_str()), lua_setfield(L, -2, "name");
-    lua_pushinteger(L, m.order), lua_setfield(L, -2, "order");
-    lua_pushinteger(L, m.outcome_order), lua_setfield(L, -2, "outcome_order");
-    lua_pushinteger(L, m.evaluations()), lua_setfield(L, -2, "evaluations");
-    lua_pushnumber(L, m.stability_limit), lua_setfield(L, -2, "stability_limit");
-    lua_pushnumber(L, m.usual), lua_setfield(L, -2, "usual");
-    lua_pushstring(L, m.source.c_str()), lua_setfield(L, -2, "source");
+    lua_pushstring(L, m.name.c_str());
+    lua_setfield(L, -2, "name");
+    lua_pushinteger(L, m.order);
+    lua_setfield(L, -2, "order");
+    lua_pushinteger(L, m.outcome_order);
+    lua_setfield(L, -2, "outcome_order");
+    lua_pushinteger(L, m.evaluations());
+    lua_setfield(L, -2, "evaluations");
+    lua_pushnumber(L, m.stability_limit);
+    lua_setfield(L, -2, "stability_limit");
+    lua_pushnumber(L, m.usual);
+    lua_setfield(L, -2, "usual");
+    lua_pushstring(L, m.source.c_str());
+    lua_setfield(L, -2, "source");
     lua_seti(L, -2, ++n);
   }
   return 1;
@@ -148,15 +165,25 @@ void push_accuracy_outcomes(lua_State* L) {
   lua_newtable(L);
   for (const auto& member : Integration::fields())
     if (member.field.name == "accuracy_of")
-      for (const std::string& name : member.field.choices) lua_pushboolean(L, true), lua_setfield(L, -2, name.c_str());
+      for (const std::string& name : member.field.choices) {
+        lua_pushboolean(L, true);
+        lua_setfield(L, -2, name.c_str());
+      }
 }
 
 }  // namespace
 
 void add_accuracy(lua_State* L) {
-  const luaL_Reg list[] = {{"accuracy_runs", guarded<accuracy_runs>}, {"methods", method_list}, {"conflict", guarded<conflict>}, {"machine", machine}};
-  for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
-  push_accuracy_outcomes(L), lua_setfield(L, -2, "accuracy_outcomes");
+  const luaL_Reg list[] = {{"accuracy_runs", guarded<accuracy_runs>},
+                           {"methods", method_list},
+                           {"conflict", guarded<conflict>},
+                           {"machine", machine}};
+  for (const luaL_Reg& f : list) {
+    lua_pushcfunction(L, f.func);
+    lua_setfield(L, -2, f.name);
+  }
+  push_accuracy_outcomes(L);
+  lua_setfield(L, -2, "accuracy_outcomes");
 }
 
 }  // namespace ricochet

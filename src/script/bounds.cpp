@@ -12,7 +12,8 @@
 namespace ricochet {
 namespace {
 
-constexpr std::size_t usual_text = 100'000;  // bytes; two of zeros, the slowest, are compared in 0.85 ms, which 500 instructions do some 150 times
+constexpr std::size_t usual_text =
+    100'000;  // bytes; two of zeros, the slowest, are compared in 0.85 ms, which 500 instructions do some 150 times
 constexpr std::size_t piece_of_text = 256;  // bytes that Lua reads before it is looked at how long it took
 
 // "file:line" that is running, of the script rather than of the library that it calls; "" if no Lua is.
@@ -24,7 +25,8 @@ std::string line_of(lua_State* L) {
     lua_getinfo(L, "Sl", &frame);
     if (frame.currentline <= 0) continue;
     const bool inside = std::string_view(frame.source).starts_with(library);
-    if (line.empty() || !inside) line = fmt::format("{}:{}", frame.source[0] == '@' ? frame.source + 1 : frame.short_src, frame.currentline);
+    if (line.empty() || !inside)
+      line = fmt::format("{}:{}", frame.source[0] == '@' ? frame.source + 1 : frame.short_src, frame.currentline);
     if (!inside) break;
   }
   return line;
@@ -52,14 +54,19 @@ Limits& limits_of(lua_State* L) {
 void raise_over_budget(lua_State* L) {
   lua_sethook(L, watch, LUA_MASKCOUNT, 1);
   const std::string line = line_of(L);
-  lua_pushstring(L, fmt::format("{}{}the script used up its budget of {:.0f} instructions; raise --budget or look for a loop without end", line, line.empty() ? "" : ": ", limits_of(L).budget).c_str());
+  lua_pushstring(
+      L, fmt::format(
+             "{}{}the script used up its budget of {:.0f} instructions; raise --budget or look for a loop without end",
+             line, line.empty() ? "" : ": ", limits_of(L).budget)
+             .c_str());
   lua_error(L);
 }
 
 int period_of(const Limits& limits) {
   constexpr double fewest = 5;
   const std::size_t longest = limits.long_sizes.empty() ? usual_text : *limits.long_sizes.rbegin();
-  return static_cast<int>(std::max(fewest, hook_period * static_cast<double>(usual_text) / static_cast<double>(longest)));
+  return static_cast<int>(
+      std::max(fewest, hook_period * static_cast<double>(usual_text) / static_cast<double>(longest)));
 }
 
 // Called from within Lua: only what allocates none of its memory.
@@ -68,7 +75,10 @@ void* allocate(void* opaque, void* block, std::size_t old_size, std::size_t size
   const std::size_t before = block ? old_size : 0;
   if (size == 0) {
     if (before > usual_text)
-      if (const auto text = limits.long_texts.find(block); text != limits.long_texts.end()) limits.long_sizes.erase(limits.long_sizes.find(text->second)), limits.long_texts.erase(text);
+      if (const auto text = limits.long_texts.find(block); text != limits.long_texts.end()) {
+        limits.long_sizes.erase(limits.long_sizes.find(text->second));
+        limits.long_texts.erase(text);
+      }
     std::free(block);
     limits.used -= before;
     return nullptr;
@@ -85,11 +95,13 @@ void* allocate(void* opaque, void* block, std::size_t old_size, std::size_t size
   }
   void* result = std::realloc(block, size);
   if (result) limits.used += size - before;
-  // For a new object Lua gives its type as the old size. A text so long takes long to compare: the hook is to look at once, and more often while
-  // the text is held. [lua_sethook may be called at any moment]
+  // For a new object Lua gives its type as the old size. A text so long takes long to compare: the hook is to look at
+  // once, and more often while the text is held. [lua_sethook may be called at any moment]
   if (result && !block && old_size == LUA_TSTRING && size > usual_text && limits.budget > 0) {
-    limits.long_texts[result] = size, limits.long_sizes.insert(size);
-    if (limits.running) lua_sethook(limits.running, watch, LUA_MASKCOUNT, std::min(lua_gethookcount(limits.running), period_of(limits)));
+    limits.long_texts[result] = size;
+    limits.long_sizes.insert(size);
+    if (limits.running)
+      lua_sethook(limits.running, watch, LUA_MASKCOUNT, std::min(lua_gethookcount(limits.running), period_of(limits)));
   }
   return result;
 }
@@ -117,11 +129,16 @@ void watch(lua_State* L, lua_Debug*) {
   limits.work += period;
   if (limits.budget > 0) {
     if (const int next = period_of(limits); next != period) lua_sethook(L, watch, LUA_MASKCOUNT, next);
-    const double now = thread_seconds(), own = now - limits.seconds - limits.engine_seconds, counted = limits.work - limits.looked;
-    // Over as many instructions as usual, so that one that had to wait for memory is no cause. What was counted beside instructions is part of that time.
+    const double now = thread_seconds(), own = now - limits.seconds - limits.engine_seconds,
+                 counted = limits.work - limits.looked;
+    // Over as many instructions as usual, so that one that had to wait for memory is no cause. What was counted beside
+    // instructions is part of that time.
     if (counted >= hook_period || own > hook_period * slowest_instruction) {
-      if (own > counted * slowest_instruction) limits.work = std::max(limits.work, limits.looked + own / usual_instruction);
-      limits.seconds = now, limits.engine_seconds = 0, limits.looked = limits.work;
+      if (own > counted * slowest_instruction)
+        limits.work = std::max(limits.work, limits.looked + own / usual_instruction);
+      limits.seconds = now;
+      limits.engine_seconds = 0;
+      limits.looked = limits.work;
     }
   }
   if (limits.budget <= 0 || limits.work <= limits.budget) return;
@@ -154,7 +171,8 @@ EngineTime::~EngineTime() {
 }
 
 void start_counting(lua_State* L) {
-  limits_of(L).seconds = thread_seconds(), limits_of(L).running = L;
+  limits_of(L).seconds = thread_seconds();
+  limits_of(L).running = L;
   lua_sethook(L, watch, LUA_MASKCOUNT, hook_period);
 }
 

@@ -23,7 +23,8 @@ namespace {
 constexpr std::size_t frames_ahead = 4;
 
 void stop_if_asked(const char* what, std::size_t done) {
-  if (stop_requested) throw Error(fmt::format("interrupted: {} {}; --resume goes on from there", done, what), Exit::interrupted);
+  if (stop_requested)
+    throw Error(fmt::format("interrupted: {} {}; --resume goes on from there", done, what), Exit::interrupted);
 }
 
 void survey(const Shooting& shooting, const std::vector<Source>& sources) {
@@ -38,17 +39,21 @@ void survey(const Shooting& shooting, const std::vector<Source>& sources) {
 /// Plays a source in a thread of its own, some frames ahead of whoever takes them.
 class Player {
  public:
-  explicit Player(const Source& source) : thread_([this, &source] {
-    try {
-      source.play(halt_, [&](Frame frame) {
-        if (!queue_.push(std::move(frame))) halt_ = true;
-      });
-    } catch (...) {
-      error_ = std::current_exception();
-    }
+  explicit Player(const Source& source)
+      : thread_([this, &source] {
+          try {
+            source.play(halt_, [&](Frame frame) {
+              if (!queue_.push(std::move(frame))) halt_ = true;
+            });
+          } catch (...) {
+            error_ = std::current_exception();
+          }
+          queue_.close();
+        }) {}
+  ~Player() {
+    halt_ = true;
     queue_.close();
-  }) {}
-  ~Player() { halt_ = true, queue_.close(); }
+  }
 
   /// The next frame; none once the user asks to stop. Throws what the source has thrown.
   std::optional<Frame> next() {
@@ -74,7 +79,8 @@ std::string hashes_of(const std::vector<Source>& sources) {
   return text;
 }
 
-render::Texts texts_of(const Shooting& shooting, const std::vector<Source>& sources, const std::string& which, double time) {
+render::Texts texts_of(const Shooting& shooting, const std::vector<Source>& sources, const std::string& which,
+                       double time) {
   std::string titles;
   for (const Source& source : sources) titles += source.subject->title + "\n";
   const std::string scenes = hashes_of(sources);
@@ -87,7 +93,9 @@ render::Texts texts_of(const Shooting& shooting, const std::vector<Source>& sour
 
 int columns_of(const Sequence& sequence, std::size_t sources) {
   const int count = static_cast<int>(sources);
-  return sequence.columns > 0 ? std::min(sequence.columns, count) : count <= 3 ? count : static_cast<int>(std::ceil(std::sqrt(count)));
+  return sequence.columns > 0 ? std::min(sequence.columns, count)
+         : count <= 3         ? count
+                              : static_cast<int>(std::ceil(std::sqrt(count)));
 }
 
 bool is_drawn(const fs::path& path, const render::Texts& texts) {
@@ -100,7 +108,8 @@ bool is_drawn(const fs::path& path, const render::Texts& texts) {
 std::string text_of(const Shooting& shooting) {
   std::string text = fmt::format("{} x {}\n", shooting.width, shooting.height);
   for (const auto& member : render::Show::fields())
-    std::visit([&](auto place) { text += fmt::format("{} = {}\n", member.field.name, shooting.show.*place); }, member.place);
+    std::visit([&](auto place) { text += fmt::format("{} = {}\n", member.field.name, shooting.show.*place); },
+               member.place);
   return text;
 }
 
@@ -120,12 +129,17 @@ int shoot_sequence(const Shooting& shooting, const std::vector<Source>& sources,
   std::string all_times;
   for (const Source& source : sources) {
     count = std::min(count, source.subject->survey.times.size());
-    all_times += fmt::format(" of {:.9g} ... {:.9g}", source.subject->survey.times.front(), source.subject->survey.times.back());
+    all_times +=
+        fmt::format(" of {:.9g} ... {:.9g}", source.subject->survey.times.front(), source.subject->survey.times.back());
   }
 
-  const render::Layout layout{shooting.width * context.scale(), shooting.height * context.scale(), columns_of(sequence, sources.size())};
-  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency())), encoders = shooting.threads > 0 ? std::min(shooting.threads, cores) : cores;
-  render::Studio studio(encoders, [](const fs::path& path, const std::string& bytes) { write_atomically(path, bytes); }, film ? &*film : nullptr);
+  const render::Layout layout{shooting.width * context.scale(), shooting.height * context.scale(),
+                              columns_of(sequence, sources.size())};
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency())),
+            encoders = shooting.threads > 0 ? std::min(shooting.threads, cores) : cores;
+  render::Studio studio(
+      encoders, [](const fs::path& path, const std::string& bytes) { write_atomically(path, bytes); },
+      film ? &*film : nullptr);
   std::vector<std::unique_ptr<Player>> players;
   for (const Source& source : sources) players.push_back(std::make_unique<Player>(source));
   for (std::size_t k = 0; k < count; ++k) {
@@ -137,13 +151,16 @@ int shoot_sequence(const Shooting& shooting, const std::vector<Source>& sources,
       if (!frame) throw Error("a sequence ended before its survey did");  // the same run ends in the same way
       frames.push_back(std::move(*frame));
     }
-    for (std::size_t i = 0; i < sources.size(); ++i) tiles.push_back({sources[i].subject.get(), &frames[i], k, sources[i].subject->title});
-    const render::Texts texts = texts_of(shooting, sources, fmt::format("{} of {}{}", k, count, all_times), frames[0].time);
+    for (std::size_t i = 0; i < sources.size(); ++i)
+      tiles.push_back({sources[i].subject.get(), &frames[i], k, sources[i].subject->title});
+    const render::Texts texts =
+        texts_of(shooting, sources, fmt::format("{} of {}{}", k, count, all_times), frames[0].time);
     const fs::path file = sequence.folder.empty() ? fs::path() : sequence.folder / fmt::format("{:06}.png", k);
     const bool drawn = !file.empty() && sequence.go_on && is_drawn(file, texts);
     if (drawn && !film) continue;
     const std::string clock = shooting.show.clock ? render::clock_text(tiles) : "";
-    studio.take(context.draw(render::paint(shooting.show, layout, font, tiles, clock), font), drawn ? fs::path() : file, texts);
+    studio.take(context.draw(render::paint(shooting.show, layout, font, tiles, clock), font), drawn ? fs::path() : file,
+                texts);
   }
   studio.finish();
   if (film) film->finish();
@@ -151,11 +168,13 @@ int shoot_sequence(const Shooting& shooting, const std::vector<Source>& sources,
   if (!sequence.folder.empty())
     for (std::size_t stale = count; fs::remove(sequence.folder / fmt::format("{:06}.png", stale)); ++stale) {
     }
-  if (!no_film.empty()) throw FileError(fmt::format("{} ({} frames are in {})", no_film, count, sequence.folder.string()));
+  if (!no_film.empty())
+    throw FileError(fmt::format("{} ({} frames are in {})", no_film, count, sequence.folder.string()));
   return static_cast<int>(count);
 }
 
-void shoot_still(const Shooting& shooting, const std::vector<Source>& sources, const std::vector<Pick>& picks, int columns, const fs::path& path) {
+void shoot_still(const Shooting& shooting, const std::vector<Source>& sources, const std::vector<Pick>& picks,
+                 int columns, const fs::path& path) {
   render::Context context(shooting.width, shooting.height, shooting.show.how_smooth());
   render::Font font;
   survey(shooting, sources);
@@ -173,7 +192,9 @@ void shoot_still(const Shooting& shooting, const std::vector<Source>& sources, c
   std::string which;
   for (const Pick& pick : picks) {
     const Frame& frame = kept[pick.source].at(pick.frame);
-    if (frame.position.empty()) throw Error(fmt::format("the impact of scene {} ended before the moment that was to be shown", pick.source + 1), Exit::numerical);
+    if (frame.position.empty())
+      throw Error(fmt::format("the impact of scene {} ended before the moment that was to be shown", pick.source + 1),
+                  Exit::numerical);
     tiles.push_back({sources[pick.source].subject.get(), &frame, pick.frame, pick.caption});
     which += fmt::format("{} {} {}\n", pick.source, frame.time, pick.caption);
   }
@@ -183,7 +204,8 @@ void shoot_still(const Shooting& shooting, const std::vector<Source>& sources, c
     clock = psi1 == std::string::npos ? "" : clock.substr(psi1);
   }
   const render::Layout layout{shooting.width * context.scale(), shooting.height * context.scale(), columns};
-  const render::Image image = context.draw(render::paint(shooting.show, layout, font, tiles, shooting.show.clock ? clock : ""), font);
+  const render::Image image =
+      context.draw(render::paint(shooting.show, layout, font, tiles, shooting.show.clock ? clock : ""), font);
   write_atomically(path, render::png(image, texts_of(shooting, sources, which, tiles[0].frame->time)));
 }
 

@@ -22,7 +22,8 @@ class Running {
   Running(lua_State* L, lua_State* co) : limits_(limits_of(L)), before_(limits_.running) {
     if (!co || !before_) return;
     limits_.running = co;
-    if (const int period = period_of(limits_); lua_gethookcount(co) > period) lua_sethook(co, watch, LUA_MASKCOUNT, period);
+    if (const int period = period_of(limits_); lua_gethookcount(co) > period)
+      lua_sethook(co, watch, LUA_MASKCOUNT, period);
   }
   ~Running() { limits_.running = before_; }
   Running(const Running&) = delete;
@@ -37,11 +38,15 @@ int original(lua_State* L) { return lua_tocfunction(L, lua_upvalueindex(1))(L); 
 
 // The length of a list that one of Lua's own functions is going to take the length of again.
 lua_Integer length_for_good(lua_State* L) {
-  if (luaL_getmetafield(L, 1, "__len") != LUA_TNIL) luaL_error(L, "the table has a length of its own (__len), which may be another each time; give a list without (--unsafe lifts this)");
+  if (luaL_getmetafield(L, 1, "__len") != LUA_TNIL)
+    luaL_error(L,
+               "the table has a length of its own (__len), which may be another each time; give a list without "
+               "(--unsafe lifts this)");
   return static_cast<lua_Integer>(lua_rawlen(L, 1));
 }
 
-// An integer argument as Lua itself reads it: floats and strings that are whole numbers, too. What is none the original refuses.
+// An integer argument as Lua itself reads it: floats and strings that are whole numbers, too. What is none the original
+// refuses.
 lua_Integer integer_or(lua_State* L, int n, lua_Integer initial) {
   if (lua_isnoneornil(L, n)) return initial;
   int is_one = 0;
@@ -60,7 +65,8 @@ int reading(lua_State* L) {
 
 int concat(lua_State* L) {
   if (lua_istable(L, 1)) {
-    const lua_Integer first = integer_or(L, 3, 1), last = lua_isnoneornil(L, 4) ? length_for_good(L) : integer_or(L, 4, 0);
+    const lua_Integer first = integer_or(L, 3, 1),
+                      last = lua_isnoneornil(L, 4) ? length_for_good(L) : integer_or(L, 4, 0);
     if (last > first) spend(L, work_an_element * (static_cast<double>(last) - static_cast<double>(first)));
   }
   return original(L);
@@ -69,7 +75,8 @@ int concat(lua_State* L) {
 // a < b, counted: long strings take long.
 int less(lua_State* L) {
   std::size_t work = 0;
-  if (lua_type(L, 1) == LUA_TSTRING && lua_type(L, 2) == LUA_TSTRING) work = std::min(lua_rawlen(L, 1), lua_rawlen(L, 2));
+  if (lua_type(L, 1) == LUA_TSTRING && lua_type(L, 2) == LUA_TSTRING)
+    work = std::min(lua_rawlen(L, 1), lua_rawlen(L, 2));
   spend(L, work_a_comparison + work_a_byte_read * static_cast<double>(work));
   lua_pushboolean(L, lua_compare(L, 1, 2, LUA_OPLT));
   return 1;
@@ -80,8 +87,11 @@ int sort(lua_State* L) {
     const double length = static_cast<double>(length_for_good(L));
     const bool numbers = lua_rawgeti(L, 1, 1) == LUA_TNUMBER;
     lua_pop(L, 1);
-    if (lua_isnoneornil(L, 2) && !numbers) lua_settop(L, 1), lua_pushcfunction(L, less);
-    else if (length > 1 && (lua_isnoneornil(L, 2) || lua_iscfunction(L, 2))) spend(L, work_a_comparison * length * std::log2(length));  // a function of Lua's that compares counts itself
+    if (lua_isnoneornil(L, 2) && !numbers) {
+      lua_settop(L, 1);
+      lua_pushcfunction(L, less);
+    } else if (length > 1 && (lua_isnoneornil(L, 2) || lua_iscfunction(L, 2)))
+      spend(L, work_a_comparison * length * std::log2(length));  // a function of Lua's that compares counts itself
   }
   return original(L);
 }
@@ -100,14 +110,17 @@ int find_plain(lua_State* L) {
   const char *text = luaL_checklstring(L, 1, &length), *words = luaL_checklstring(L, 2, &words_length);
   const lua_Integer whole = static_cast<lua_Integer>(length), asked = luaL_optinteger(L, 3, 1);
   const lua_Integer begin = asked > 0 ? asked - 1 : asked == 0 || asked < -whole ? 0 : whole + asked;
-  spend(L, work_a_byte_read * static_cast<double>(words_length + (begin < whole ? length - static_cast<std::size_t>(begin) : 0)));
-  const void* found = begin > whole ? nullptr : memmem(text + begin, static_cast<std::size_t>(whole - begin), words, words_length);
+  spend(L, work_a_byte_read *
+               static_cast<double>(words_length + (begin < whole ? length - static_cast<std::size_t>(begin) : 0)));
+  const void* found =
+      begin > whole ? nullptr : memmem(text + begin, static_cast<std::size_t>(whole - begin), words, words_length);
   if (!found) {
     luaL_pushfail(L);
     return 1;
   }
   const lua_Integer at = static_cast<const char*>(found) - text;
-  lua_pushinteger(L, at + 1), lua_pushinteger(L, at + static_cast<lua_Integer>(words_length));
+  lua_pushinteger(L, at + 1);
+  lua_pushinteger(L, at + static_cast<lua_Integer>(words_length));
   return 2;
 }
 
@@ -122,19 +135,29 @@ int pattern_function(lua_State* L) {
     std::size_t text_length = 0, pattern_length = 0;
     const char *text = lua_tolstring(L, 1, &text_length), *pattern = lua_tolstring(L, 2, &pattern_length);
     if (pattern_length > longest_pattern)
-      return luaL_error(L, "the pattern has %I bytes, of %d at most; what is no pattern is found by string.find(text, words, 1, true)", static_cast<lua_Integer>(pattern_length), static_cast<int>(longest_pattern));
+      return luaL_error(
+          L,
+          "the pattern has %I bytes, of %d at most; what is no pattern is found by string.find(text, words, 1, true)",
+          static_cast<lua_Integer>(pattern_length), static_cast<int>(longest_pattern));
     const lua_Integer asked = begin_at ? integer_or(L, begin_at, 1) : 1;
     const lua_Integer length = static_cast<lua_Integer>(text_length);
     const lua_Integer begin = asked > 0 ? asked - 1 : asked == 0 || asked < -length ? 0 : length + asked;
-    const double matches = search == Search::gsub && !lua_isnoneornil(L, 4) ? static_cast<double>(integer_or(L, 4, 0)) : all ? 1e300 : 1;
+    const double matches = search == Search::gsub && !lua_isnoneornil(L, 4) ? static_cast<double>(integer_or(L, 4, 0))
+                           : all                                            ? 1e300
+                                                                            : 1;
     double most = most_pattern_steps;
     const Limits& limits = limits_of(L);
     if (limits.budget > 0) most = std::min(most, std::max(0.0, limits.budget - limits.work) / work_a_pattern_step);
-    const PatternSearch found = search_pattern({text, text_length}, {pattern, pattern_length}, static_cast<std::size_t>(begin), matches, search != Search::gmatch, most);
+    const PatternSearch found =
+        search_pattern({text, text_length}, {pattern, pattern_length}, static_cast<std::size_t>(begin), matches,
+                       search != Search::gmatch, most);
     spend(L, found.steps * work_a_pattern_step);
     if (found.too_long) {
       if (limits.budget > 0 && most < most_pattern_steps) raise_over_budget(L);
-      return luaL_error(L, "the pattern takes more than %d million steps on this text of %I bytes; use fewer of * + - in it, or a shorter text", static_cast<int>(most_pattern_steps / 1e6), length);
+      return luaL_error(L,
+                        "the pattern takes more than %d million steps on this text of %I bytes; use fewer of * + - in "
+                        "it, or a shorter text",
+                        static_cast<int>(most_pattern_steps / 1e6), length);
     }
   }
   return original(L);
@@ -159,19 +182,23 @@ int date(lua_State* L) {
   return original(L);
 }
 
-// table.insert and table.remove shift what a table says that it holds, if they are given a place; table.move what it is told to.
+// table.insert and table.remove shift what a table says that it holds, if they are given a place; table.move what it is
+// told to.
 template <int with_place>
 int shift(lua_State* L) {
   if (lua_istable(L, 1) && lua_gettop(L) >= with_place) {
     const lua_Integer length = length_for_good(L), place = lua_tointeger(L, 2);
-    if (length > most_elements) return luaL_error(L, "the table says that it holds %I elements; more than %I cannot be shifted", length, most_elements);
+    if (length > most_elements)
+      return luaL_error(L, "the table says that it holds %I elements; more than %I cannot be shifted", length,
+                        most_elements);
     spend(L, static_cast<double>(std::max<lua_Integer>(0, length - std::max<lua_Integer>(0, place))));
   }
   return original(L);
 }
 
 int move(lua_State* L) {
-  const lua_Integer first = lua_tointeger(L, 2), last = lua_tointeger(L, 3);  // 0 if they are no numbers: the original says so
+  const lua_Integer first = lua_tointeger(L, 2),
+                    last = lua_tointeger(L, 3);  // 0 if they are no numbers: the original says so
   if (last >= first) {
     if (static_cast<lua_Unsigned>(last) - static_cast<lua_Unsigned>(first) >= static_cast<lua_Unsigned>(most_elements))
       return luaL_error(L, "table.move: from %I to %I are more than %I elements", first, last, most_elements);
@@ -180,15 +207,16 @@ int move(lua_State* L) {
   return original(L);
 }
 
-// coroutine.wrap and coroutine.close close what a coroutine that failed still holds open. Lua calls no hook meanwhile, so that nothing
-// could end it: once the budget is used up it stays open.
+// coroutine.wrap and coroutine.close close what a coroutine that failed still holds open. Lua calls no hook meanwhile,
+// so that nothing could end it: once the budget is used up it stays open.
 int close_coroutine(lua_State* L) {
   stop_if_used_up(L);
   const Running running(L, lua_tothread(L, 1));
   return original(L);
 }
 
-// A new coroutine is not looked at for as many instructions as the hook waits: they count when it is made, or many of them, each short, would never count.
+// A new coroutine is not looked at for as many instructions as the hook waits: they count when it is made, or many of
+// them, each short, would never count.
 int create_coroutine(lua_State* L) {
   spend(L, hook_period);
   return original(L);
@@ -202,13 +230,24 @@ int resume_coroutine(lua_State* L) {
 // Upvalues: the coroutine, coroutine.resume and coroutine.close.
 int resume_wrapped(lua_State* L) {
   lua_State* co = lua_tothread(L, lua_upvalueindex(1));
-  lua_pushvalue(L, lua_upvalueindex(2)), lua_insert(L, 1);
-  lua_pushvalue(L, lua_upvalueindex(1)), lua_insert(L, 2);
+  lua_pushvalue(L, lua_upvalueindex(2));
+  lua_insert(L, 1);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 2);
   lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
   if (lua_toboolean(L, 1)) return lua_gettop(L) - 1;
   stop_if_used_up(L);
-  if (lua_status(co) > LUA_YIELD) lua_pushvalue(L, lua_upvalueindex(3)), lua_pushvalue(L, lua_upvalueindex(1)), lua_call(L, 1, 0);
-  if (lua_type(L, 2) == LUA_TSTRING) luaL_where(L, 1), lua_insert(L, 2), lua_settop(L, 3), lua_concat(L, 2);
+  if (lua_status(co) > LUA_YIELD) {
+    lua_pushvalue(L, lua_upvalueindex(3));
+    lua_pushvalue(L, lua_upvalueindex(1));
+    lua_call(L, 1, 0);
+  }
+  if (lua_type(L, 2) == LUA_TSTRING) {
+    luaL_where(L, 1);
+    lua_insert(L, 2);
+    lua_settop(L, 3);
+    lua_concat(L, 2);
+  }
   return lua_error(L);
 }
 
@@ -216,8 +255,10 @@ int wrap_coroutine(lua_State* L) {
   luaL_checktype(L, 1, LUA_TFUNCTION);
   spend(L, hook_period);
   lua_State* co = lua_newthread(L);
-  lua_pushvalue(L, 1), lua_xmove(L, co, 1);
-  lua_pushvalue(L, lua_upvalueindex(1)), lua_pushvalue(L, lua_upvalueindex(2));
+  lua_pushvalue(L, 1);
+  lua_xmove(L, co, 1);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_pushvalue(L, lua_upvalueindex(2));
   lua_pushcclosure(L, resume_wrapped, 3);
   return 1;
 }
@@ -251,7 +292,8 @@ void bound_libraries(lua_State* L) {
   replace(L, "coroutine", "resume", resume_coroutine);
   replace(L, "coroutine", "close", close_coroutine);
   lua_getglobal(L, "coroutine");
-  lua_getfield(L, -1, "resume"), lua_getfield(L, -2, "close");
+  lua_getfield(L, -1, "resume");
+  lua_getfield(L, -2, "close");
   lua_pushcclosure(L, wrap_coroutine, 2);
   lua_setfield(L, -2, "wrap");
   lua_pop(L, 1);

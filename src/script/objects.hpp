@@ -1,9 +1,8 @@
 #pragma once
 // Values that Lua holds: bodies and scenes, each with the place in the script that made it.
 
-#include <lua.hpp>
-
 #include <filesystem>
+#include <lua.hpp>
 #include <memory>
 
 #include "impact/outcome.hpp"
@@ -25,8 +24,8 @@ struct SceneObject {
   CallSite site;
 };
 
-/// Puts an object into a new userdata of type "ricochet.<name>"; its user value is the table at index 1, from which it was
-/// made and which no script can reach, so that the same can be made with other numbers (core.given).
+/// Puts an object into a new userdata of type "ricochet.<name>"; its user value is the table at index 1, from which it
+/// was made and which no script can reach, so that the same can be made with other numbers (core.given).
 template <class Object>
 void push_object(lua_State* L, const char* type, Object object) {
   new (lua_newuserdatauv(L, sizeof(Object), 1)) Object(std::move(object));
@@ -41,10 +40,16 @@ int collect_object(lua_State* L) {
   return 0;
 }
 
-inline SceneObject& scene_at(lua_State* L, int index) { return *static_cast<SceneObject*>(luaL_checkudata(L, index, "ricochet.scene")); }
-inline BodyObject& body_at(lua_State* L, int index) { return *static_cast<BodyObject*>(luaL_checkudata(L, index, "ricochet.body")); }
+inline SceneObject& scene_at(lua_State* L, int index) {
+  return *static_cast<SceneObject*>(luaL_checkudata(L, index, "ricochet.scene"));
+}
+inline BodyObject& body_at(lua_State* L, int index) {
+  return *static_cast<BodyObject*>(luaL_checkudata(L, index, "ricochet.body"));
+}
 
-inline EffectObject& effect_at(lua_State* L, int index) { return *static_cast<EffectObject*>(luaL_checkudata(L, index, "ricochet.effect")); }
+inline EffectObject& effect_at(lua_State* L, int index) {
+  return *static_cast<EffectObject*>(luaL_checkudata(L, index, "ricochet.effect"));
+}
 
 /// A row of results as values in the order of row_fields().
 struct Row {
@@ -53,7 +58,8 @@ struct Row {
   double seconds = 0;
 };
 
-/// Scenes that ask for an accuracy with the method and step chosen for it, by trial runs; prints what was chosen. Others as they are.
+/// Scenes that ask for an accuracy with the method and step chosen for it, by trial runs; prints what was chosen.
+/// Others as they are.
 std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes);
 /// The same, told to run.log only.
 std::vector<Scene> with_quietly_chosen_steps(Session& session, const std::vector<Scene>& scenes);

@@ -13,8 +13,8 @@ using Set = std::bitset<256>;
 struct Item {
   enum class Kind { single, open, close, position, back_reference, balance, frontier, end, malformed };
   Kind kind = Kind::single;
-  Set set{};            // single, frontier
-  char repetition = 0;  // single: * + - ? or none
+  Set set{};              // single, frontier
+  char repetition = 0;    // single: * + - ? or none
   char from = 0, to = 0;  // balance; back_reference: from is the capture's number, from 0
 };
 
@@ -27,18 +27,41 @@ unsigned char byte(char c) { return static_cast<unsigned char>(c); }
 Set class_of(char letter) {
   int (*is)(int) = nullptr;
   switch (std::tolower(byte(letter))) {
-    case 'a': is = std::isalpha; break;
-    case 'c': is = std::iscntrl; break;
-    case 'd': is = std::isdigit; break;
-    case 'g': is = std::isgraph; break;
-    case 'l': is = std::islower; break;
-    case 'p': is = std::ispunct; break;
-    case 's': is = std::isspace; break;
-    case 'u': is = std::isupper; break;
-    case 'w': is = std::isalnum; break;
-    case 'x': is = std::isxdigit; break;
-    case 'z': is = [](int c) { return static_cast<int>(c == 0); }; break;  // not in the manual any more, but Lua still takes it
-    default: break;
+    case 'a':
+      is = std::isalpha;
+      break;
+    case 'c':
+      is = std::iscntrl;
+      break;
+    case 'd':
+      is = std::isdigit;
+      break;
+    case 'g':
+      is = std::isgraph;
+      break;
+    case 'l':
+      is = std::islower;
+      break;
+    case 'p':
+      is = std::ispunct;
+      break;
+    case 's':
+      is = std::isspace;
+      break;
+    case 'u':
+      is = std::isupper;
+      break;
+    case 'w':
+      is = std::isalnum;
+      break;
+    case 'x':
+      is = std::isxdigit;
+      break;
+    case 'z':
+      is = [](int c) { return static_cast<int>(c == 0); };
+      break;  // not in the manual any more, but Lua still takes it
+    default:
+      break;
   }
   Set set;
   if (!is) return set.set(byte(letter));
@@ -72,10 +95,15 @@ class Reader {
     Item item;
     switch (const char c = take()) {
       case '(':
-        if (next_is(')')) ++at_, item.kind = Item::Kind::position;
-        else item.kind = Item::Kind::open;
+        if (next_is(')')) {
+          ++at_;
+          item.kind = Item::Kind::position;
+        } else
+          item.kind = Item::Kind::open;
         return item;
-      case ')': item.kind = Item::Kind::close; return item;
+      case ')':
+        item.kind = Item::Kind::close;
+        return item;
       case '$':
         if (at_ == pattern_.size()) {
           item.kind = Item::Kind::end;
@@ -85,31 +113,42 @@ class Reader {
         break;
       case '%':
         if (next_is('b')) {
-          ++at_, item.kind = Item::Kind::balance, item.from = take(), item.to = take();
+          ++at_;
+          item.kind = Item::Kind::balance;
+          item.from = take();
+          item.to = take();
           return item;
         }
         if (next_is('f')) {
-          ++at_, item.kind = Item::Kind::frontier;
+          ++at_;
+          item.kind = Item::Kind::frontier;
           if (take() != '[') throw Malformed{};
           item.set = set();
           return item;
         }
         if (at_ < pattern_.size() && std::isdigit(byte(pattern_[at_]))) {
-          item.kind = Item::Kind::back_reference, item.from = static_cast<char>(take() - '1');
+          item.kind = Item::Kind::back_reference;
+          item.from = static_cast<char>(take() - '1');
           return item;
         }
         item.set = class_of(take());
         break;
-      case '[': item.set = set(); break;
-      case '.': item.set.set(); break;
-      default: item.set.set(byte(c));
+      case '[':
+        item.set = set();
+        break;
+      case '.':
+        item.set.set();
+        break;
+      default:
+        item.set.set(byte(c));
     }
-    if (at_ < pattern_.size() && std::string_view("*+-?").find(pattern_[at_]) != std::string_view::npos) item.repetition = take();
+    if (at_ < pattern_.size() && std::string_view("*+-?").find(pattern_[at_]) != std::string_view::npos)
+      item.repetition = take();
     return item;
   }
 
-  // What follows a '[', up to its ']'; a ']' that comes first stands for itself. Where a set ends, Lua decides before it reads what is in it: at the
-  // first ']' that no '%' precedes, even one that is the end of a range.
+  // What follows a '[', up to its ']'; a ']' that comes first stands for itself. Where a set ends, Lua decides before
+  // it reads what is in it: at the first ']' that no '%' precedes, even one that is the end of a range.
   Set set() {
     Set set;
     const bool complement = next_is('^');
@@ -124,7 +163,8 @@ class Reader {
       if (c == '%') {
         set |= class_of(pattern_[at_++]);
       } else if (at_ + 1 < end && pattern_[at_] == '-') {
-        for (int low = byte(c), high = byte(pattern_[at_ + 1]); low <= high; ++low) set.set(static_cast<std::size_t>(low));
+        for (int low = byte(c), high = byte(pattern_[at_ + 1]); low <= high; ++low)
+          set.set(static_cast<std::size_t>(low));
         at_ += 2;
       } else {
         set.set(byte(c));
@@ -141,10 +181,12 @@ class Reader {
 // Tries a pattern at places of a text, backtracking.
 class Matcher {
  public:
-  Matcher(std::string_view text, std::vector<Item> items, double most) : text_(text), items_(std::move(items)), most_(most) {}
+  Matcher(std::string_view text, std::vector<Item> items, double most)
+      : text_(text), items_(std::move(items)), most_(most) {}
 
   std::optional<std::size_t> at(std::size_t place) {
-    level_ = 0, depth_ = 0;
+    level_ = 0;
+    depth_ = 0;
     const auto end = match(0, place);
     for (int i = 0; end && i < level_; ++i)
       if (captures_[static_cast<std::size_t>(i)].length == unclosed) throw Malformed{};
@@ -180,7 +222,8 @@ class Matcher {
         case Item::Kind::open:
         case Item::Kind::position: {
           if (level_ >= most_captures) throw Malformed{};
-          captures_[static_cast<std::size_t>(level_++)] = {place, item.kind == Item::Kind::open ? unclosed : place_only};
+          captures_[static_cast<std::size_t>(level_++)] = {place,
+                                                           item.kind == Item::Kind::open ? unclosed : place_only};
           const auto end = match(k + 1, place);
           if (!end) --level_;
           return end;
@@ -222,12 +265,15 @@ class Matcher {
           break;
         }
         case Item::Kind::frontier: {
-          const unsigned char before = place == 0 ? 0 : byte(text_[place - 1]), here = place < text_.size() ? byte(text_[place]) : 0;
+          const unsigned char before = place == 0 ? 0 : byte(text_[place - 1]),
+                              here = place < text_.size() ? byte(text_[place]) : 0;
           if (item.set[before] || !item.set[here]) return std::nullopt;
           break;
         }
-        case Item::Kind::malformed: throw Malformed{};
-        case Item::Kind::end: return place == text_.size() ? std::optional(place) : std::nullopt;
+        case Item::Kind::malformed:
+          throw Malformed{};
+        case Item::Kind::end:
+          return place == text_.size() ? std::optional(place) : std::nullopt;
         case Item::Kind::single:
           if (item.repetition == '*' || item.repetition == '+') {
             std::size_t count = 0;
@@ -268,7 +314,8 @@ class Matcher {
 
 }  // namespace
 
-PatternSearch search_pattern(std::string_view text, std::string_view pattern, std::size_t begin, double matches, bool anchors, double most) {
+PatternSearch search_pattern(std::string_view text, std::string_view pattern, std::size_t begin, double matches,
+                             bool anchors, double most) {
   PatternSearch search;
   const bool anchored = anchors && pattern.starts_with('^');
   if (anchored) pattern.remove_prefix(1);
@@ -282,7 +329,8 @@ PatternSearch search_pattern(std::string_view text, std::string_view pattern, st
       const auto end = matcher->at(place);
       if (end && end != last) {
         if (!search.first) search.first = {place, *end};
-        ++found, last = place = *end;
+        ++found;
+        last = place = *end;
       } else if (place < text.size()) {
         ++place;
       } else {
@@ -293,7 +341,8 @@ PatternSearch search_pattern(std::string_view text, std::string_view pattern, st
   } catch (const Malformed&) {
     search.refused = true;
   } catch (const TooLong&) {
-    search.too_long = true, search.first.reset();
+    search.too_long = true;
+    search.first.reset();
   }
   if (matcher) search.steps = matcher->steps();
   return search;

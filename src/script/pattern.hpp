@@ -16,8 +16,10 @@ struct PatternSearch {
   bool refused = false;       ///< the pattern is malformed or too deep: Lua itself says why
 };
 
-/// Searches `text` from `begin` on for `pattern`, at most `matches` times, one after the other as string.gsub does. `anchors`: a '^' at its
-/// beginning holds it to `begin` (string.gmatch knows none). Lua's own matcher goes the same way, but cannot be stopped.
-PatternSearch search_pattern(std::string_view text, std::string_view pattern, std::size_t begin, double matches, bool anchors, double most);
+/// Searches `text` from `begin` on for `pattern`, at most `matches` times, one after the other as string.gsub does.
+/// `anchors`: a '^' at its beginning holds it to `begin` (string.gmatch knows none). Lua's own matcher goes the same
+/// way, but cannot be stopped.
+PatternSearch search_pattern(std::string_view text, std::string_view pattern, std::size_t begin, double matches,
+                             bool anchors, double most);
 
 }  // namespace ricochet

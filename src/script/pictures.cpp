@@ -80,21 +80,34 @@ std::vector<Take> takes_of(lua_State* L) {
   if (lua_getfield(L, 1, "scene") != LUA_TNIL) add(-1);
   lua_pop(L, 1);
   if (lua_getfield(L, 1, "scenes") == LUA_TTABLE) {
-    if (!takes.empty()) throw_at(session, call_site(L), FieldError("scenes", "give scene, or scenes for several side by side"));
-    for (lua_Integer i = 1; i <= length_of(L, -1); ++i) lua_rawgeti(L, -1, i), add(-1), lua_pop(L, 1);
+    if (!takes.empty())
+      throw_at(session, call_site(L), FieldError("scenes", "give scene, or scenes for several side by side"));
+    for (lua_Integer i = 1; i <= length_of(L, -1); ++i) {
+      lua_rawgeti(L, -1, i);
+      add(-1);
+      lua_pop(L, 1);
+    }
   }
   lua_pop(L, 1);
-  if (takes.empty()) throw_at(session, call_site(L), FieldError("scene", "is missing: what is to be drawn (or scenes, for several)"));
+  if (takes.empty())
+    throw_at(session, call_site(L), FieldError("scene", "is missing: what is to be drawn (or scenes, for several)"));
   if (lua_getfield(L, 1, "titles") == LUA_TTABLE) {
-    if (length_of(L, -1) != static_cast<lua_Integer>(takes.size())) throw_at(session, call_site(L), FieldError("titles", fmt::format("has {} texts for {} scenes", length_of(L, -1), takes.size())));
-    for (std::size_t i = 0; i < takes.size(); ++i) lua_rawgeti(L, -1, static_cast<lua_Integer>(i) + 1), takes[i].title = lua_tostring(L, -1), lua_pop(L, 1);
+    if (length_of(L, -1) != static_cast<lua_Integer>(takes.size()))
+      throw_at(session, call_site(L),
+               FieldError("titles", fmt::format("has {} texts for {} scenes", length_of(L, -1), takes.size())));
+    for (std::size_t i = 0; i < takes.size(); ++i) {
+      lua_rawgeti(L, -1, static_cast<lua_Integer>(i) + 1);
+      takes[i].title = lua_tostring(L, -1);
+      lua_pop(L, 1);
+    }
   }
   lua_pop(L, 1);
   const CallSite call = call_site(L);
   for (Take& take : takes)
     at_scene(session, call, take, [&] {
       take.scene = with_chosen_step(session, take.scene);
-      take.projectile = build_lattice(*take.scene.projectile), take.target = build_lattice(*take.scene.target);
+      take.projectile = build_lattice(*take.scene.projectile);
+      take.target = build_lattice(*take.scene.target);
       if (session.options.check) check_start(*take.projectile, *take.target, take.scene);
     });
   return takes;
@@ -111,13 +124,17 @@ Shooting shooting_of(lua_State* L) {
     for (int axis : {0, 1}) {
       lua_rawgeti(L, -1, axis + 1);
       const double pixels = lua_tonumber(L, -1);
-      if (pixels != std::floor(pixels)) throw_at(session, call_site(L), FieldError("size", fmt::format("counts pixels, which {} does not", pixels)));
+      if (pixels != std::floor(pixels))
+        throw_at(session, call_site(L), FieldError("size", fmt::format("counts pixels, which {} does not", pixels)));
       *axes[axis] = std::abs(pixels) <= 1e9 ? static_cast<int>(pixels) : 0;
       lua_pop(L, 1);
     }
   }
   lua_pop(L, 1);
-  at_call(L, [&] { shooting.show.check(), render::check_size(shooting.width, shooting.height); });
+  at_call(L, [&] {
+    shooting.show.check();
+    render::check_size(shooting.width, shooting.height);
+  });
   shooting.origin = session.provenance().at("script_hash");
   shooting.threads = session.options.threads;
   return shooting;
@@ -128,19 +145,25 @@ void follow(lua_State* L, std::vector<Take>& takes) {
   Session& session = session_of(L);
   const CallSite call = call_site(L);
   for (Take& take : takes) {
-    at_scene(session, call, take, [&] { take.course = follow_course(*take.projectile, *take.target, take.scene, stop_requested); });
+    at_scene(session, call, take,
+             [&] { take.course = follow_course(*take.projectile, *take.target, take.scene, stop_requested); });
     if (stop_requested) throw Error("interrupted before the first picture", Exit::interrupted);
     const Outcome& outcome = take.course.outcome;
     session.count(outcome.status == Status::finished, name_of(outcome.status) + ": " + outcome.reason);
-    if (outcome.status != Status::finished) session.warn(fmt::format("an impact that is drawn ended {}: {}", name_of(outcome.status), outcome.reason));
+    if (outcome.status != Status::finished)
+      session.warn(fmt::format("an impact that is drawn ended {}: {}", name_of(outcome.status), outcome.reason));
   }
 }
 
 Source source_of(const Take& take, std::vector<double> times) {
   Source source;
   source.subject = std::make_shared<render::Subject>(frame_mesh(take.scene, *take.projectile, *take.target));
-  source.subject->title = take.title, source.hash = take.scene.hash();
-  source.play = [&take, times = std::move(times)](const std::atomic<bool>& stop, const std::function<void(Frame)>& use) { film_scene(*take.projectile, *take.target, take.scene, times, stop, use); };
+  source.subject->title = take.title;
+  source.hash = take.scene.hash();
+  source.play = [&take, times = std::move(times)](const std::atomic<bool>& stop,
+                                                  const std::function<void(Frame)>& use) {
+    film_scene(*take.projectile, *take.target, take.scene, times, stop, use);
+  };
   return source;
 }
 
@@ -160,8 +183,18 @@ int push_rows(lua_State* L, const std::vector<Take>& takes) {
 fs::path claimed(lua_State* L, const char* field, const std::string& name) {
   Session& session = session_of(L);
   const fs::path path = below_folder(L, name);
-  if (is_of_the_run(name)) throw_at(session, call_site(L), FieldError(field, fmt::format("'{}' is the name of a file that runs leave themselves; give another", name)));
-  if (!session.first_picture_named(path)) throw_at(session, call_site(L), FieldError(field, fmt::format("'{}' was made, or holds what was made, by an earlier call of this script; give this one another name", name)));
+  if (is_of_the_run(name))
+    throw_at(
+        session, call_site(L),
+        FieldError(field, fmt::format("'{}' is the name of a file that runs leave themselves; give another", name)));
+  if (!session.first_picture_named(path))
+    throw_at(
+        session, call_site(L),
+        FieldError(
+            field,
+            fmt::format(
+                "'{}' was made, or holds what was made, by an earlier call of this script; give this one another name",
+                name)));
   session.claim(session.own_folder());
   make_folder(path.parent_path());
   return path;
@@ -172,11 +205,14 @@ std::vector<double> times_of(lua_State* L, const std::vector<Take>& takes, doubl
   Course course = takes[0].course;
   double until = 0;
   for (const Take& take : takes) {
-    until = std::max(until, take.course.outcome.time), course.step = std::max(course.step, take.course.step);
-    course.first_touch = std::min(course.first_touch, take.course.first_touch), course.last_touch = std::max(course.last_touch, take.course.last_touch);
+    until = std::max(until, take.course.outcome.time);
+    course.step = std::max(course.step, take.course.step);
+    course.first_touch = std::min(course.first_touch, take.course.first_touch);
+    course.last_touch = std::max(course.last_touch, take.course.last_touch);
   }
   const double duration = number_field(L, "duration", not_given);
-  return frame_times(course, from, std::isnan(duration) ? until : from + duration, frames, number_field(L, "slow_motion", 1));
+  return frame_times(course, from, std::isnan(duration) ? until : from + duration, frames,
+                     number_field(L, "slow_motion", 1));
 }
 
 int animate(lua_State* L) {
@@ -187,16 +223,28 @@ int animate(lua_State* L) {
   if (session.options.check) return push_rows(L, takes);
   Sequence sequence;
   const std::string film = text_field(L, "film", ""), out = text_field(L, "out", film.empty() ? "frames" : "");
-  if (film.empty() && out.empty()) throw_at(session, call_site(L), FieldError("out", "is empty, and no film is asked for: there would be nothing left of it"));
+  if (film.empty() && out.empty())
+    throw_at(session, call_site(L),
+             FieldError("out", "is empty, and no film is asked for: there would be nothing left of it"));
   sequence.columns = static_cast<int>(number_field(L, "columns", 0));
-  if (!film.empty() && !film.ends_with(".mp4")) throw_at(session, call_site(L), FieldError("film", fmt::format("'{}' must end in .mp4", film)));
-  if (!out.empty()) sequence.folder = claimed(L, "out", out), make_folder(sequence.folder);
+  if (!film.empty() && !film.ends_with(".mp4"))
+    throw_at(session, call_site(L), FieldError("film", fmt::format("'{}' must end in .mp4", film)));
+  if (!out.empty()) {
+    sequence.folder = claimed(L, "out", out);
+    make_folder(sequence.folder);
+  }
   if (!film.empty()) sequence.film = claimed(L, "film", film);
-  sequence.rate = number_field(L, "rate", 30), sequence.go_on = session.options.resume;
+  sequence.rate = number_field(L, "rate", 30);
+  sequence.go_on = session.options.resume;
   follow(L, takes);
   const CallSite call = call_site(L);
-  if (!out.empty()) session.replace_product(sequence.folder), make_folder(sequence.folder);
-  const std::vector<double> times = at_scene(session, call, takes[0], [&] { return times_of(L, takes, number_field(L, "from", -1), static_cast<int>(number_field(L, "frames", 240))); });
+  if (!out.empty()) {
+    session.replace_product(sequence.folder);
+    make_folder(sequence.folder);
+  }
+  const std::vector<double> times = at_scene(session, call, takes[0], [&] {
+    return times_of(L, takes, number_field(L, "from", -1), static_cast<int>(number_field(L, "frames", 240)));
+  });
   std::vector<Source> sources;
   for (const Take& take : takes) sources.push_back(source_of(take, times));
   const int count = at_call(L, [&] { return shoot_sequence(shooting, sources, sequence); });
@@ -206,19 +254,25 @@ int animate(lua_State* L) {
 }
 
 // The scenes with frames over the whole impact, for colours and curves, and at the moments of each (which rise).
-std::vector<Source> surveyed_sources(const std::vector<Take>& takes, const std::vector<std::vector<double>>& moments, std::vector<std::vector<std::size_t>>& places) {
+std::vector<Source> surveyed_sources(const std::vector<Take>& takes, const std::vector<std::vector<double>>& moments,
+                                     std::vector<std::vector<std::size_t>>& places) {
   std::vector<Source> sources;
   for (std::size_t i = 0; i < takes.size(); ++i) {
     const Course& course = takes[i].course;
     const double until = std::max(course.outcome.time, moments[i].back()), from = std::min(-1.0, moments[i].front());
     const int count = std::max(2, std::min(survey_frames, static_cast<int>((until - from) / (2 * course.step))));
     std::vector<double> times;
-    for (const double t : frame_times(course, from, until, count, 1))  // a moment takes the place of what is too close to it
-      if (std::none_of(moments[i].begin(), moments[i].end(), [&](double m) { return std::abs(m - t) < 1.5 * course.step; })) times.push_back(t);
+    for (const double t :
+         frame_times(course, from, until, count, 1))  // a moment takes the place of what is too close to it
+      if (std::none_of(moments[i].begin(), moments[i].end(),
+                       [&](double m) { return std::abs(m - t) < 1.5 * course.step; }))
+        times.push_back(t);
     times.insert(times.end(), moments[i].begin(), moments[i].end());
     std::sort(times.begin(), times.end());
     places.emplace_back();
-    for (const double m : moments[i]) places.back().push_back(static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), m) - times.begin()));
+    for (const double m : moments[i])
+      places.back().push_back(
+          static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), m) - times.begin()));
     sources.push_back(source_of(takes[i], std::move(times)));
   }
   return sources;
@@ -261,10 +315,16 @@ int contact_sheet(lua_State* L) {
   follow(L, takes);
   std::vector<double> times;
   if (lua_getfield(L, 1, "times") == LUA_TTABLE)
-    for (lua_Integer i = 1; i <= length_of(L, -1); ++i) lua_rawgeti(L, -1, i), times.push_back(lua_tonumber(L, -1)), lua_pop(L, 1);
+    for (lua_Integer i = 1; i <= length_of(L, -1); ++i) {
+      lua_rawgeti(L, -1, i);
+      times.push_back(lua_tonumber(L, -1));
+      lua_pop(L, 1);
+    }
   lua_pop(L, 1);
   for (const double t : times)
-    if (std::abs(t) > 1e6) throw_at(session, call_site(L), FieldError("times", fmt::format("must lie between -1e6 and 1e6 R/c, one is {:g}", t)));
+    if (std::abs(t) > 1e6)
+      throw_at(session, call_site(L),
+               FieldError("times", fmt::format("must lie between -1e6 and 1e6 R/c, one is {:g}", t)));
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   const int count = static_cast<int>(number_field(L, "moments", 4));
@@ -273,7 +333,9 @@ int contact_sheet(lua_State* L) {
     std::vector<double> of = times;
     // From the touch to the parting.
     for (int k = 0; times.empty() && k < count; ++k)
-      of.push_back(count == 1 ? take.course.tightest : take.course.first_touch + (take.course.last_touch - take.course.first_touch) * k / (count - 1));
+      of.push_back(count == 1 ? take.course.tightest
+                              : take.course.first_touch +
+                                    (take.course.last_touch - take.course.first_touch) * k / (count - 1));
     moments.push_back(of);
   }
   std::vector<std::vector<std::size_t>> places;
@@ -281,9 +343,12 @@ int contact_sheet(lua_State* L) {
   std::vector<Pick> picks;
   for (std::size_t i = 0; i < takes.size(); ++i)
     for (std::size_t k = 0; k < moments[i].size(); ++k)
-      picks.push_back({i, places[i][k], fmt::format("{}{}t = {} R/c", takes[i].title, takes[i].title.empty() ? "" : ", ", render::number_text(moments[i][k], times.empty() ? decimals_of(moments[i]) : 0))});
+      picks.push_back({i, places[i][k],
+                       fmt::format("{}{}t = {} R/c", takes[i].title, takes[i].title.empty() ? "" : ", ",
+                                   render::number_text(moments[i][k], times.empty() ? decimals_of(moments[i]) : 0))});
   const int per_row = moments[0].size() > 1 ? static_cast<int>(moments[0].size()) : static_cast<int>(takes.size());
-  const int columns = static_cast<int>(number_field(L, "columns", takes.size() == 1 ? std::ceil(std::sqrt(per_row)) : per_row));
+  const int columns =
+      static_cast<int>(number_field(L, "columns", takes.size() == 1 ? std::ceil(std::sqrt(per_row)) : per_row));
   at_call(L, [&] { shoot_still(shooting, sources, picks, std::min(columns, static_cast<int>(picks.size())), path); });
   session.print(fmt::format("contact sheet: {}\n", path.string()));
   return push_rows(L, takes);
@@ -301,9 +366,12 @@ int record(lua_State* L) {
   at_scene(session, call, take, [&] {
     const auto times = times_of(L, takes, number_field(L, "from", 0), static_cast<int>(number_field(L, "frames", 120)));
     Trajectory trajectory(frame_mesh(take.scene, *take.projectile, *take.target));
-    if (!film_scene(*take.projectile, *take.target, take.scene, times, stop_requested, [&](Frame frame) { trajectory.add(std::move(frame)); })) throw Error("interrupted", Exit::interrupted);
+    if (!film_scene(*take.projectile, *take.target, take.scene, times, stop_requested,
+                    [&](Frame frame) { trajectory.add(std::move(frame)); }))
+      throw Error("interrupted", Exit::interrupted);
     Provenance provenance = session.provenance();
-    provenance["scene"] = take.scene.text(), provenance["scene_hash"] = take.scene.hash();
+    provenance["scene"] = take.scene.text();
+    provenance["scene_hash"] = take.scene.hash();
     trajectory.write(path, provenance);
     session.print(fmt::format("{} frames in {}\n", trajectory.frames().size(), path.string()));
   });
@@ -333,8 +401,15 @@ int lammps(lua_State* L) {
 }  // namespace
 
 void add_pictures(lua_State* L) {
-  const luaL_Reg list[] = {{"animate", guarded<animate>}, {"still", guarded<still>}, {"contact_sheet", guarded<contact_sheet>}, {"record", guarded<record>}, {"lammps", guarded<lammps>}};
-  for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
+  const luaL_Reg list[] = {{"animate", guarded<animate>},
+                           {"still", guarded<still>},
+                           {"contact_sheet", guarded<contact_sheet>},
+                           {"record", guarded<record>},
+                           {"lammps", guarded<lammps>}};
+  for (const luaL_Reg& f : list) {
+    lua_pushcfunction(L, f.func);
+    lua_setfield(L, -2, f.name);
+  }
 }
 
 }  // namespace ricochet

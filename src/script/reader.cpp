@@ -36,7 +36,9 @@ std::string accepted_range(const Field& field) {
 
 namespace {
 
-bool is_userdata(lua_State* L, int index, const char* type) { return luaL_testudata(L, index, ("ricochet." + std::string(type)).c_str()) != nullptr; }
+bool is_userdata(lua_State* L, int index, const char* type) {
+  return luaL_testudata(L, index, ("ricochet." + std::string(type)).c_str()) != nullptr;
+}
 
 // Rows of a sweep, or a list of some of them.
 bool is_rows(lua_State* L, int index) {
@@ -54,7 +56,9 @@ bool is_rows(lua_State* L, int index) {
 // The mistake in a value, or nothing.
 std::string mistake_in(lua_State* L, int index, const Field& field) {
   const std::string& type = field.type;
-  const auto must_be = [&](const std::string& what) { return fmt::format("'{}' must be {}, is {}", field.name, what, shown(L, index)); };
+  const auto must_be = [&](const std::string& what) {
+    return fmt::format("'{}' must be {}, is {}", field.name, what, shown(L, index));
+  };
   if ((type == "number" || type == "integer" || type == "number|function") && lua_type(L, index) == LUA_TNUMBER) {
     const double value = lua_tonumber(L, index);
     if (!std::isfinite(value)) return must_be("a finite number");
@@ -69,14 +73,17 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
   if (type == "string") {
     if (lua_type(L, index) != LUA_TSTRING) return must_be("a string");
     const std::string text = lua_tostring(L, index);
-    if (text.size() != lua_rawlen(L, index)) return fmt::format("'{}' holds a byte of 0 after '{:.40}'; names end there for the system", field.name, text);
+    if (text.size() != lua_rawlen(L, index))
+      return fmt::format("'{}' holds a byte of 0 after '{:.40}'; names end there for the system", field.name, text);
     if (!field.choices.empty() && std::find(field.choices.begin(), field.choices.end(), text) == field.choices.end())
-      return fmt::format("'{}' must be one of {}, is '{}'{}", field.name, joined(field.choices), text, did_you_mean(text, field.choices));
+      return fmt::format("'{}' must be one of {}, is '{}'{}", field.name, joined(field.choices), text,
+                         did_you_mean(text, field.choices));
     return "";
   }
   if (type == "function") return lua_isfunction(L, index) ? "" : must_be("a function");
   if (type == "body" || type == "scene") {
-    const char* makers = type == "body" ? "a body (from ricochet.disk, ricochet.wall or ricochet.body)" : "a scene (from ricochet.scene)";
+    const char* makers = type == "body" ? "a body (from ricochet.disk, ricochet.wall or ricochet.body)"
+                                        : "a scene (from ricochet.scene)";
     return is_userdata(L, index, type.c_str()) ? "" : must_be(makers);
   }
   if (type == "sweep") {
@@ -87,23 +94,32 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
   }
   if (type == "rows") return is_rows(L, index) ? "" : must_be("rows (from sweep:run())");
   if (!lua_istable(L, index))
-    return must_be(type == "scenes" ? "a list of scenes { ricochet.scene {...}, ... }" : type == "effects" ? "a list of effects, e.g. { ricochet.gravity { g = 1e-4 } }" : type == "points" ? "a list of points { {x, y}, ... }" : type == "strings" ? "a list of strings { \"...\", ... }" : type == "numbers" ? "a list of numbers { ... }" : "a table");
+    return must_be(type == "scenes"    ? "a list of scenes { ricochet.scene {...}, ... }"
+                   : type == "effects" ? "a list of effects, e.g. { ricochet.gravity { g = 1e-4 } }"
+                   : type == "points"  ? "a list of points { {x, y}, ... }"
+                   : type == "strings" ? "a list of strings { \"...\", ... }"
+                   : type == "numbers" ? "a list of numbers { ... }"
+                                       : "a table");
   if (type == "scenes") {
     const lua_Integer n = length_of(L, index);
     for (lua_Integer i = 1; i <= n; ++i) {
       lua_rawgeti(L, index, i);
       const std::string found = is_userdata(L, -1, "scene") ? "" : shown(L, -1);
       lua_pop(L, 1);
-      if (!found.empty()) return fmt::format("'{}' must be a list of scenes (from ricochet.scene); element {} is {}", field.name, i, found);
+      if (!found.empty())
+        return fmt::format("'{}' must be a list of scenes (from ricochet.scene); element {} is {}", field.name, i,
+                           found);
     }
     return n == 0 ? fmt::format("'{}' must not be empty", field.name) : "";
   }
   if (type == "effects") {
     for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
       if (lua_type(L, -2) == LUA_TNUMBER && is_userdata(L, -1, "effect")) continue;
-      const std::string what = lua_type(L, -2) == LUA_TSTRING ? fmt::format("{} = {}", lua_tostring(L, -2), shown(L, -1)) : shown(L, -1);
+      const std::string what =
+          lua_type(L, -2) == LUA_TSTRING ? fmt::format("{} = {}", lua_tostring(L, -2), shown(L, -1)) : shown(L, -1);
       lua_pop(L, 2);
-      return fmt::format("'{}' must be a list of effects, e.g. {{ ricochet.gravity {{ g = 1e-4 }} }}, holds {}", field.name, what);
+      return fmt::format("'{}' must be a list of effects, e.g. {{ ricochet.gravity {{ g = 1e-4 }} }}, holds {}",
+                         field.name, what);
     }
     for (lua_Integer i = 1; i <= length_of(L, index); ++i) {
       const bool nothing = lua_rawgeti(L, index, i) == LUA_TNIL;
@@ -117,16 +133,24 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
     if (n == 0) return fmt::format("'{}' must not be empty", field.name);
     for (lua_Integer i = 1; i <= n; ++i) {
       lua_rawgeti(L, index, i);
-      bool good = type == "strings" ? lua_type(L, -1) == LUA_TSTRING : type == "numbers" ? lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1)) : lua_istable(L, -1);
+      bool good = type == "strings"   ? lua_type(L, -1) == LUA_TSTRING
+                  : type == "numbers" ? lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1))
+                                      : lua_istable(L, -1);
       std::string found = "is " + shown(L, -1);
       if (good && type == "points") {
         for (int axis : {1, 2}) {
           lua_rawgeti(L, -1, axis);
-          if (good && !(lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1)))) good = false, found = fmt::format("has {} = {}", axis == 1 ? "x" : "y", shown(L, -1));
+          if (good && !(lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1)))) {
+            good = false;
+            found = fmt::format("has {} = {}", axis == 1 ? "x" : "y", shown(L, -1));
+          }
           lua_pop(L, 1);
         }
       }
-      const std::string element = good ? "" : fmt::format("'{}' must hold {}; element {} {}", field.name, type == "points" ? "points {x, y} of finite numbers" : "only " + type, i, found);
+      const std::string element =
+          good ? ""
+               : fmt::format("'{}' must hold {}; element {} {}", field.name,
+                             type == "points" ? "points {x, y} of finite numbers" : "only " + type, i, found);
       lua_pop(L, 1);
       if (!good) return element;
     }
@@ -142,16 +166,20 @@ bool has_field(const std::vector<Field>& fields, const std::string& name) {
 }
 
 // Where an unknown field belongs: in a table inside this one, or in the scene around it; else the nearest spelling.
-std::string belongs_elsewhere(const std::string& name, const std::vector<Field>& fields, const std::vector<std::string>& path, const std::string& nearest) {
+std::string belongs_elsewhere(const std::string& name, const std::vector<Field>& fields,
+                              const std::vector<std::string>& path, const std::string& nearest) {
   for (const Field& field : fields)
     if (is_table_type(field.type) && has_field(function_named(field.type).fields, name))
       return fmt::format(" (it belongs in {} = {{ {} = ... }})", field.name, name);
-  if (nearest.empty() && has_field(fields, "over")) return fmt::format(" (what varies belongs in over = {{ {} = {{ ... }} }})", name);
-  if (!path.empty() && path.back() != "show" && has_field(function_named("scene").fields, name)) return " (it belongs in the scene itself, beside this table)";
+  if (nearest.empty() && has_field(fields, "over"))
+    return fmt::format(" (what varies belongs in over = {{ {} = {{ ... }} }})", name);
+  if (!path.empty() && path.back() != "show" && has_field(function_named("scene").fields, name))
+    return " (it belongs in the scene itself, beside this table)";
   return nearest;
 }
 
-void collect(lua_State* L, int index, const std::vector<Field>& fields, const std::vector<std::string>& path, std::vector<Mistake>& mistakes, std::string& valid) {
+void collect(lua_State* L, int index, const std::vector<Field>& fields, const std::vector<std::string>& path,
+             std::vector<Mistake>& mistakes, std::string& valid) {
   index = lua_absindex(L, index);
   const std::vector<std::string> names = names_of(fields);
   const auto below = [&](const std::string& name) {
@@ -165,7 +193,9 @@ void collect(lua_State* L, int index, const std::vector<Field>& fields, const st
   std::size_t nameless = 0;
   for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) != LUA_TSTRING) {
-      if (nameless++ < most_shown) mistakes.push_back({path, fmt::format("{}takes named fields only, has the value {} without a name", where, shown(L, -1))});
+      if (nameless++ < most_shown)
+        mistakes.push_back(
+            {path, fmt::format("{}takes named fields only, has the value {} without a name", where, shown(L, -1))});
       continue;
     }
     const std::string name = lua_tostring(L, -2);
@@ -174,13 +204,17 @@ void collect(lua_State* L, int index, const std::vector<Field>& fields, const st
   spend(L, work_a_value_read * static_cast<double>(unknown.size()));
   std::sort(unknown.begin(), unknown.end());
   for (std::size_t i = 0; i < std::min(unknown.size(), most_shown); ++i)
-    mistakes.push_back({below(unknown[i]), fmt::format("{}unknown field '{}'{}", where, unknown[i], belongs_elsewhere(unknown[i], fields, path, did_you_mean(unknown[i], names)))});
-  if (unknown.size() > most_shown) mistakes.push_back({path, fmt::format("{}and {} more unknown fields", where, unknown.size() - most_shown)});
+    mistakes.push_back(
+        {below(unknown[i]), fmt::format("{}unknown field '{}'{}", where, unknown[i],
+                                        belongs_elsewhere(unknown[i], fields, path, did_you_mean(unknown[i], names)))});
+  if (unknown.size() > most_shown)
+    mistakes.push_back({path, fmt::format("{}and {} more unknown fields", where, unknown.size() - most_shown)});
   if (!unknown.empty()) valid = joined(names);
   for (const Field& field : fields) {
     lua_getfield(L, index, field.name.c_str());
     if (lua_isnil(L, -1)) {
-      if (field.initial.empty() && !field.optional) mistakes.push_back({path, fmt::format("{}'{}' is missing: {}", where, field.name, field.doc)});
+      if (field.initial.empty() && !field.optional)
+        mistakes.push_back({path, fmt::format("{}'{}' is missing: {}", where, field.name, field.doc)});
     } else if (const std::string mistake = mistake_in(L, lua_gettop(L), field); !mistake.empty()) {
       mistakes.push_back({below(field.name), where + mistake});
     } else if (is_table_type(field.type)) {
@@ -190,11 +224,12 @@ void collect(lua_State* L, int index, const std::vector<Field>& fields, const st
   }
 }
 
-// Pushes a plain copy of a value: tables without their metatables, the same ones once (`copies`, at an absolute index, remembers them), all else as
-// it is. Of an object's kind its name stays, for messages.
+// Pushes a plain copy of a value: tables without their metatables, the same ones once (`copies`, at an absolute index,
+// remembers them), all else as it is. Of an object's kind its name stays, for messages.
 void push_plain(lua_State* L, int index, int copies, int depth = 0) {
   constexpr int deepest = 100;
-  if (depth > deepest) throw at_line(L, fmt::format("a table holds tables that hold tables, more than {} deep", deepest));
+  if (depth > deepest)
+    throw at_line(L, fmt::format("a table holds tables that hold tables, more than {} deep", deepest));
   index = lua_absindex(L, index);
   luaL_checkstack(L, 8, "tables in tables");
   lua_pushvalue(L, index);
@@ -206,7 +241,9 @@ void push_plain(lua_State* L, int index, int copies, int depth = 0) {
   const lua_Unsigned length = lua_rawlen(L, index);
   lua_createtable(L, length <= longest_list ? static_cast<int>(length) : 0, 0);
   const int copy = lua_gettop(L);
-  lua_pushvalue(L, index), lua_pushvalue(L, copy), lua_rawset(L, copies);
+  lua_pushvalue(L, index);
+  lua_pushvalue(L, copy);
+  lua_rawset(L, copies);
   double elements = 1;
   for (lua_pushnil(L); lua_next(L, index) != 0; ++elements) {
     lua_pushvalue(L, -2);
@@ -217,14 +254,16 @@ void push_plain(lua_State* L, int index, int copies, int depth = 0) {
   spend(L, elements * work_an_element);
   if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) {
     lua_createtable(L, 0, 1);
-    lua_insert(L, -2), lua_setfield(L, -2, "__name");
+    lua_insert(L, -2);
+    lua_setfield(L, -2, "__name");
     lua_setmetatable(L, copy);
   } else if (lua_gettop(L) > copy) {
     lua_pop(L, 1);
   }
 }
 
-// The same of a table of named fields. Fields that a metatable has for it (a table of defaults, say) are asked for, once.
+// The same of a table of named fields. Fields that a metatable has for it (a table of defaults, say) are asked for,
+// once.
 void push_plain_fields(lua_State* L, int index, const std::vector<Field>& fields, int copies) {
   index = lua_absindex(L, index);
   lua_newtable(L);
@@ -232,16 +271,20 @@ void push_plain_fields(lua_State* L, int index, const std::vector<Field>& fields
   const auto put = [&](int key, int value, const Field* field) {
     value = lua_absindex(L, value);
     lua_pushvalue(L, key);
-    if (field && (field->type == "sweep" || field->type == "rows")) lua_pushvalue(L, value);  // long, and read with care
-    else if (field && is_table_type(field->type) && lua_istable(L, value)) push_plain_fields(L, value, function_named(field->type).fields, copies);
-    else push_plain(L, value, copies);
+    if (field && (field->type == "sweep" || field->type == "rows"))
+      lua_pushvalue(L, value);  // long, and read with care
+    else if (field && is_table_type(field->type) && lua_istable(L, value))
+      push_plain_fields(L, value, function_named(field->type).fields, copies);
+    else
+      push_plain(L, value, copies);
     lua_rawset(L, copy);
   };
   const auto field_named = [&](const char* name) {
     const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
     return found == fields.end() ? nullptr : &*found;
   };
-  for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) put(lua_absindex(L, -2), -1, lua_type(L, -2) == LUA_TSTRING ? field_named(lua_tostring(L, -2)) : nullptr);
+  for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1))
+    put(lua_absindex(L, -2), -1, lua_type(L, -2) == LUA_TSTRING ? field_named(lua_tostring(L, -2)) : nullptr);
   if (!lua_getmetatable(L, index)) return;
   lua_pop(L, 1);
   for (const Field& field : fields) {
@@ -283,13 +326,15 @@ CallSite call_site(lua_State* L) {
       continue;
     }
     if (source.empty()) continue;  // text that was loaded: the line that calls it
-    site.file = source, site.line = frame.currentline;
+    site.file = source;
+    site.line = frame.currentline;
     return site;
   }
   return site;
 }
 
-std::string report(const Session& session, const CallSite& site, const std::vector<Mistake>& mistakes, const std::string& valid) {
+std::string report(const Session& session, const CallSite& site, const std::vector<Mistake>& mistakes,
+                   const std::string& valid) {
   const auto text = session.sources.find(site.file);
   std::string result;
   for (const Mistake& mistake : mistakes) {
@@ -325,8 +370,12 @@ void check_table(lua_State* L, int index, const Function& function, bool ours) {
   CallSite site = call_site(L);
   const Session& session = session_of(L);
   if (site.function.empty() || site.function == "check") site.function = function.name;
-  if (!lua_istable(L, index)) throw Error(report(session, site, {{{}, fmt::format("takes one table of named fields, e.g. {}", function.example)}}));
-  if (is_module(L, index)) throw Error(report(session, site, {{{}, fmt::format("is called with a dot, not a colon: ricochet.{} {{ ... }}", function.name)}}));
+  if (!lua_istable(L, index))
+    throw Error(
+        report(session, site, {{{}, fmt::format("takes one table of named fields, e.g. {}", function.example)}}));
+  if (is_module(L, index))
+    throw Error(report(session, site,
+                       {{{}, fmt::format("is called with a dot, not a colon: ricochet.{} {{ ... }}", function.name)}}));
   if (!ours) {
     index = lua_absindex(L, index);
     lua_newtable(L);
@@ -342,11 +391,23 @@ void check_table(lua_State* L, int index, const Function& function, bool ours) {
 
 std::string shown(lua_State* L, int index) {
   switch (lua_type(L, index)) {
-    case LUA_TNIL: return "nil";
-    case LUA_TBOOLEAN: return lua_toboolean(L, index) ? "true" : "false";
-    case LUA_TNUMBER: return lua_isinteger(L, index) ? fmt::format("{}", lua_tointeger(L, index)) : (lua_tonumber(L, index) != lua_tonumber(L, index) ? "nan" : fmt::format("{}", lua_tonumber(L, index)));
-    case LUA_TSTRING: return fmt::format("a string ('{:.40}')", lua_tostring(L, index));
-    case LUA_TUSERDATA: return luaL_getmetafield(L, index, "__name") == LUA_TSTRING ? (lua_pop(L, 1), std::string(is_userdata(L, index, "body") ? "a body" : is_userdata(L, index, "effect") ? "an effect" : "a scene")) : "an object";
+    case LUA_TNIL:
+      return "nil";
+    case LUA_TBOOLEAN:
+      return lua_toboolean(L, index) ? "true" : "false";
+    case LUA_TNUMBER:
+      return lua_isinteger(L, index)
+                 ? fmt::format("{}", lua_tointeger(L, index))
+                 : (lua_tonumber(L, index) != lua_tonumber(L, index) ? "nan"
+                                                                     : fmt::format("{}", lua_tonumber(L, index)));
+    case LUA_TSTRING:
+      return fmt::format("a string ('{:.40}')", lua_tostring(L, index));
+    case LUA_TUSERDATA:
+      return luaL_getmetafield(L, index, "__name") == LUA_TSTRING
+                 ? (lua_pop(L, 1), std::string(is_userdata(L, index, "body")     ? "a body"
+                                               : is_userdata(L, index, "effect") ? "an effect"
+                                                                                 : "a scene"))
+                 : "an object";
     default:
       if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) {
         const std::string name = lua_tostring(L, -1);
@@ -361,7 +422,9 @@ Error at_line(lua_State* L, const std::string& message) {
   const CallSite site = call_site(L);
   const Session& session = session_of(L);
   const auto text = session.sources.find(site.file);
-  std::string shown = fmt::format("{}\n{}", site.file.empty() ? message : fmt::format("{}:{}: {}", site.file, site.line, message), text == session.sources.end() ? "" : excerpt(text->second, {site.line, 1, 0}));
+  std::string shown =
+      fmt::format("{}\n{}", site.file.empty() ? message : fmt::format("{}:{}: {}", site.file, site.line, message),
+                  text == session.sources.end() ? "" : excerpt(text->second, {site.line, 1, 0}));
   shown.pop_back();
   return Error(shown);
 }
@@ -378,14 +441,16 @@ std::string hint(lua_State* L, const std::string& name, std::span<const std::str
 Error unknown_name(lua_State* L, const std::string& what, const std::string& name, std::vector<std::string> names) {
   std::sort(names.begin(), names.end());
   const std::string nearest = hint(L, name, names);
-  return at_line(L, fmt::format("{} has no '{}'{}", what, name, nearest.empty() ? (names.empty() ? "" : "; it has " + joined(names)) : nearest));
+  return at_line(L, fmt::format("{} has no '{}'{}", what, name,
+                                nearest.empty() ? (names.empty() ? "" : "; it has " + joined(names)) : nearest));
 }
 
 void throw_at(const Session& session, const CallSite& site, const FieldError& error) {
   Mistake mistake{{error.field}, fmt::format("'{}': {}", error.field, error.what())};
   const auto text = session.sources.find(site.file);
   for (const char* table : {"launch", "contact", "show"})
-    if (text != session.sources.end() && find_field(text->second, site.line, site.function, {table, error.field})) mistake.path = {table, error.field};
+    if (text != session.sources.end() && find_field(text->second, site.line, site.function, {table, error.field}))
+      mistake.path = {table, error.field};
   throw Error(report(session, site, {mistake}));
 }
 

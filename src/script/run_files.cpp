@@ -27,15 +27,19 @@ namespace fs = std::filesystem;
 fs::path below_folder(lua_State* L, const std::string& name) {
   const Session& session = session_of(L);
   const fs::path path(name);
-  bool plain = !name.empty() && path.is_relative() && name.find('\\') == std::string::npos && name.find('\0') == std::string::npos;
+  bool plain = !name.empty() && path.is_relative() && name.find('\\') == std::string::npos &&
+               name.find('\0') == std::string::npos;
   for (const fs::path& part : path) plain = plain && part != ".." && part != ".";
-  if (!plain) throw at_line(L, fmt::format("'{}' is no name below the run's folder; give a relative name without '..'", name.c_str()));
+  if (!plain)
+    throw at_line(
+        L, fmt::format("'{}' is no name below the run's folder; give a relative name without '..'", name.c_str()));
   // A link inside the folder must not lead out of it.
   const fs::path whole = session.own_folder() / path;
   std::error_code error;
   const fs::path real = fs::weakly_canonical(whole, error), root = fs::weakly_canonical(session.own_folder(), error);
   if (error || std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end())
-    throw FileError(at_line(L, fmt::format("'{}' leads out of the run's folder {}", name, session.own_folder().string())).what());
+    throw FileError(
+        at_line(L, fmt::format("'{}' leads out of the run's folder {}", name, session.own_folder().string())).what());
   return whole;
 }
 
@@ -49,30 +53,30 @@ constexpr std::uint32_t this_machine = AUDIT_ARCH_AARCH64;
 #error "gnuplot is confined by system calls, which are numbered here for x86-64 and ARM only"
 #endif
 
-// From here on this process starts no other: what gnuplot's `system` and backquotes would run does not run, should text of a script's ever reach
-// gnuplot as a command. False if the system cannot do that. [man 2 seccomp]
+// From here on this process starts no other: what gnuplot's `system` and backquotes would run does not run, should text
+// of a script's ever reach gnuplot as a command. False if the system cannot do that. [man 2 seccomp]
 bool start_no_process() {
   constexpr std::uint32_t refuse = SECCOMP_RET_ERRNO | EPERM, unknown = SECCOMP_RET_ERRNO | ENOSYS;
   const sock_filter filter[] = {
-      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)),
-      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, this_machine, 1, 0),
-      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
-      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+    BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)),
+    BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, this_machine, 1, 0),
+    BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
+    BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
 #if defined(__x86_64__)
-      BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, 0, 1),  // the same calls by other numbers
-      BPF_STMT(BPF_RET | BPF_K, refuse),
-      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_fork, 0, 1),
-      BPF_STMT(BPF_RET | BPF_K, refuse),
-      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_vfork, 0, 1),
-      BPF_STMT(BPF_RET | BPF_K, refuse),
+    BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, 0, 1),  // the same calls by other numbers
+    BPF_STMT(BPF_RET | BPF_K, refuse),
+    BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_fork, 0, 1),
+    BPF_STMT(BPF_RET | BPF_K, refuse),
+    BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_vfork, 0, 1),
+    BPF_STMT(BPF_RET | BPF_K, refuse),
 #endif
-      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_clone3, 0, 1),
-      BPF_STMT(BPF_RET | BPF_K, unknown),  // its flags lie in memory; libraries then take clone
-      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_clone, 0, 3),
-      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args[0])),
-      BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 1, 0),
-      BPF_STMT(BPF_RET | BPF_K, refuse),
-      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+    BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_clone3, 0, 1),
+    BPF_STMT(BPF_RET | BPF_K, unknown),  // its flags lie in memory; libraries then take clone
+    BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_clone, 0, 3),
+    BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args[0])),
+    BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 1, 0),
+    BPF_STMT(BPF_RET | BPF_K, refuse),
+    BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
   };
   const sock_fprog program{static_cast<unsigned short>(std::size(filter)), const_cast<sock_filter*>(filter)};
   return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
@@ -88,8 +92,10 @@ int run_gnuplot(const fs::path& folder, const std::string& file, bool confined) 
     char failure = not_there;
     const int nothing = open("/dev/null", O_RDONLY);
     if (chdir(folder.c_str()) == 0 && nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0) {
-      if (confined && !start_no_process()) failure = not_confined;
-      else execlp("gnuplot", "gnuplot", file.c_str(), nullptr);
+      if (confined && !start_no_process())
+        failure = not_confined;
+      else
+        execlp("gnuplot", "gnuplot", file.c_str(), nullptr);
     }
     [[maybe_unused]] const auto written = write(report[1], &failure, 1);
     _exit(127);
@@ -104,7 +110,9 @@ int run_gnuplot(const fs::path& folder, const std::string& file, bool confined) 
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (failure == not_there) throw FileError("gnuplot is not installed; apt-get install gnuplot-nox");
-  if (failure == not_confined) throw FileError("this system cannot keep gnuplot from starting programs (seccomp); --unsafe draws plots without that");
+  if (failure == not_confined)
+    throw FileError(
+        "this system cannot keep gnuplot from starting programs (seccomp); --unsafe draws plots without that");
   return status;
 }
 
@@ -121,9 +129,11 @@ int gnuplot(lua_State* L) {
     if (fs::is_symlink(picture)) fs::remove(picture);
   }
   const int status = run_gnuplot(script.parent_path(), "./" + script.filename().string(), !session.options.unsafe);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw FileError(fmt::format("gnuplot could not draw {} (its message stands above)", script.string()));
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw FileError(fmt::format("gnuplot could not draw {} (its message stands above)", script.string()));
   const fs::path picture = fs::path(script).replace_extension(".png");
-  if (!fs::exists(picture)) throw FileError(fmt::format("gnuplot has not drawn {}; is the gnuplot in PATH the real one?", picture.string()));
+  if (!fs::exists(picture))
+    throw FileError(fmt::format("gnuplot has not drawn {}; is the gnuplot in PATH the real one?", picture.string()));
   session.print(fmt::format("plot: {}\n", picture.string()));
   return 0;
 }
@@ -144,12 +154,16 @@ int file_write(lua_State* L) {
   const char* given = luaL_checklstring(L, 1, &length);
   const std::string name(given, length);
   const fs::path path = below_folder(L, name);
-  if (is_of_the_run(name)) throw at_line(L, fmt::format("'{}' is the name of a file that runs leave themselves; give another", name));
+  if (is_of_the_run(name))
+    throw at_line(L, fmt::format("'{}' is the name of a file that runs leave themselves; give another", name));
   const char* text = luaL_checklstring(L, 2, &length);
   if (session.options.check) return 0;
   spend(L, work_a_file + static_cast<double>(length) / 8);
   session.claim(session.own_folder());
-  at_script(L, [&] { make_folder(path.parent_path()), write_atomically(path, {text, length}); });
+  at_script(L, [&] {
+    make_folder(path.parent_path());
+    write_atomically(path, {text, length});
+  });
   return 0;
 }
 
@@ -166,8 +180,12 @@ int file_read(lua_State* L) {
 }  // namespace
 
 void add_run_files(lua_State* L) {
-  const luaL_Reg list[] = {{"gnuplot", guarded<gnuplot>}, {"file_write", guarded<file_write>}, {"file_read", guarded<file_read>}};
-  for (const luaL_Reg& f : list) lua_pushcfunction(L, f.func), lua_setfield(L, -2, f.name);
+  const luaL_Reg list[] = {
+      {"gnuplot", guarded<gnuplot>}, {"file_write", guarded<file_write>}, {"file_read", guarded<file_read>}};
+  for (const luaL_Reg& f : list) {
+    lua_pushcfunction(L, f.func);
+    lua_setfield(L, -2, f.name);
+  }
 }
 
 }  // namespace ricochet

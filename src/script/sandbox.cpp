@@ -34,7 +34,7 @@ void load_file(lua_State* L, const fs::path& path, const std::string& name, bool
   Session& session = session_of(L);
   std::string text = read_file(path);
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);  // a byte order mark, which some editors write
-  if (text.starts_with("#!")) text.insert(0, "--");  // a first line for the shell
+  if (text.starts_with("#!")) text.insert(0, "--");        // a first line for the shell
   session.sources[name] = text;
   if (load_counted(L, text, "@" + name) != LUA_OK) {
     const std::string message = lua_tostring(L, -1);
@@ -44,7 +44,10 @@ void load_file(lua_State* L, const fs::path& path, const std::string& name, bool
     if (message.starts_with(name + ":")) line = std::atoi(message.c_str() + name.size() + 1);
     throw Error(message + (line > 0 ? syntax_hint(text, line, message) + "\n" + excerpt(text, {line, 1, 0}) : ""));
   }
-  if (of_library) lua_getfield(L, LUA_REGISTRYINDEX, library_environment), lua_setupvalue(L, -2, 1);
+  if (of_library) {
+    lua_getfield(L, LUA_REGISTRYINDEX, library_environment);
+    lua_setupvalue(L, -2, 1);
+  }
 }
 
 namespace {
@@ -68,7 +71,8 @@ bool is_choice(const std::string& text) {
 // string.fromat: an error with the nearest name, not nil.
 int unknown_library_function(lua_State* L) {
   std::vector<std::string> names;
-  for (lua_pushnil(L); names.size() < most_names && lua_next(L, 1) != 0; lua_pop(L, 1)) names.push_back(shortened(displayed(L, -2)));
+  for (lua_pushnil(L); names.size() < most_names && lua_next(L, 1) != 0; lua_pop(L, 1))
+    names.push_back(shortened(displayed(L, -2)));
   const std::string name = shortened(displayed(L, 2)), nearest = hint(L, name, names);
   throw at_line(L, fmt::format("{} has no '{}'{}", lua_tostring(L, lua_upvalueindex(1)), name, nearest));
 }
@@ -97,16 +101,21 @@ int new_global(lua_State* L) {
   throw at_line(L, fmt::format("'{}' is not declared; write: local {} = ...", name, name));
 }
 
-// require: the library, then beside the script; never the current directory, never native code. The native part trusts its caller (it hands
-// text to gnuplot, which may run anything): only the library's own require gets it.
+// require: the library, then beside the script; never the current directory, never native code. The native part trusts
+// its caller (it hands text to gnuplot, which may run anything): only the library's own require gets it.
 template <bool by_library>
 int require(lua_State* L) {
   Session& session = session_of(L);
   std::size_t length = 0;
   const char* given = luaL_checklstring(L, 1, &length);
   const std::string name(given, length);
-  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '-'; });
-  if (!plain || name.find("..") != std::string::npos || name.front() == '.') throw at_line(L, fmt::format("require: '{}' is no module name; give letters, digits, _ and - with dots between them", name.c_str()));
+  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '.' || c == '-';
+  });
+  if (!plain || name.find("..") != std::string::npos || name.front() == '.')
+    throw at_line(L,
+                  fmt::format("require: '{}' is no module name; give letters, digits, _ and - with dots between them",
+                              name.c_str()));
   if (!by_library && name == "ricochet.core") throw at_line(L, "require: 'ricochet.core' is for the library alone");
   lua_settop(L, 1);
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
@@ -115,13 +124,24 @@ int require(lua_State* L) {
   std::string path = name;
   std::replace(path.begin(), path.end(), '.', '/');
   const fs::path beside = session.script.parent_path();
-  for (const auto& [file, of_library] : {std::pair(session.library / (path + ".lua"), true), {session.library / path / "init.lua", true}, {beside / (path + ".lua"), false}}) {
+  for (const auto& [file, of_library] : {std::pair(session.library / (path + ".lua"), true),
+                                         {session.library / path / "init.lua", true},
+                                         {beside / (path + ".lua"), false}}) {
     std::error_code error;
     if (!fs::is_regular_file(file, error)) continue;
-    const fs::path home = fs::weakly_canonical(file.parent_path() == session.library ? session.library : beside.empty() ? fs::path(".") : beside, error), real = fs::weakly_canonical(file, error);
+    const fs::path home = fs::weakly_canonical(file.parent_path() == session.library ? session.library
+                                               : beside.empty()                      ? fs::path(".")
+                                                                                     : beside,
+                                               error),
+                   real = fs::weakly_canonical(file, error);
     const bool below = std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
-    if (!below && !session.options.unsafe && !of_library) throw at_line(L, fmt::format("require: {} is a link that leads out of the script's folder; copy it there (--unsafe lifts this)", file.string()));
-    if (std::find(session.loading.begin(), session.loading.end(), name) != session.loading.end()) throw at_line(L, fmt::format("require: '{}' requires itself, by way of what it requires", name));
+    if (!below && !session.options.unsafe && !of_library)
+      throw at_line(
+          L, fmt::format(
+                 "require: {} is a link that leads out of the script's folder; copy it there (--unsafe lifts this)",
+                 file.string()));
+    if (std::find(session.loading.begin(), session.loading.end(), name) != session.loading.end())
+      throw at_line(L, fmt::format("require: '{}' requires itself, by way of what it requires", name));
     struct Loading {
       std::vector<std::string>& names;
       ~Loading() { names.pop_back(); }
@@ -129,7 +149,10 @@ int require(lua_State* L) {
     session.loading.push_back(name);
     load_file(L, file, file.string(), of_library);
     lua_call(L, 0, 1);
-    if (lua_isnil(L, -1)) lua_pop(L, 1), lua_pushboolean(L, true);
+    if (lua_isnil(L, -1)) {
+      lua_pop(L, 1);
+      lua_pushboolean(L, true);
+    }
     lua_pushvalue(L, -1);
     lua_setfield(L, 2, name.c_str());
     return 1;
@@ -138,11 +161,12 @@ int require(lua_State* L) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(beside.empty() ? fs::path(".") : beside, ignored))
     if (entry.path().extension() == ".lua") near.push_back(entry.path().stem().string());
-  throw at_line(L, fmt::format("require: there is no module '{}' in the library or beside the script{}", name, did_you_mean(name, near)));
+  throw at_line(L, fmt::format("require: there is no module '{}' in the library or beside the script{}", name,
+                               did_you_mean(name, near)));
 }
 
-// xpcall(f, handler, ...): the handler runs after the error has unwound. Lua's own runs it inside the hook that ended the script,
-// where no hook is called any more, so that a loop in it could not be ended.
+// xpcall(f, handler, ...): the handler runs after the error has unwound. Lua's own runs it inside the hook that ended
+// the script, where no hook is called any more, so that a loop in it could not be ended.
 int protected_call(lua_State* L) {
   luaL_checktype(L, 2, LUA_TFUNCTION);
   const int arguments = lua_gettop(L) - 2;
@@ -168,7 +192,8 @@ int set_metatable(lua_State* L) {
   lua_settop(L, 2);
   if (lua_istable(L, 2)) {
     lua_pushliteral(L, "__gc");
-    if (lua_rawget(L, 2) != LUA_TNIL) return luaL_error(L, "setmetatable: __gc is not for scripts (--unsafe lifts this)");
+    if (lua_rawget(L, 2) != LUA_TNIL)
+      return luaL_error(L, "setmetatable: __gc is not for scripts (--unsafe lifts this)");
     lua_pop(L, 1);
   }
   if (luaL_getmetafield(L, 1, "__metatable") != LUA_TNIL) return luaL_error(L, "cannot change a protected metatable");
@@ -181,12 +206,16 @@ int load_text(lua_State* L) {
   std::size_t length = 0;
   const char* text = luaL_checklstring(L, 1, &length);
   const bool environment = lua_gettop(L) >= 4;
-  if (std::string(luaL_optstring(L, 3, "t")).find('t') == std::string::npos) return luaL_error(L, "load: only text is accepted, mode 't'");
+  if (std::string(luaL_optstring(L, 3, "t")).find('t') == std::string::npos)
+    return luaL_error(L, "load: only text is accepted, mode 't'");
   spend(L, work_a_byte_read * static_cast<double>(length));
   std::string name = luaL_optstring(L, 2, "=(load)");
   if (name.starts_with('@')) name[0] = '=';  // files are what was read from files
   if (load_counted(L, {text, length}, name) == LUA_OK) {
-    if (environment) lua_pushvalue(L, 4), lua_setupvalue(L, -2, 1);
+    if (environment) {
+      lua_pushvalue(L, 4);
+      lua_setupvalue(L, -2, 1);
+    }
     return 1;
   }
   stop_if_used_up(L);
@@ -197,7 +226,10 @@ int load_text(lua_State* L) {
 
 void remove(lua_State* L, const char* table, std::initializer_list<const char*> names) {
   lua_getglobal(L, table);
-  for (const char* name : names) lua_pushnil(L), lua_setfield(L, -2, name);
+  for (const char* name : names) {
+    lua_pushnil(L);
+    lua_setfield(L, -2, name);
+  }
   lua_pop(L, 1);
 }
 
@@ -207,12 +239,20 @@ void open_sandbox(lua_State* L, bool unsafe) {
   if (unsafe) {
     luaL_openlibs(L);
   } else {
-    const luaL_Reg opened[] = {{LUA_GNAME, luaopen_base}, {LUA_COLIBNAME, luaopen_coroutine}, {LUA_TABLIBNAME, luaopen_table}, {LUA_OSLIBNAME, luaopen_os},
-                             {LUA_STRLIBNAME, luaopen_string}, {LUA_MATHLIBNAME, luaopen_math}, {LUA_UTF8LIBNAME, luaopen_utf8}};
-    for (const luaL_Reg& library : opened) luaL_requiref(L, library.name, library.func, 1), lua_pop(L, 1);
+    const luaL_Reg opened[] = {{LUA_GNAME, luaopen_base},        {LUA_COLIBNAME, luaopen_coroutine},
+                               {LUA_TABLIBNAME, luaopen_table},  {LUA_OSLIBNAME, luaopen_os},
+                               {LUA_STRLIBNAME, luaopen_string}, {LUA_MATHLIBNAME, luaopen_math},
+                               {LUA_UTF8LIBNAME, luaopen_utf8}};
+    for (const luaL_Reg& library : opened) {
+      luaL_requiref(L, library.name, library.func, 1);
+      lua_pop(L, 1);
+    }
     remove(L, "os", {"execute", "exit", "getenv", "remove", "rename", "setlocale", "tmpname"});
     remove(L, "string", {"dump"});
-    for (const char* name : {"dofile", "loadfile", "collectgarbage"}) lua_pushnil(L), lua_setglobal(L, name);
+    for (const char* name : {"dofile", "loadfile", "collectgarbage"}) {
+      lua_pushnil(L);
+      lua_setglobal(L, name);
+    }
     bound_libraries(L);
     lua_register(L, "load", load_text);
     lua_register(L, "xpcall", protected_call);
@@ -237,25 +277,37 @@ constexpr const char* libraries[] = {"string", "table", "math", "os", "utf8", "c
 // A copy of the table on top of the stack.
 void push_copy(lua_State* L) {
   lua_newtable(L);
-  for (lua_pushnil(L); lua_next(L, -3) != 0;) lua_pushvalue(L, -2), lua_insert(L, -2), lua_rawset(L, -4);
+  for (lua_pushnil(L); lua_next(L, -3) != 0;) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, -4);
+  }
 }
 
 // Before any script runs. Methods of strings are the library's too, and beside them what scripts add to `string`.
 void separate_library(lua_State* L) {
   lua_pushglobaltable(L);
   push_copy(L);
-  for (const char* name : libraries) lua_getfield(L, -1, name), push_copy(L), lua_remove(L, -2), lua_setfield(L, -2, name);
-  lua_pushcfunction(L, guarded<require<true>>), lua_setfield(L, -2, "require");
+  for (const char* name : libraries) {
+    lua_getfield(L, -1, name);
+    push_copy(L);
+    lua_remove(L, -2);
+    lua_setfield(L, -2, name);
+  }
+  lua_pushcfunction(L, guarded<require<true>>);
+  lua_setfield(L, -2, "require");
   lua_pushliteral(L, "");
   lua_getmetatable(L, -1);
   lua_getfield(L, -3, "string");
   lua_createtable(L, 0, 1);
-  lua_getglobal(L, "string"), lua_setfield(L, -2, "__index");
+  lua_getglobal(L, "string");
+  lua_setfield(L, -2, "__index");
   lua_setmetatable(L, -2);
   lua_setfield(L, -2, "__index");
   lua_pop(L, 2);
   lua_createtable(L, 0, 1);
-  lua_pushcfunction(L, guarded<unknown_global>), lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, guarded<unknown_global>);
+  lua_setfield(L, -2, "__index");
   lua_setmetatable(L, -2);
   lua_setfield(L, LUA_REGISTRYINDEX, library_environment);
   lua_pop(L, 1);
@@ -288,6 +340,10 @@ void close_globals(lua_State* L) {
 
 }  // namespace
 
-void close_sandbox(lua_State* L) { separate_library(L), close_libraries(L), close_globals(L); }
+void close_sandbox(lua_State* L) {
+  separate_library(L);
+  close_libraries(L);
+  close_globals(L);
+}
 
 }  // namespace ricochet

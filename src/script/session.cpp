@@ -1,14 +1,14 @@
 #include "script/session.hpp"
 
-#include <csignal>
-#include <ctime>
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <lua.hpp>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
+#include <ctime>
+#include <lua.hpp>
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -74,27 +74,35 @@ std::string now_utc() {
 std::string version_text() {
   unsigned major = 0, minor = 0, release = 0;
   H5get_libversion(&major, &minor, &release);
-  return fmt::format("ricochet {} (commit {})\ncompiler {}\n{} lanes, {}\nHDF5 {}.{}.{}, {}, Eigen {}.{}.{}", version_number, version_commit, version_compiler,
-                     RICOCHET_LANES, version_target, major, minor, release, LUA_RELEASE, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
+  return fmt::format("ricochet {} (commit {})\ncompiler {}\n{} lanes, {}\nHDF5 {}.{}.{}, {}, Eigen {}.{}.{}",
+                     version_number, version_commit, version_compiler, RICOCHET_LANES, version_target, major, minor,
+                     release, LUA_RELEASE, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
 }
 
 Session::Session(RunOptions run_options, fs::path script_path, std::vector<std::string> script_arguments)
-    : options(std::move(run_options)), script(std::move(script_path)), arguments(std::move(script_arguments)), start_(now_utc()) {
-  if (const fs::path stem = this->script.stem(); stem == "." || stem == "..") throw FileError(fmt::format("{} has no name for a folder of results; rename the script", this->script.string()));
+    : options(std::move(run_options)),
+      script(std::move(script_path)),
+      arguments(std::move(script_arguments)),
+      start_(now_utc()) {
+  if (const fs::path stem = this->script.stem(); stem == "." || stem == "..")
+    throw FileError(fmt::format("{} has no name for a folder of results; rename the script", this->script.string()));
   // Installed beside the program, or the source tree it was built from.
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path installed = program.parent_path().parent_path() / "share/ricochet/lua";
   library = fs::exists(installed / "ricochet/init.lua", error) ? installed : fs::path(version_source_folder) / "lua";
-  if (!fs::exists(library / "ricochet/init.lua", error)) throw FileError(fmt::format("the Lua library is missing: {} has no ricochet/init.lua", library.string()));
+  if (!fs::exists(library / "ricochet/init.lua", error))
+    throw FileError(fmt::format("the Lua library is missing: {} has no ricochet/init.lua", library.string()));
 }
 
 void Session::refuse_earlier_results(const fs::path& place) const {
   std::error_code error;
   if (options.resume || options.force || options.check) return;
-  if (fs::exists(place, error) && !fs::is_directory(place, error)) throw FileError(fmt::format("{} is a file; give another folder with --out", place.string()));
+  if (fs::exists(place, error) && !fs::is_directory(place, error))
+    throw FileError(fmt::format("{} is a file; give another folder with --out", place.string()));
   if (fs::exists(place, error) && !fs::is_empty(place, error))
-    throw FileError(fmt::format("{} already holds results; {}--force replaces them, --out DIR goes elsewhere", place.string(), options.study.empty() ? "--resume continues them, " : ""));
+    throw FileError(fmt::format("{} already holds results; {}--force replaces them, --out DIR goes elsewhere",
+                                place.string(), options.study.empty() ? "--resume continues them, " : ""));
 }
 
 void Session::claim(const fs::path& place) {
@@ -106,7 +114,8 @@ void Session::claim(const fs::path& place) {
   if (options.force) {
     std::error_code error;  // of a link that leads nowhere
     for (const auto& entry : fs::directory_iterator(place))
-      if (is_product(entry.path()) && !is_of_the_run(entry.path().filename())) old_[entry.path()] = fs::last_write_time(entry.path(), error);
+      if (is_product(entry.path()) && !is_of_the_run(entry.path().filename()))
+        old_[entry.path()] = fs::last_write_time(entry.path(), error);
   }
   claimed_.insert(place);
 }
@@ -131,11 +140,15 @@ void Session::finish() {
 
 bool Session::something_stored() const {
   std::error_code error;
-  return std::any_of(claimed_.begin(), claimed_.end(), [&](const fs::path& place) { return fs::exists(place / "results.h5", error) || fs::exists(place / "parts", error); });
+  return std::any_of(claimed_.begin(), claimed_.end(), [&](const fs::path& place) {
+    return fs::exists(place / "results.h5", error) || fs::exists(place / "parts", error);
+  });
 }
 
 bool Session::first_picture_named(const fs::path& path) {
-  const auto within = [](const fs::path& inner, const fs::path& outer) { return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end(); };
+  const auto within = [](const fs::path& inner, const fs::path& outer) {
+    return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+  };
   for (const fs::path& other : pictures_)
     if (within(path, other) || within(other, path)) return false;
   return pictures_.insert(path).second;
@@ -143,7 +156,10 @@ bool Session::first_picture_named(const fs::path& path) {
 
 void Session::print(const std::string& text) {
   constexpr std::size_t most = std::size_t{64} << 20;
-  if (log_.size() + text.size() > most) throw Error("the script has printed more than 64 MiB, all of which run.log would hold; write what is so long with ricochet.file.write");
+  if (log_.size() + text.size() > most)
+    throw Error(
+        "the script has printed more than 64 MiB, all of which run.log would hold; write what is so long with "
+        "ricochet.file.write");
   std::fwrite(text.data(), 1, text.size(), stdout);
   std::fflush(stdout);
   log(text);
@@ -175,8 +191,10 @@ Provenance Session::provenance() const {
     if (name != script.string()) p["required_files"] += fmt::format("{} {}\n", hash_text(required), name);
   for (const std::string& argument : arguments) p["arguments"] += argument + "\n";
   p.merge(made_by());
-  p["compiler"] = version_compiler, p["host"] = host;
-  p["start"] = start_, p["end"] = now_utc();
+  p["compiler"] = version_compiler;
+  p["host"] = host;
+  p["start"] = start_;
+  p["end"] = now_utc();
   return p;
 }
 

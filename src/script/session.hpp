@@ -38,17 +38,18 @@ class Session {
 
   RunOptions options;
   std::filesystem::path script;
-  std::filesystem::path library;                       ///< folder of the Lua library
-  std::map<std::string, std::string> sources;          ///< text of every Lua file read, by the name in messages
-  std::vector<std::string> arguments;                  ///< name=value, as given
+  std::filesystem::path library;               ///< folder of the Lua library
+  std::map<std::string, std::string> sources;  ///< text of every Lua file read, by the name in messages
+  std::vector<std::string> arguments;          ///< name=value, as given
   bool parameters_declared = false;
-  bool done = false;                                   ///< the script ended early without an error: after --help
-  std::vector<std::string> loading;                    ///< modules that are being required, the outermost first
-  std::string making;                                  ///< the values of a sweep's point while its scene is being made: "psi1 = 2"
+  bool done = false;                 ///< the script ended early without an error: after --help
+  std::vector<std::string> loading;  ///< modules that are being required, the outermost first
+  std::string making;                ///< the values of a sweep's point while its scene is being made: "psi1 = 2"
   std::map<std::string, std::shared_ptr<const NodePlan>> plans;  ///< planned nodes of bodies, by their geometry
-  double planned_nodes = 0;                            ///< in `plans`
+  double planned_nodes = 0;                                      ///< in `plans`
 
-  std::map<std::string, std::shared_ptr<const Scene>> chosen;    ///< scenes with the step chosen for their accuracy, by the asked scene's hash
+  std::map<std::string, std::shared_ptr<const Scene>>
+      chosen;  ///< scenes with the step chosen for their accuracy, by the asked scene's hash
 
   /// The folder of a name: OUT/<name>. The script's own is that of its file name.
   std::filesystem::path folder(const std::string& name) const { return std::filesystem::path(options.out) / name; }
@@ -56,13 +57,16 @@ class Session {
 
   /// Refuses a folder that holds earlier results, unless --resume or --force is given. Throws FileError.
   void refuse_earlier_results(const std::filesystem::path& folder) const;
-  /// Makes a folder ready for writing, once, and locks it against other runs; with --force, notes the earlier products in it.
+  /// Makes a folder ready for writing, once, and locks it against other runs; with --force, notes the earlier products
+  /// in it.
   void claim(const std::filesystem::path& folder);
-  /// With --force, removes what earlier sweeps stored in a folder, once: when there is something to store instead, so that a mistake does not cost them.
+  /// With --force, removes what earlier sweeps stored in a folder, once: when there is something to store instead, so
+  /// that a mistake does not cost them.
   void replace_results(const std::filesystem::path& folder);
   /// The same for a folder of frames that is about to be filled; single files replace themselves.
   void replace_product(const std::filesystem::path& path);
-  /// After a script without mistakes: what it did not replace of earlier results and products, with --force, is none of its own; run.log.
+  /// After a script without mistakes: what it did not replace of earlier results and products, with --force, is none of
+  /// its own; run.log.
   void finish();
 
   /// Counts an impact that ran, for the exit status: 3 if some ran and none finished.
@@ -84,7 +88,9 @@ class Session {
   /// Prints to the terminal and into run.log.
   void print(const std::string& text);
   /// The first time for this `key` as print(), else as log().
-  void print_first(const std::string& key, const std::string& text) { told_.insert(key).second ? print(text) : log(text); }
+  void print_first(const std::string& key, const std::string& text) {
+    told_.insert(key).second ? print(text) : log(text);
+  }
   /// To the terminal's error stream, and into run.log; the same text once.
   void warn(const std::string& text);
   /// Only into run.log.
@@ -98,7 +104,8 @@ class Session {
 
  private:
   std::set<std::filesystem::path> claimed_, replaced_;
-  std::map<std::filesystem::path, std::filesystem::file_time_type> old_;  ///< products that were there, and when they were written
+  std::map<std::filesystem::path, std::filesystem::file_time_type>
+      old_;  ///< products that were there, and when they were written
   std::vector<FolderLock> locks_;
   std::set<std::filesystem::path> pictures_;
   std::set<std::string> sweeps_, warned_, told_;

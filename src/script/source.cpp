@@ -24,7 +24,10 @@ std::vector<Token> tokens_of(const std::string& s) {
   int line = 1;
   std::size_t line_start = 0;
   const auto step = [&] {
-    if (s[i] == '\n') ++line, line_start = i + 1;
+    if (s[i] == '\n') {
+      ++line;
+      line_start = i + 1;
+    }
     ++i;
   };
   const auto long_bracket = [&]() -> bool {  // at "[[" or "[=*["
@@ -68,7 +71,9 @@ std::vector<Token> tokens_of(const std::string& s) {
   return tokens;
 }
 
-bool opens(const std::string& t) { return t == "{" || t == "(" || t == "[" || t == "function" || t == "if" || t == "do" || t == "repeat"; }
+bool opens(const std::string& t) {
+  return t == "{" || t == "(" || t == "[" || t == "function" || t == "if" || t == "do" || t == "repeat";
+}
 bool closes(const std::string& t) { return t == "}" || t == ")" || t == "]" || t == "end" || t == "until"; }
 
 // The token of `field =` directly inside the table whose "{" is at `open`.
@@ -77,7 +82,8 @@ std::optional<std::size_t> field_in(const std::vector<Token>& tokens, std::size_
   for (std::size_t i = open; i < tokens.size(); ++i) {
     if (opens(tokens[i].text)) ++depth;
     if (closes(tokens[i].text) && --depth == 0) return std::nullopt;
-    if (depth == 1 && tokens[i].text == field && i + 1 < tokens.size() && tokens[i + 1].text == "=" && i > 0 && (i - 1 == open || tokens[i - 1].text == "," || tokens[i - 1].text == ";"))
+    if (depth == 1 && tokens[i].text == field && i + 1 < tokens.size() && tokens[i + 1].text == "=" && i > 0 &&
+        (i - 1 == open || tokens[i - 1].text == "," || tokens[i - 1].text == ";"))
       return i;
   }
   return std::nullopt;
@@ -85,7 +91,8 @@ std::optional<std::size_t> field_in(const std::vector<Token>& tokens, std::size_
 
 }  // namespace
 
-std::optional<Place> find_field(const std::string& source, int line, const std::string& function, const std::vector<std::string>& path) {
+std::optional<Place> find_field(const std::string& source, int line, const std::string& function,
+                                const std::vector<std::string>& path) {
   const std::vector<Token> tokens = tokens_of(source);
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     if (tokens[i].line < line || tokens[i].line > line + 1 || tokens[i].text != function) continue;
@@ -111,40 +118,50 @@ std::string line_of(const std::string& source, int number) {
     start = source.find('\n', start);
     if (start != std::string::npos) ++start;
   }
-  return start == std::string::npos || start >= source.size() ? "" : source.substr(start, source.find('\n', start) - start);
+  return start == std::string::npos || start >= source.size() ? ""
+                                                              : source.substr(start, source.find('\n', start) - start);
 }
 
 }  // namespace
 
 std::string syntax_hint(const std::string& source, int line, const std::string& message) {
-  static const std::vector<std::string> keywords{"and", "break", "do", "else", "elseif", "end", "false", "for", "function", "if", "in", "local",
-                                                 "nil", "not", "or", "repeat", "return", "then", "true", "until", "while"};
+  static const std::vector<std::string> keywords{"and", "break",    "do",     "else", "elseif", "end",   "false",
+                                                 "for", "function", "if",     "in",   "local",  "nil",   "not",
+                                                 "or",  "repeat",   "return", "then", "true",   "until", "while"};
   const std::vector<Token> tokens = tokens_of(source);
   const std::string text = line_of(source, line);
   for (const char quote : {'"', '\''})
-    if (std::count(text.begin(), text.end(), quote) % 2 == 1 && text.find("--") == std::string::npos) return " (is a quote missing in this line?)";
+    if (std::count(text.begin(), text.end(), quote) % 2 == 1 && text.find("--") == std::string::npos)
+      return " (is a quote missing in this line?)";
   // From the line where the block was opened, if the message names one, to where Lua could not go on.
   int first = std::max(line - 1, 1);
-  if (message.find("<eof> expected") != std::string::npos) first = 1;  // an "end" too many: what it should close began anywhere
-  if (const std::size_t opened = message.find("at line "); opened != std::string::npos) first = std::atoi(message.c_str() + opened + 8);
+  if (message.find("<eof> expected") != std::string::npos)
+    first = 1;  // an "end" too many: what it should close began anywhere
+  if (const std::size_t opened = message.find("at line "); opened != std::string::npos)
+    first = std::atoi(message.c_str() + opened + 8);
   std::set<std::string> declared;  // names that are somewhere followed by "=", or stand in a list of names
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
-    if (tokens[i + 1].text == "=" || tokens[i + 1].text == "," || (i > 0 && (tokens[i - 1].text == "local" || tokens[i - 1].text == "," || tokens[i - 1].text == "for"))) declared.insert(tokens[i].text);
+    if (tokens[i + 1].text == "=" || tokens[i + 1].text == "," ||
+        (i > 0 && (tokens[i - 1].text == "local" || tokens[i - 1].text == "," || tokens[i - 1].text == "for")))
+      declared.insert(tokens[i].text);
   const Token* suspect = nullptr;
   std::string meant;
   for (std::size_t i = 0; i < tokens.size() && tokens[i].line <= line; ++i) {
     const std::string& word = tokens[i].text;
-    const bool name = !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) && std::find(keywords.begin(), keywords.end(), word) == keywords.end();
+    const bool name = !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) &&
+                      std::find(keywords.begin(), keywords.end(), word) == keywords.end();
     if (tokens[i].line < first || !name || word.size() < 2 || declared.contains(word)) continue;
     if (i > 0 && (tokens[i - 1].text == "." || tokens[i - 1].text == ":")) continue;
     const std::vector<std::string> near = nearest_names(word, keywords);
     // The beginning of a longer word is no slip of a keyword.
     if (near.empty() || near[0].size() + 1 < word.size() || word.size() + 2 < near[0].size()) continue;
     const std::string hint = did_you_mean(word, keywords);
-    suspect = &tokens[i], meant = hint;  // the last one before the error is the likeliest
+    suspect = &tokens[i];
+    meant = hint;  // the last one before the error is the likeliest
   }
   if (suspect) {
-    meant.insert(meant.size() - 2, fmt::format(" for '{}'{}", suspect->text, suspect->line == line ? "" : fmt::format(" in line {}", suspect->line)));
+    meant.insert(meant.size() - 2, fmt::format(" for '{}'{}", suspect->text,
+                                               suspect->line == line ? "" : fmt::format(" in line {}", suspect->line)));
     return meant;
   }
   const auto near = [&](const std::string& mark) { return message.find("near '" + mark) != std::string::npos; };
@@ -161,12 +178,15 @@ std::string syntax_hint(const std::string& source, int line, const std::string& 
   if (near("!")) return " (Lua writes ~= for 'differs from', and not for the negation)";
   if (near("&")) return " (Lua writes and, or, not)";
   for (const char* sign : {"+", "-", "*", "/"})
-    if (text.find(std::string(sign) + "=") != std::string::npos) return fmt::format(" (Lua has no {0}=; write x = x {0} ...)", sign);
+    if (text.find(std::string(sign) + "=") != std::string::npos)
+      return fmt::format(" (Lua has no {0}=; write x = x {0} ...)", sign);
   // A name, string or bracket that stands where a comma or the end of the table should: not a keyword.
   const std::size_t at = message.find("near '");
   const std::string word = at == std::string::npos ? "" : message.substr(at + 6, message.find('\'', at + 6) - at - 6);
-  if (message.find("'}' expected") != std::string::npos && !word.empty() && (std::isalnum(static_cast<unsigned char>(word[0])) || word[0] == '_' || word[0] == '{'))
-    return std::find(keywords.begin(), keywords.end(), word) == keywords.end() ? " (is a comma missing before it?)" : " (is a bracket missing before it?)";
+  if (message.find("'}' expected") != std::string::npos && !word.empty() &&
+      (std::isalnum(static_cast<unsigned char>(word[0])) || word[0] == '_' || word[0] == '{'))
+    return std::find(keywords.begin(), keywords.end(), word) == keywords.end() ? " (is a comma missing before it?)"
+                                                                               : " (is a bracket missing before it?)";
   return "";
 }
 
@@ -177,7 +197,8 @@ std::string excerpt(const std::string& source, const Place& place) {
   if (place.length > 0) {
     // Tabs before the name are repeated, so that the carets stand below it.
     std::string indent = text.substr(0, static_cast<std::size_t>(place.column - 1));
-    std::replace_if(indent.begin(), indent.end(), [](char c) { return c != '\t'; }, ' ');
+    std::replace_if(
+        indent.begin(), indent.end(), [](char c) { return c != '\t'; }, ' ');
     result += fmt::format("      | {}{}\n", indent, std::string(static_cast<std::size_t>(place.length), '^'));
   }
   return result;

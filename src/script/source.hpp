@@ -13,12 +13,13 @@ struct Place {
   int length;  ///< of the name
 };
 
-/// Finds the field `path` (outermost first) of the table given in the call of `function` that begins at `line`. Nothing if the
-/// table is not written there.
-std::optional<Place> find_field(const std::string& source, int line, const std::string& function, const std::vector<std::string>& path);
+/// Finds the field `path` (outermost first) of the table given in the call of `function` that begins at `line`. Nothing
+/// if the table is not written there.
+std::optional<Place> find_field(const std::string& source, int line, const std::string& function,
+                                const std::vector<std::string>& path);
 
-/// What a syntax error's message, Lua's own for `line`, leaves unsaid: " (did you mean 'return' for 'retrun' in line 4?)", " (is a
-/// comma missing before it?)", or nothing.
+/// What a syntax error's message, Lua's own for `line`, leaves unsaid: " (did you mean 'return' for 'retrun' in line
+/// 4?)", " (is a comma missing before it?)", or nothing.
 std::string syntax_hint(const std::string& source, int line, const std::string& message);
 
 /// "   14 |   radus = 0.05,\n      |   ^^^^^\n" for a place; a place of length 0 gives the line alone.

@@ -7,8 +7,8 @@
 
 namespace ricochet {
 
-/// A function of the Lua module: the one source for reading and checking its table, the messages, the editor stubs and the
-/// reference page.
+/// A function of the Lua module: the one source for reading and checking its table, the messages, the editor stubs and
+/// the reference page.
 struct Function {
   std::string name;  ///< as a script writes it: "disk", "sweep.run", "rows:summary" (a method)
   std::string doc;
@@ -24,7 +24,8 @@ std::span<const Function> functions();
 /// The function of that name; a programming mistake if there is none.
 const Function& function_named(const std::string& name);
 
-/// Generated texts: lua/ricochet.d.lua (for the Lua language server) and lua/REFERENCE.md. Tests keep the files current.
+/// Generated texts: lua/ricochet.d.lua (for the Lua language server) and lua/REFERENCE.md. Tests keep the files
+/// current.
 std::string editor_stubs();
 std::string reference_page();
 

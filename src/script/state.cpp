@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Wraps a Lua function of the library in a C function: the caller's frame then stays on the stack even in a tail call, so that
-// a mistake can be reported at the caller's line.
+// Wraps a Lua function of the library in a C function: the caller's frame then stays on the stack even in a tail call,
+// so that a mistake can be reported at the caller's line.
 int wrapped(lua_State* L) {
   lua_pushvalue(L, lua_upvalueindex(1));
   lua_insert(L, 1);
@@ -30,7 +30,8 @@ int wrap(lua_State* L) {
   return 1;
 }
 
-// check(name, table [, ours]): the table's fields checked against the specification; a copy with the defaults filled in.
+// check(name, table [, ours]): the table's fields checked against the specification; a copy with the defaults filled
+// in.
 int check(lua_State* L) {
   const Function& function = function_named(luaL_checkstring(L, 1));
   check_table(L, 2, function, lua_toboolean(L, 3));
@@ -39,8 +40,10 @@ int check(lua_State* L) {
     lua_getfield(L, 2, field.name.c_str());
     if (lua_isnil(L, -1) && !field.initial.empty()) {
       lua_pop(L, 1);
-      if (field.type == "string") lua_pushstring(L, field.initial.c_str());
-      else if (luaL_dostring(L, ("return " + field.initial).c_str()) != LUA_OK) throw std::logic_error("a default is no Lua value: " + field.initial);
+      if (field.type == "string")
+        lua_pushstring(L, field.initial.c_str());
+      else if (luaL_dostring(L, ("return " + field.initial).c_str()) != LUA_OK)
+        throw std::logic_error("a default is no Lua value: " + field.initial);
     }
     lua_setfield(L, -2, field.name.c_str());
   }
@@ -60,7 +63,8 @@ int fail_in(lua_State* L) {
   lua_Debug info;
   lua_pushvalue(L, 1);
   lua_getinfo(L, ">S", &info);
-  throw Error(report(session_of(L), {info.source[0] == '@' ? info.source + 1 : "", name, info.linedefined}, {{{}, message}}));
+  throw Error(
+      report(session_of(L), {info.source[0] == '@' ? info.source + 1 : "", name, info.linedefined}, {{{}, message}}));
 }
 
 // fail_here(message): an error at the user's line.
@@ -70,14 +74,22 @@ int fail_here(lua_State* L) { throw at_line(L, luaL_checkstring(L, 1)); }
 int unknown(lua_State* L) {
   const std::string what = luaL_checkstring(L, 1), name = shortened(displayed(L, 2));
   std::vector<std::string> names;
-  for (lua_Integer i = 1; i <= luaL_len(L, 3); ++i) lua_geti(L, 3, i), names.push_back(displayed(L, -1)), lua_pop(L, 1);
+  for (lua_Integer i = 1; i <= luaL_len(L, 3); ++i) {
+    lua_geti(L, 3, i);
+    names.push_back(displayed(L, -1));
+    lua_pop(L, 1);
+  }
   throw unknown_name(L, what, name, names);
 }
 
 // did_you_mean(name, names): " (did you mean 'x'?)", or nothing.
 int nearest(lua_State* L) {
   std::vector<std::string> names;
-  for (lua_Integer i = 1; i <= luaL_len(L, 2); ++i) lua_geti(L, 2, i), names.push_back(displayed(L, -1)), lua_pop(L, 1);
+  for (lua_Integer i = 1; i <= luaL_len(L, 2); ++i) {
+    lua_geti(L, 2, i);
+    names.push_back(displayed(L, -1));
+    lua_pop(L, 1);
+  }
   lua_pushstring(L, hint(L, luaL_checkstring(L, 1), names).c_str());
   return 1;
 }
@@ -86,9 +98,13 @@ int nearest(lua_State* L) {
 int function_names(lua_State* L) {
   std::set<std::string> names;  // those of file.write and file.read are one
   for (const Function& f : functions())
-    if (f.name.find(':') == std::string::npos && f.name != "launch" && f.name != "contact" && f.name != "show") names.insert(f.name.substr(0, f.name.find('.')));
+    if (f.name.find(':') == std::string::npos && f.name != "launch" && f.name != "contact" && f.name != "show")
+      names.insert(f.name.substr(0, f.name.find('.')));
   lua_newtable(L);
-  for (const std::string& name : names) lua_pushstring(L, name.c_str()), lua_seti(L, -2, luaL_len(L, -2) + 1);
+  for (const std::string& name : names) {
+    lua_pushstring(L, name.c_str());
+    lua_seti(L, -2, luaL_len(L, -2) + 1);
+  }
   return 1;
 }
 
@@ -109,7 +125,8 @@ int is_scene(lua_State* L) {
   return 1;
 }
 
-// is(value, metatable): true if that is the value's. getmetatable tells scripts, and the library, nothing of protected ones.
+// is(value, metatable): true if that is the value's. getmetatable tells scripts, and the library, nothing of protected
+// ones.
 int is(lua_State* L) {
   lua_settop(L, 2);
   lua_pushboolean(L, lua_istable(L, 1) && lua_getmetatable(L, 1) && lua_rawequal(L, -1, 2));
@@ -139,7 +156,10 @@ int traceback(lua_State* L) {
     luaL_traceback(L, L, message.c_str(), 1);
   } else if (!lua_isstring(L, 1)) {
     const bool speaks = luaL_getmetafield(L, 1, "__tostring") != LUA_TNIL;
-    const std::string message = speaks ? displayed(L, 1) : fmt::format("the script raised an error without a message ({}); give error() a text", luaL_typename(L, 1));
+    const std::string message =
+        speaks ? displayed(L, 1)
+               : fmt::format("the script raised an error without a message ({}); give error() a text",
+                             luaL_typename(L, 1));
     lua_pushstring(L, (speaks ? message : std::string(at_line(L, message).what())).c_str());
   }
   if (const std::string& place = session_of(L).making; !place.empty()) {
@@ -160,10 +180,31 @@ State::State(Session& session) : session_(session) {
   open_sandbox(L_, session.options.unsafe);
 
   lua_newtable(L_);  // the module's native part, which lua/ricochet/init.lua requires as "ricochet.core"
-  const luaL_Reg natives[] = {{"check", guarded<check>}, {"fail", guarded<fail>}, {"fail_in", guarded<fail_in>}, {"fail_here", guarded<fail_here>}, {"unknown", guarded<unknown>},
-                              {"function_names", function_names}, {"did_you_mean", nearest}, {"wrap", wrap}, {"is", is}, {"plain", guarded<plain>}, {"is_check", is_check}, {"is_resume", is_resume}, {"make_scene", make_scene}, {"is_scene", is_scene}};
-  for (const luaL_Reg& f : natives) lua_pushcfunction(L_, f.func), lua_setfield(L_, -2, f.name);
-  add_parameters(L_), add_bodies(L_), add_sweeps(L_), add_pictures(L_), add_run_files(L_), add_theories(L_), add_accuracy(L_);
+  const luaL_Reg natives[] = {{"check", guarded<check>},
+                              {"fail", guarded<fail>},
+                              {"fail_in", guarded<fail_in>},
+                              {"fail_here", guarded<fail_here>},
+                              {"unknown", guarded<unknown>},
+                              {"function_names", function_names},
+                              {"did_you_mean", nearest},
+                              {"wrap", wrap},
+                              {"is", is},
+                              {"plain", guarded<plain>},
+                              {"is_check", is_check},
+                              {"is_resume", is_resume},
+                              {"make_scene", make_scene},
+                              {"is_scene", is_scene}};
+  for (const luaL_Reg& f : natives) {
+    lua_pushcfunction(L_, f.func);
+    lua_setfield(L_, -2, f.name);
+  }
+  add_parameters(L_);
+  add_bodies(L_);
+  add_sweeps(L_);
+  add_pictures(L_);
+  add_run_files(L_);
+  add_theories(L_);
+  add_accuracy(L_);
   luaL_getsubtable(L_, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   lua_insert(L_, -2);
   lua_setfield(L_, -2, "ricochet.core");
@@ -188,10 +229,15 @@ void State::call_chunk(int results) {
   lua_remove(L_, handler);
   if (status == LUA_OK || session_.done) return;
   if (status == LUA_ERRMEM)
-    throw limits_->over_budget ? Error(fmt::format("{}the script used up its budget of {:.0f} instructions, filling memory among them; raise --budget or look for a loop without end", limits_->refused_at.empty() ? "" : limits_->refused_at + ": ", limits_->budget)) :
-      Error(fmt::format("{}the script needs more than 2 GiB of memory; look for a table or string that grows without end, or recursion without end",
+    throw limits_->over_budget
+        ? Error(fmt::format("{}the script used up its budget of {:.0f} instructions, filling memory among them; raise "
+                            "--budget or look for a loop without end",
+                            limits_->refused_at.empty() ? "" : limits_->refused_at + ": ", limits_->budget))
+        : Error(fmt::format("{}the script needs more than 2 GiB of memory; look for a table or string that grows "
+                            "without end, or recursion without end",
                             limits_->refused_at.empty() ? "" : limits_->refused_at + ": "));
-  const std::string message = lua_isstring(L_, -1) ? lua_tostring(L_, -1) : "the script raised an error without a message";
+  const std::string message =
+      lua_isstring(L_, -1) ? lua_tostring(L_, -1) : "the script raised an error without a message";
   lua_pop(L_, 1);
   lua_getfield(L_, LUA_REGISTRYINDEX, "ricochet.exit");
   const Exit exit = static_cast<Exit>(lua_tointeger(L_, -1));
@@ -202,7 +248,8 @@ void State::call_chunk(int results) {
   for (const auto& [name, text] : session_.sources)
     if (message.starts_with(name + ":") && message.find(" | ") == std::string::npos) {
       const std::size_t end = std::min(message.find('\n'), message.size());
-      shown = message.substr(0, end) + "\n" + excerpt(text, {std::atoi(message.c_str() + name.size() + 1), 1, 0}) + message.substr(std::min(end + 1, message.size()));
+      shown = message.substr(0, end) + "\n" + excerpt(text, {std::atoi(message.c_str() + name.size() + 1), 1, 0}) +
+              message.substr(std::min(end + 1, message.size()));
     }
   throw Error(shown, exit);
 }
@@ -211,10 +258,13 @@ void State::run_script() {
   std::error_code error;
   if (!fs::exists(session_.script, error)) {
     std::vector<std::string> near;
-    for (const auto& entry : fs::directory_iterator(session_.script.has_parent_path() ? session_.script.parent_path() : fs::path("."), error))
+    for (const auto& entry : fs::directory_iterator(
+             session_.script.has_parent_path() ? session_.script.parent_path() : fs::path("."), error))
       near.push_back(entry.path().filename().string());
     const std::string hint = did_you_mean(session_.script.filename().string(), near);
-    throw FileError(fmt::format("there is no script {}{}", session_.script.string(), hint.empty() ? fmt::format(" (looked for {})", fs::absolute(session_.script, error).string()) : hint));
+    throw FileError(fmt::format(
+        "there is no script {}{}", session_.script.string(),
+        hint.empty() ? fmt::format(" (looked for {})", fs::absolute(session_.script, error).string()) : hint));
   }
   load_file(L_, session_.script, session_.script.string(), false);
   call_chunk(0);
@@ -223,7 +273,8 @@ void State::run_script() {
 
 void State::study_first_scene() {
   lua_settop(L_, 0);
-  if (lua_getfield(L_, LUA_REGISTRYINDEX, "ricochet.first_scene") == LUA_TNIL) throw Error(fmt::format("{} makes no scene", session_.script.string()));
+  if (lua_getfield(L_, LUA_REGISTRYINDEX, "ricochet.first_scene") == LUA_TNIL)
+    throw Error(fmt::format("{} makes no scene", session_.script.string()));
   lua_pop(L_, 1);
   // Through a global of its own: the chunk takes no arguments.
   lua_pushglobaltable(L_);
@@ -232,7 +283,8 @@ void State::study_first_scene() {
   lua_rawset(L_, -3);
   lua_pop(L_, 1);
   const std::string& text = session_.options.study;
-  if (luaL_loadbufferx(L_, text.data(), text.size(), "=study", "t") != LUA_OK) throw std::logic_error("study_first_scene");
+  if (luaL_loadbufferx(L_, text.data(), text.size(), "=study", "t") != LUA_OK)
+    throw std::logic_error("study_first_scene");
   call_chunk(0);
 }
 

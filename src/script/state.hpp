@@ -1,6 +1,5 @@
 #pragma once
 #include <lua.hpp>
-
 #include <memory>
 #include <string>
 
@@ -9,8 +8,8 @@
 
 namespace ricochet {
 
-/// A Lua state with the module, in a sandbox: strict globals; no os.execute, io, debug, bytecode or native modules; a memory
-/// limit; an instruction budget if the session sets one.
+/// A Lua state with the module, in a sandbox: strict globals; no os.execute, io, debug, bytecode or native modules; a
+/// memory limit; an instruction budget if the session sets one.
 class State {
  public:
   explicit State(Session& session);

@@ -12,11 +12,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const Field status_field{"status", "string", "", "how it ended: finished, energy_drift, not_finite, unstable, tunnelled, no_contact, out_of_time"};
+const Field status_field{
+    "status", "string", "",
+    "how it ended: finished, energy_drift, not_finite, unstable, tunnelled, no_contact, out_of_time"};
 const Field reason_field{"reason", "string", "", "a sentence, if it did not finish"};
 const Field hash_field{"scene_hash", "string", "", "hash of the scene's canonical text"};
 const Field seed_field{"seed", "string", "", "seed of the projectile"};
-const Field seconds_field{"wall_seconds", "number", "s", "its share of the time of the thread that ran it; impacts in lanes share it evenly"};
+const Field seconds_field{"wall_seconds", "number", "s",
+                          "its share of the time of the thread that ran it; impacts in lanes share it evenly"};
 
 Table table_of(const std::vector<const Row*>& rows) {
   Table table;
@@ -30,14 +33,20 @@ Table table_of(const std::vector<const Row*>& rows) {
     table.texts.push_back({field, {}});
     for (const Row* row : rows) table.texts.back().values.push_back(row->*member);
   };
-  text(status_field, &Row::status), text(reason_field, &Row::reason), text(hash_field, &Row::hash), text(seed_field, &Row::seed);
+  text(status_field, &Row::status);
+  text(reason_field, &Row::reason);
+  text(hash_field, &Row::hash);
+  text(seed_field, &Row::seed);
   return table;
 }
 
 std::vector<Row> rows_of(const fs::path& path) {
   const Table table = read_table(path);
   const auto need = [&](const auto* column, const std::string& name) {
-    if (!column) throw FileError(fmt::format("{} has no column '{}' (written by another version?); run again with --force or another --out", path.string(), name));
+    if (!column)
+      throw FileError(
+          fmt::format("{} has no column '{}' (written by another version?); run again with --force or another --out",
+                      path.string(), name));
     return column;
   };
   std::vector<Row> rows(table.rows());
@@ -51,7 +60,10 @@ std::vector<Row> rows_of(const fs::path& path) {
     const TextColumn* column = need(table.text(field.name), field.name);
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = column->values[i];
   };
-  text(status_field, &Row::status), text(reason_field, &Row::reason), text(hash_field, &Row::hash), text(seed_field, &Row::seed);
+  text(status_field, &Row::status);
+  text(reason_field, &Row::reason);
+  text(hash_field, &Row::hash);
+  text(seed_field, &Row::seed);
   return rows;
 }
 
@@ -60,12 +72,19 @@ std::vector<Row> rows_of(const fs::path& path) {
 std::string Parameters::place(std::size_t scene) const {
   std::string text;
   for (std::size_t p = 0; p < names.size(); ++p)
-    text += fmt::format("{}{} = {}", p ? ", " : "", names[p], texts[p].empty() ? fmt::format("{:g}", numbers[p][scene]) : "'" + texts[p][scene] + "'");
+    text += fmt::format("{}{} = {}", p ? ", " : "", names[p],
+                        texts[p].empty() ? fmt::format("{:g}", numbers[p][scene]) : "'" + texts[p][scene] + "'");
   return text;
 }
 
-Store::Store(Session& session, const std::string& name, const std::vector<std::string>& hashes, const Parameters& parameters)
-    : session_(session), folder_(session.folder(name)), hashes_(hashes), parameters_(parameters), rows_(hashes.size()), done_(hashes.size(), false) {
+Store::Store(Session& session, const std::string& name, const std::vector<std::string>& hashes,
+             const Parameters& parameters)
+    : session_(session),
+      folder_(session.folder(name)),
+      hashes_(hashes),
+      parameters_(parameters),
+      rows_(hashes.size()),
+      done_(hashes.size(), false) {
   for (std::size_t i = 0; i < hashes_.size(); ++i) scenes_[hashes_[i]].push_back(i);
   session.claim(folder_);
   if (session.options.resume) load();
@@ -74,7 +93,10 @@ Store::Store(Session& session, const std::string& name, const std::vector<std::s
 void Store::add(const std::vector<std::pair<std::size_t, Row>>& batch) {
   std::vector<const Row*> rows;
   std::string key;
-  for (const auto& [index, row] : batch) rows.push_back(&row), key += row.hash;
+  for (const auto& [index, row] : batch) {
+    rows.push_back(&row);
+    key += row.hash;
+  }
   session_.replace_results(folder_);
   make_folder(folder_ / "parts");
   write_table(folder_ / "parts" / (hash_text(key) + ".h5"), table_of(rows), session_.made_by());
@@ -86,12 +108,16 @@ void Store::assemble() {
   std::vector<const Row*> rows;
   std::vector<std::size_t> scenes;
   for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (done_[i]) rows.push_back(&rows_[i]), scenes.push_back(i);
+    if (done_[i]) {
+      rows.push_back(&rows_[i]);
+      scenes.push_back(i);
+    }
   Table table = table_of(rows);
   for (std::size_t p = parameters_.names.size(); p-- > 0;) {
     const std::string& name = parameters_.names[p];
     // An outcome of the same name is what the impact had; the parameter is what the sweep asked for: keep both.
-    const Field field{table.number(name) || table.text(name) ? "over_" + name : name, "number", "", "parameter of the sweep"};
+    const Field field{table.number(name) || table.text(name) ? "over_" + name : name, "number", "",
+                      "parameter of the sweep"};
     if (!parameters_.texts[p].empty()) {
       table.texts.insert(table.texts.begin(), {field, {}});
       for (const std::size_t i : scenes) table.texts.front().values.push_back(parameters_.texts[p][i]);
@@ -108,7 +134,11 @@ void Store::assemble() {
 bool Store::take(const Row& row) {
   const auto scenes = scenes_.find(row.hash);
   if (scenes == scenes_.end()) return false;
-  for (const std::size_t i : scenes->second) count_ += !done_[i], rows_[i] = row, done_[i] = true;
+  for (const std::size_t i : scenes->second) {
+    count_ += !done_[i];
+    rows_[i] = row;
+    done_[i] = true;
+  }
   return true;
 }
 
@@ -124,13 +154,17 @@ void Store::load() {
     const Provenance theirs = read_provenance(file);
     for (const auto& [name, value] : session_.made_by())
       if (const auto it = theirs.find(name); it == theirs.end() || it->second != value)
-        throw FileError(fmt::format("{} was written by {} {}, and this is {}: rows of both would stand side by side; finish it by that one, or run again with --force or another --out", file.string(), name,
-                                    it == theirs.end() ? "unknown" : it->second, value));
+        throw FileError(
+            fmt::format("{} was written by {} {}, and this is {}: rows of both would stand side by side; finish it by "
+                        "that one, or run again with --force or another --out",
+                        file.string(), name, it == theirs.end() ? "unknown" : it->second, value));
     for (const Row& row : rows_of(file)) strangers += !take(row);
   }
   if (strangers > 0)
-    throw FileError(fmt::format("{} holds {} rows of other scenes than this sweep's, which --resume would lose; use the same parameters (and the same scenes where accuracy chooses the step: trials of them chose it), --force, or another --out",
-                                folder_.string(), strangers));
+    throw FileError(fmt::format(
+        "{} holds {} rows of other scenes than this sweep's, which --resume would lose; use the same parameters (and "
+        "the same scenes where accuracy chooses the step: trials of them chose it), --force, or another --out",
+        folder_.string(), strangers));
 }
 
 }  // namespace ricochet

@@ -25,8 +25,10 @@ struct Parameters {
 /// Rows of a sweep as they come in, and their files.
 class Store {
  public:
-  /// Takes what is stored if the session resumes. Throws FileError for what is damaged, or not of these scenes, or of another version.
-  Store(Session& session, const std::string& name, const std::vector<std::string>& hashes, const Parameters& parameters);
+  /// Takes what is stored if the session resumes. Throws FileError for what is damaged, or not of these scenes, or of
+  /// another version.
+  Store(Session& session, const std::string& name, const std::vector<std::string>& hashes,
+        const Parameters& parameters);
 
   const std::vector<bool>& done() const { return done_; }
   const std::vector<Row>& rows() const { return rows_; }

@@ -31,17 +31,22 @@ void push_value(lua_State* L, const theory::Value& value) {
   }
   const auto& list = std::get<theory::Numbers>(value);
   lua_createtable(L, static_cast<int>(list.size()), 0);
-  for (std::size_t i = 0; i < list.size(); ++i) lua_pushnumber(L, list[i]), lua_seti(L, -2, static_cast<lua_Integer>(i) + 1);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    lua_pushnumber(L, list[i]);
+    lua_seti(L, -2, static_cast<lua_Integer>(i) + 1);
+  }
 }
 
-// Lua instructions of 5 ns that a call stands for, at most: measured. A list costs its square (a fit), or its third power (a spline).
+// Lua instructions of 5 ns that a call stands for, at most: measured. A list costs its square (a fit), or its third
+// power (a spline).
 double work_of(const theory::Theory& called, const std::map<std::string, theory::Value>& given) {
   double work = 2e4;
   for (const auto& [name, value] : given) {
     const double* number = std::get_if<double>(&value);
     if (number && name == "steps") work += 20 * *number;
     if (number && name == "count") work += 1.2e5 * *number;
-    if (const auto* list = std::get_if<theory::Numbers>(&value)) work += std::pow(static_cast<double>(list->size()), called.name == "tilted_curve" && name != "at" ? 3 : 2);
+    if (const auto* list = std::get_if<theory::Numbers>(&value))
+      work += std::pow(static_cast<double>(list->size()), called.name == "tilted_curve" && name != "at" ? 3 : 2);
   }
   return work;
 }
@@ -49,7 +54,9 @@ double work_of(const theory::Theory& called, const std::map<std::string, theory:
 // Called with the theory's place in the catalogue as upvalue.
 int call_theory(lua_State* L) {
   const theory::Theory& called = theory::theories()[static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)))];
-  if (lua_gettop(L) > 1) throw at_line(L, fmt::format("theory.{0} takes one table and is called with a dot: ricochet.theory.{0} {{ ... }}", called.name));
+  if (lua_gettop(L) > 1)
+    throw at_line(L, fmt::format("theory.{0} takes one table and is called with a dot: ricochet.theory.{0} {{ ... }}",
+                                 called.name));
   check_table(L, 1, function_named("theory." + called.name));
   std::map<std::string, theory::Value> given;
   for (const Field& field : called.arguments) {
@@ -101,14 +108,18 @@ void add_theories(lua_State* L) {
     lua_setfield(L, -2, theory::theories()[i].name.c_str());
   }
   lua_createtable(L, 0, 1);
-  lua_pushcfunction(L, guarded<unknown_theory>), lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, guarded<unknown_theory>);
+  lua_setfield(L, -2, "__index");
   lua_setmetatable(L, -2);
   // An empty table before it, so that no name can be given another meaning.
   lua_newtable(L);
   lua_createtable(L, 0, 3);
-  lua_rotate(L, -3, -1), lua_setfield(L, -2, "__index");
-  lua_pushcfunction(L, guarded<no_new_theory>), lua_setfield(L, -2, "__newindex");
-  lua_pushboolean(L, false), lua_setfield(L, -2, "__metatable");
+  lua_rotate(L, -3, -1);
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, guarded<no_new_theory>);
+  lua_setfield(L, -2, "__newindex");
+  lua_pushboolean(L, false);
+  lua_setfield(L, -2, "__metatable");
   lua_setmetatable(L, -2);
   lua_setfield(L, -2, "theory");
 }

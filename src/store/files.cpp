@@ -16,7 +16,8 @@ namespace ricochet {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* doing, int error) {
-  const char* remedy = error == ENOSPC || error == EDQUOT ? "; free some space or give another folder with --out, then --resume"
+  const char* remedy = error == ENOSPC || error == EDQUOT
+                           ? "; free some space or give another folder with --out, then --resume"
                        : error == EACCES || error == EROFS || error == EPERM ? "; give a writable folder with --out"
                                                                              : "";
   throw FileError(fmt::format("cannot {} {}: {}{}", doing, path.string(), std::strerror(error), remedy));
@@ -43,13 +44,15 @@ void sync_folder(const std::filesystem::path& folder) {
 
 }  // namespace
 
-FolderLock::FolderLock(const std::filesystem::path& folder) : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+FolderLock::FolderLock(const std::filesystem::path& folder)
+    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (descriptor_ < 0) fail(folder, "open", errno);
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
   const int error = errno;
   close(descriptor_);
   if (error != EWOULDBLOCK) fail(folder, "lock", error);
-  throw FileError(fmt::format("another run is writing into {}; wait for its end, or give another folder with --out", folder.string()));
+  throw FileError(fmt::format("another run is writing into {}; wait for its end, or give another folder with --out",
+                              folder.string()));
 }
 
 FolderLock::~FolderLock() {
@@ -91,8 +94,10 @@ void make_folder(const std::filesystem::path& path) {
 
 std::string read_file(const std::filesystem::path& path) {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw FileError(fmt::format("cannot read {}: it is a folder", path.string()));
-  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) throw FileError(fmt::format("cannot read {}: it is no regular file", path.string()));
+  if (std::filesystem::is_directory(path, error))
+    throw FileError(fmt::format("cannot read {}: it is a folder", path.string()));
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+    throw FileError(fmt::format("cannot read {}: it is no regular file", path.string()));
   std::ifstream file(path, std::ios::binary);
   if (!file) fail(path, "read", errno);
   return {std::istreambuf_iterator<char>(file), {}};

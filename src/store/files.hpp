@@ -6,8 +6,8 @@
 
 namespace ricochet {
 
-/// Writes a file so that a reader, or a kill at any moment, sees either the old file or the whole new one: beside it, synced, renamed.
-/// Throws FileError.
+/// Writes a file so that a reader, or a kill at any moment, sees either the old file or the whole new one: beside it,
+/// synced, renamed. Throws FileError.
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 /// Makes a folder and its parents. Throws FileError.
@@ -16,7 +16,8 @@ void make_folder(const std::filesystem::path& path);
 /// The whole file. Throws FileError.
 std::string read_file(const std::filesystem::path& path);
 
-/// Holds a folder against other processes until it goes out of scope (or the process dies). Throws FileError if another holds it.
+/// Holds a folder against other processes until it goes out of scope (or the process dies). Throws FileError if another
+/// holds it.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);

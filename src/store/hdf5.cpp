@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::string_view seal_words = "ricochet: HDF5 from byte 512 on; XXH3-128 of that: ";
 constexpr std::size_t seal_size = 512;
-constexpr const char* damage_remedy = "restore it from a copy, or remove it, or run the script that wrote it again with --force or another --out";
+constexpr const char* damage_remedy =
+    "restore it from a copy, or remove it, or run the script that wrote it again with --force or another --out";
 
 // More than any table or text of ours holds.
 constexpr hsize_t most_values = 1'000'000'000;
@@ -43,11 +44,14 @@ hsize_t length_of(const Handle& set) {
   const Handle space(H5Dget_space(set), H5Sclose, "read a shape");
   const hsize_t length = static_cast<hsize_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
   // A file may claim any size for what it never stored.
-  if (length > most_values || length > 1000 * (H5Dget_storage_size(set) + 1)) throw FileError(fmt::format("a dataset claims {} values and stores {} bytes", length, H5Dget_storage_size(set)));
+  if (length > most_values || length > 1000 * (H5Dget_storage_size(set) + 1))
+    throw FileError(fmt::format("a dataset claims {} values and stores {} bytes", length, H5Dget_storage_size(set)));
   return length;
 }
 
-Handle open_set(hid_t parent, const char* name) { return {H5Dopen2(parent, name, H5P_DEFAULT), H5Dclose, "open a dataset"}; }
+Handle open_set(hid_t parent, const char* name) {
+  return {H5Dopen2(parent, name, H5P_DEFAULT), H5Dclose, "open a dataset"};
+}
 
 void check(herr_t status, const char* doing) {
   if (status < 0) throw FileError(std::string("HDF5 cannot ") + doing);
@@ -90,16 +94,25 @@ Handle open_file(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw FileError(fmt::format("{} does not exist", path.string()));
   const std::string bytes = read_file(path);
-  if (!bytes.starts_with(seal_words)) throw FileError(fmt::format("{} is no file of ricochet's (it begins without a seal), or its beginning is damaged; {}", path.string(), damage_remedy));
+  if (!bytes.starts_with(seal_words))
+    throw FileError(
+        fmt::format("{} is no file of ricochet's (it begins without a seal), or its beginning is damaged; {}",
+                    path.string(), damage_remedy));
   if (bytes.size() < seal_size || bytes.compare(0, seal_size, seal_of(std::string_view(bytes).substr(seal_size))) != 0)
-    throw FileError(fmt::format("{} is damaged: its bytes are not those that were written (the seal does not match); {}", path.string(), damage_remedy));
+    throw FileError(
+        fmt::format("{} is damaged: its bytes are not those that were written (the seal does not match); {}",
+                    path.string(), damage_remedy));
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) throw FileError(fmt::format("{} is sealed, but HDF5 cannot open it; {}", path.string(), damage_remedy));
   return {id, H5Fclose, "open a file"};
 }
 
-Handle group(hid_t parent, const char* name) { return {H5Gcreate2(parent, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "make a group"}; }
-Handle open_group(hid_t parent, const char* name) { return {H5Gopen2(parent, name, H5P_DEFAULT), H5Gclose, "open a group"}; }
+Handle group(hid_t parent, const char* name) {
+  return {H5Gcreate2(parent, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "make a group"};
+}
+Handle open_group(hid_t parent, const char* name) {
+  return {H5Gopen2(parent, name, H5P_DEFAULT), H5Gclose, "open a group"};
+}
 
 void attribute(hid_t object, const char* name, const std::string& text) {
   // An attribute lives in the object's header, which holds 64 kB: longer texts (scripts) are datasets elsewhere.
@@ -113,7 +126,8 @@ std::string text_attribute(hid_t object, const char* name) {
   if (H5Aexists(object, name) <= 0) return "";
   const Handle attr(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "open an attribute");
   const Handle type(H5Aget_type(attr), H5Tclose, "read a type");
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) throw FileError("an attribute is not plain text");
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
+    throw FileError("an attribute is not plain text");
   const Handle space(H5Aget_space(attr), H5Sclose, "read a shape");
   if (H5Sget_simple_extent_npoints(space) != 1) throw FileError("an attribute is not one text");
   std::string text(H5Tget_size(type), '\0');
@@ -131,8 +145,8 @@ std::vector<std::string> attribute_names(hid_t object) {
   return names;
 }
 
-Handle dataset(hid_t parent, const char* name, hid_t file_type, hid_t memory_type, std::span<const hsize_t> shape, std::span<const hsize_t> chunk,
-               const void* values) {
+Handle dataset(hid_t parent, const char* name, hid_t file_type, hid_t memory_type, std::span<const hsize_t> shape,
+               std::span<const hsize_t> chunk, const void* values) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "make a shape");
   const Handle properties = no_times();
   if (!chunk.empty()) {
@@ -140,7 +154,8 @@ Handle dataset(hid_t parent, const char* name, hid_t file_type, hid_t memory_typ
     H5Pset_shuffle(properties);
     H5Pset_deflate(properties, 1);
   }
-  Handle set(H5Dcreate2(parent, name, file_type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose, "make a dataset");
+  Handle set(H5Dcreate2(parent, name, file_type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose,
+             "make a dataset");
   if (values) check(H5Dwrite(set, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write a dataset");
   return set;
 }
@@ -154,7 +169,8 @@ Handle texts(hid_t parent, const char* name, std::span<const std::string> values
   std::size_t length = 1;
   for (const std::string& value : values) length = std::max(length, value.size());
   std::string packed(values.size() * length, '\0');
-  for (std::size_t i = 0; i < values.size(); ++i) std::copy(values[i].begin(), values[i].end(), packed.begin() + static_cast<std::ptrdiff_t>(i * length));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    std::copy(values[i].begin(), values[i].end(), packed.begin() + static_cast<std::ptrdiff_t>(i * length));
   const hsize_t shape[] = {values.size()};
   const Handle type = text_type(length);
   return dataset(parent, name, type, type, shape, {}, packed.empty() ? nullptr : packed.data());
@@ -166,13 +182,18 @@ bool holds_text(hid_t parent, const char* name) {
   return H5Tget_class(type) == H5T_STRING;
 }
 
-std::vector<double> read_numbers(hid_t parent, const char* name) { return read_all<double>(parent, name, H5T_NATIVE_DOUBLE); }
-std::vector<float> read_floats(hid_t parent, const char* name) { return read_all<float>(parent, name, H5T_NATIVE_FLOAT); }
+std::vector<double> read_numbers(hid_t parent, const char* name) {
+  return read_all<double>(parent, name, H5T_NATIVE_DOUBLE);
+}
+std::vector<float> read_floats(hid_t parent, const char* name) {
+  return read_all<float>(parent, name, H5T_NATIVE_FLOAT);
+}
 
 std::vector<std::string> read_texts(hid_t parent, const char* name) {
   const Handle set = open_set(parent, name);
   const Handle type(H5Dget_type(set), H5Tclose, "read a type");
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) throw FileError("a text column is not plain text");
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
+    throw FileError("a text column is not plain text");
   const std::size_t length = H5Tget_size(type), count = length_of(set);
   if (length > 0 && count > most_values / length) throw FileError("a text column is larger than any of ours");
   std::string packed(count * length, '\0');

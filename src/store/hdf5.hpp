@@ -1,5 +1,6 @@
 #pragma once
-// HDF5 behind RAII. Files are made in memory and written in one piece, so that a full disk or a kill never leaves half a file.
+// HDF5 behind RAII. Files are made in memory and written in one piece, so that a full disk or a kill never leaves half
+// a file.
 
 #include <hdf5.h>
 
@@ -21,7 +22,8 @@ class Handle {
   }
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
   Handle& operator=(Handle&& other) noexcept {
-    std::swap(id_, other.id_), std::swap(close_, other.close_);
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
     return *this;
   }
   ~Handle() {
@@ -35,12 +37,13 @@ class Handle {
 };
 
 Handle memory_file();
-/// The bytes of a file as it would lie on disk, sealed: HDF5 leaves the first 512 bytes to whoever writes it, and there stands the hash of
-/// all that follows, so that not one flipped bit goes unnoticed.
+/// The bytes of a file as it would lie on disk, sealed: HDF5 leaves the first 512 bytes to whoever writes it, and there
+/// stands the hash of all that follows, so that not one flipped bit goes unnoticed.
 std::string image(const Handle& file);
 /// The seal of these bytes, which go behind it.
 std::string seal_of(std::string_view bytes);
-/// Opens a file to read. Throws FileError that names it if it is not ours, or is damaged: HDF5 sees only what was written.
+/// Opens a file to read. Throws FileError that names it if it is not ours, or is damaged: HDF5 sees only what was
+/// written.
 Handle open_file(const std::filesystem::path& path);
 
 Handle group(hid_t parent, const char* name);
@@ -60,7 +63,7 @@ bool holds_text(hid_t parent, const char* name);
 std::vector<std::string> link_names(hid_t group);
 
 /// A dataset of any shape from memory of type `memory_type`, stored as `file_type`; chunk 0 sizes make it contiguous.
-Handle dataset(hid_t parent, const char* name, hid_t file_type, hid_t memory_type, std::span<const hsize_t> shape, std::span<const hsize_t> chunk,
-               const void* values);
+Handle dataset(hid_t parent, const char* name, hid_t file_type, hid_t memory_type, std::span<const hsize_t> shape,
+               std::span<const hsize_t> chunk, const void* values);
 
 }  // namespace ricochet::hdf5

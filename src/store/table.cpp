@@ -22,7 +22,9 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-std::string heading(const Field& field) { return quoted(field.unit.empty() ? field.name : fmt::format("{} [{}]", field.name, field.unit)); }
+std::string heading(const Field& field) {
+  return quoted(field.unit.empty() ? field.name : fmt::format("{} [{}]", field.name, field.unit));
+}
 
 }  // namespace
 
@@ -42,8 +44,10 @@ void write_table(const std::filesystem::path& path, const Table& table, const Pr
   const hdf5::Handle file = hdf5::memory_file();
   {
     const hdf5::Handle rows = hdf5::group(file, "rows");
-    for (const NumberColumn& column : table.numbers) describe(hdf5::numbers(rows, column.field.name.c_str(), column.values), column.field);
-    for (const TextColumn& column : table.texts) describe(hdf5::texts(rows, column.field.name.c_str(), column.values), column.field);
+    for (const NumberColumn& column : table.numbers)
+      describe(hdf5::numbers(rows, column.field.name.c_str(), column.values), column.field);
+    for (const TextColumn& column : table.texts)
+      describe(hdf5::texts(rows, column.field.name.c_str(), column.values), column.field);
     const hdf5::Handle origin = hdf5::group(file, "provenance");
     for (const auto& [name, text] : provenance) hdf5::texts(origin, name.c_str(), std::vector<std::string>{text});
   }
@@ -58,8 +62,10 @@ Table read_table(const std::filesystem::path& path) {
     for (const std::string& name : hdf5::link_names(rows)) {
       const hdf5::Handle set(H5Dopen2(rows, name.c_str(), H5P_DEFAULT), H5Dclose, "open a column");
       Field field{name, "", hdf5::text_attribute(set, "unit"), hdf5::text_attribute(set, "doc")};
-      if (hdf5::holds_text(rows, name.c_str())) table.texts.push_back({field, hdf5::read_texts(rows, name.c_str())});
-      else table.numbers.push_back({field, hdf5::read_numbers(rows, name.c_str())});
+      if (hdf5::holds_text(rows, name.c_str()))
+        table.texts.push_back({field, hdf5::read_texts(rows, name.c_str())});
+      else
+        table.numbers.push_back({field, hdf5::read_numbers(rows, name.c_str())});
     }
     for (const auto& column : table.numbers)
       if (column.values.size() != table.rows()) throw FileError("its columns differ in length");
@@ -67,7 +73,9 @@ Table read_table(const std::filesystem::path& path) {
       if (column.values.size() != table.rows()) throw FileError("its columns differ in length");
     return table;
   } catch (const FileError& error) {
-    throw FileError(fmt::format("{} is no table of results ({}); restore it from a copy, or run again with --force or another --out", path.string(), error.what()));
+    throw FileError(fmt::format(
+        "{} is no table of results ({}); restore it from a copy, or run again with --force or another --out",
+        path.string(), error.what()));
   }
 }
 
@@ -91,15 +99,21 @@ std::string csv(const Table& table) {
   std::string text;
   const auto line = [&](auto&& number_cell, auto&& text_cell) {
     bool first = true;
-    const auto put = [&](const std::string& cell) { text += (first ? "" : ",") + cell, first = false; };
+    const auto put = [&](const std::string& cell) {
+      text += (first ? "" : ",") + cell;
+      first = false;
+    };
     for (const auto& column : table.numbers) put(number_cell(column));
     for (const auto& column : table.texts) put(text_cell(column));
     text += '\n';
   };
   line([](const NumberColumn& c) { return heading(c.field); }, [](const TextColumn& c) { return heading(c.field); });
   for (std::size_t row = 0; row < table.rows(); ++row)
-    line([&](const NumberColumn& c) { return std::isnan(c.values[row]) ? std::string() : fmt::format("{}", c.values[row]); },
-         [&](const TextColumn& c) { return quoted(c.values[row]); });
+    line(
+        [&](const NumberColumn& c) {
+          return std::isnan(c.values[row]) ? std::string() : fmt::format("{}", c.values[row]);
+        },
+        [&](const TextColumn& c) { return quoted(c.values[row]); });
   return text;
 }
 

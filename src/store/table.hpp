@@ -24,7 +24,9 @@ struct Table {
   std::vector<NumberColumn> numbers;
   std::vector<TextColumn> texts;
 
-  std::size_t rows() const { return !texts.empty() ? texts.front().values.size() : numbers.empty() ? 0 : numbers.front().values.size(); }
+  std::size_t rows() const {
+    return !texts.empty() ? texts.front().values.size() : numbers.empty() ? 0 : numbers.front().values.size();
+  }
   const TextColumn* text(const std::string& name) const;
   const NumberColumn* number(const std::string& name) const;
 };

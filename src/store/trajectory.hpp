@@ -1,6 +1,6 @@
 #pragma once
-// Frames of one impact, as H5MD 1.1, readable in MDAnalysis and, through the .xdmf beside it, in ParaView. What pictures need beyond H5MD
-// (springs' laws, rims, anchors, forces of contact) stands in /ricochet.
+// Frames of one impact, as H5MD 1.1, readable in MDAnalysis and, through the .xdmf beside it, in ParaView. What
+// pictures need beyond H5MD (springs' laws, rims, anchors, forces of contact) stands in /ricochet.
 
 #include <filesystem>
 #include <string>
@@ -18,7 +18,8 @@ class Trajectory {
 
   void add(Frame frame) { frames_.push_back(std::move(frame)); }
 
-  /// Writes trajectory.h5 and trajectory.xdmf at `path` (its .h5 name), atomically. Positions are 32-bit. Throws FileError.
+  /// Writes trajectory.h5 and trajectory.xdmf at `path` (its .h5 name), atomically. Positions are 32-bit. Throws
+  /// FileError.
   void write(const std::filesystem::path& path, const Provenance& provenance) const;
 
   const FrameMesh& mesh() const { return mesh_; }

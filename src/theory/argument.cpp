@@ -17,7 +17,8 @@ std::string accepted(const Range& r) {
 
 void check_number(const Field& field, double value) {
   if (!std::isfinite(value)) throw FieldError(field.name, "must be a finite number");
-  if (!field.range.contains(value)) throw FieldError(field.name, fmt::format("must be {}, is {:g}", accepted(field.range), value));
+  if (!field.range.contains(value))
+    throw FieldError(field.name, fmt::format("must be {}, is {:g}", accepted(field.range), value));
 }
 
 }  // namespace
@@ -26,7 +27,8 @@ void check(const Field& field, const Value& value) {
   if (const double* number = std::get_if<double>(&value)) {
     if (!(field.optional && *number == without_bound)) check_number(field, *number);
   } else if (const auto* text = std::get_if<std::string>(&value)) {
-    if (std::find(field.choices.begin(), field.choices.end(), *text) == field.choices.end()) throw FieldError(field.name, fmt::format("has no choice '{}'", *text));
+    if (std::find(field.choices.begin(), field.choices.end(), *text) == field.choices.end())
+      throw FieldError(field.name, fmt::format("has no choice '{}'", *text));
   } else {
     const Numbers& list = std::get<Numbers>(value);
     if (list.empty() && !field.optional) throw FieldError(field.name, "must not be empty");

@@ -1,6 +1,7 @@
 #pragma once
-// What a theory takes and gives: plain structs whose numbers are listed once, with meaning, units and valid range. From that list come the check of
-// every call, the script layer's tables and messages, the reference page, and the test that results keep their dimensions.
+// What a theory takes and gives: plain structs whose numbers are listed once, with meaning, units and valid range. From
+// that list come the check of every call, the script layer's tables and messages, the reference page, and the test that
+// results keep their dimensions.
 
 #include <initializer_list>
 #include <limits>
@@ -42,14 +43,16 @@ void check(const Field& field, const Value& value);
 /// The arguments themselves, each within its range; else FieldError. Every theory begins with it.
 template <class Struct>
 const Struct& checked(const Struct& arguments) {
-  for (const Argument<Struct>& a : Struct::fields()) std::visit([&](auto place) { check(a.field, Value(arguments.*place)); }, a.place);
+  for (const Argument<Struct>& a : Struct::fields())
+    std::visit([&](auto place) { check(a.field, Value(arguments.*place)); }, a.place);
   return arguments;
 }
 
 /// 1 / (1/a + 1/b), for a body beside another that may be without bound.
 inline double parallel(double a, double b) { return 1 / (1 / a + 1 / b); }
 
-/// The root of a function that changes sign between low and high, to the last digits. Throws std::logic_error if it does not.
+/// The root of a function that changes sign between low and high, to the last digits. Throws std::logic_error if it
+/// does not.
 template <class F>
 double root_between(const F& f, double low, double high);
 
@@ -66,6 +69,7 @@ double ricochet::theory::root_between(const F& f, double low, double high) {
   if (at_high == 0) return high;
   if ((at_low > 0) == (at_high > 0)) throw std::logic_error("root_between: no change of sign");
   std::uintmax_t most = 200;
-  const auto [a, b] = boost::math::tools::toms748_solve(f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), most);
+  const auto [a, b] = boost::math::tools::toms748_solve(f, low, high, at_low, at_high,
+                                                        boost::math::tools::eps_tolerance<double>(52), most);
   return 0.5 * (a + b);
 }

@@ -16,7 +16,8 @@ struct Theory {
   std::string source;  ///< key in references.bib, and place
   std::string example;
   std::vector<Field> arguments, results;  ///< one result alone is the value itself
-  /// The results in the order of `results`; an optional one that is undefined is NaN. Arguments left out take their defaults. Throws FieldError.
+  /// The results in the order of `results`; an optional one that is undefined is NaN. Arguments left out take their
+  /// defaults. Throws FieldError.
   std::function<std::vector<Value>(const std::map<std::string, Value>&)> evaluate;
 };
 

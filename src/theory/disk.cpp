@@ -41,10 +41,11 @@ double disk_force(const DiskCompression& at) {
 
 Arguments<DiskImpact> DiskImpact::fields() {
   using S = DiskImpact;
-  return joined<S>({material<S>(),
-                    {{{"rho", "number", "M L^-2", "mass per area", positive}, &S::rho},
-                     {{"v", "number", "L T^-1", "normal speed, below c", positive}, &S::v},
-                     {{"tau0", "number", "T", "time scale of dissipation, far below R/c", not_negative, "0"}, &S::tau0}}});
+  return joined<S>(
+      {material<S>(),
+       {{{"rho", "number", "M L^-2", "mass per area", positive}, &S::rho},
+        {{"v", "number", "L T^-1", "normal speed, below c", positive}, &S::v},
+        {{"tau0", "number", "T", "time scale of dissipation, far below R/c", not_negative, "0"}, &S::tau0}}});
 }
 
 Arguments<DiskRebound> DiskRebound::fields() {
@@ -64,7 +65,8 @@ DiskRebound disk_log_law(const DiskImpact& impact) {
 }
 
 Arguments<DiskLoad> DiskLoad::fields() {
-  return joined<DiskLoad>({material<DiskLoad>(), {{{"F", "number", "M L T^-2", "force per unit thickness", not_negative}, &DiskLoad::F}}});
+  return joined<DiskLoad>(
+      {material<DiskLoad>(), {{{"F", "number", "M L T^-2", "force per unit thickness", not_negative}, &DiskLoad::F}}});
 }
 
 Arguments<DiskApproach> DiskApproach::fields() {
@@ -75,14 +77,16 @@ Arguments<DiskApproach> DiskApproach::fields() {
 DiskApproach disk_on_plane(const DiskLoad& load) {
   checked(load);
   const double f = load.F / (pi<double>() * modulus(load)), a = std::sqrt(4 * f * load.R);
-  if (a > load.R) throw FieldError("F", fmt::format("is too great: the contact's half width would be {:.3g} R", a / load.R));
+  if (a > load.R)
+    throw FieldError("F", fmt::format("is too great: the contact's half width would be {:.3g} R", a / load.R));
   return {a > 0 ? f * (2 * std::log(4 * load.R / a) - 1) : 0, a};
 }
 
 Arguments<DiskSlowImpact> DiskSlowImpact::fields() {
   using S = DiskSlowImpact;
   return joined<S>({material<S>(),
-                    {{{"rho", "number", "M L^-2", "mass per area", positive}, &S::rho}, {{"v", "number", "L T^-1", "normal speed, below c/3", positive}, &S::v}}});
+                    {{{"rho", "number", "M L^-2", "mass per area", positive}, &S::rho},
+                     {{"v", "number", "L T^-1", "normal speed, below c/3", positive}, &S::v}}});
 }
 
 Arguments<DiskImpactOnPlane> DiskImpactOnPlane::fields() {
@@ -100,9 +104,12 @@ DiskImpactOnPlane disk_impact(const DiskSlowImpact& impact) {
   // U = int F d delta = int (pi/4) a^3 (L - 1) da = (pi/16) a^4 (L - 3/4); m v^2/2 = (pi/2) v^2.
   const double c = std::sqrt(modulus(impact) / impact.rho), v = impact.v / c;
   const auto energy = [](double a) { return a * a * a * a / 8 * (std::log(4 / a) - 0.75); };  // U / (pi/2)
-  if (v * v > energy(1)) throw FieldError("v", fmt::format("must be below {:.4g}, where the contact is as wide as the disk; is {:g}", std::sqrt(energy(1)) * c, impact.v));
+  if (v * v > energy(1))
+    throw FieldError("v", fmt::format("must be below {:.4g}, where the contact is as wide as the disk; is {:g}",
+                                      std::sqrt(energy(1)) * c, impact.v));
   // U > a^4/8 (ln 4 - 3/4) for a < 1, so the root lies below the a at which that is v^2.
-  const double most = root_between([&](double a) { return energy(a) - v * v; }, 0.1 * std::sqrt(v) * std::min(1.0, std::sqrt(v)), 1.0);
+  const double most =
+      root_between([&](double a) { return energy(a) - v * v; }, 0.1 * std::sqrt(v) * std::min(1.0, std::sqrt(v)), 1.0);
   // t_c = 2 int da a (L - 1) / sqrt(v^2 - 2U/m); a = most (1 - w^2) takes the root's singularity away.
   const auto slowness = [&](double w) {
     const double a = most * (1 - w * w);
@@ -110,7 +117,8 @@ DiskImpactOnPlane disk_impact(const DiskSlowImpact& impact) {
   };
   const double time = 2 * boost::math::quadrature::gauss_kronrod<double, 61>::integrate(slowness, 0, 1, 10, 1e-10);
   const double F = most * most / 4 * pi<double>();
-  return {time * impact.R / c, most * most / 4 * (2 * std::log(4 / most) - 1) * impact.R, most * impact.R, F * modulus(impact) * impact.R, c};
+  return {time * impact.R / c, most * most / 4 * (2 * std::log(4 / most) - 1) * impact.R, most * impact.R,
+          F * modulus(impact) * impact.R, c};
 }
 
 }  // namespace ricochet::theory

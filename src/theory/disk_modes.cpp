@@ -14,8 +14,8 @@ Arguments<FreeDisk> FreeDisk::fields() {
 
 namespace {
 
-// u = grad phi + curl psi with phi = A J_n(h r) cos(n theta), psi = B J_n(k r) sin(n theta), h = Omega, k = Omega sqrt(2/(1 - nu)), R = 1.
-// Where the rim is free, sigma_rr = sigma_rtheta = 0 [here, by J'' = -J'/x - (1 - n^2/x^2) J]:
+// u = grad phi + curl psi with phi = A J_n(h r) cos(n theta), psi = B J_n(k r) sin(n theta), h = Omega, k = Omega
+// sqrt(2/(1 - nu)), R = 1. Where the rim is free, sigma_rr = sigma_rtheta = 0 [here, by J'' = -J'/x - (1 - n^2/x^2) J]:
 //   A [(n^2 - k^2/2) J(h) - h J'(h)] + B n [k J'(k) - J(k)] = 0
 //   A n [J(h) - h J'(h)] + B [k J'(k) + (k^2/2 - n^2) J(k)] = 0
 // For n = 0 the first alone: x J0(x) = (1 - nu) J1(x).
@@ -35,7 +35,8 @@ Numbers disk_modes(const FreeDisk& disk) {
   checked(disk);
   const int n = static_cast<int>(disk.n);
   Numbers found;
-  // Modes of one n are at least some tenths apart; for nu >= -0.9 there is none below 0.2 (n = 1 has a rigid motion at 0). As nu -> -1 the lowest falls to 0.
+  // Modes of one n are at least some tenths apart; for nu >= -0.9 there is none below 0.2 (n = 1 has a rigid motion at
+  // 0). As nu -> -1 the lowest falls to 0.
   constexpr double step = 0.02;
   for (double low = 0.2; found.size() < static_cast<std::size_t>(disk.count); low += step)
     if ((free_rim(low, n, disk.nu) > 0) != (free_rim(low + step, n, disk.nu) > 0))

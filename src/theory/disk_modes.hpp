@@ -10,7 +10,8 @@ struct FreeDisk {
   static Arguments<FreeDisk> fields();
 };
 
-/// Omega = omega R sqrt(rho (1 - nu^2)/E) of the lowest `count` modes (n = 0: the radial ones). For plane strain take nu -> nu/(1 - nu), E -> E/(1 - nu^2).
+/// Omega = omega R sqrt(rho (1 - nu^2)/E) of the lowest `count` modes (n = 0: the radial ones). For plane strain take
+/// nu -> nu/(1 - nu), E -> E/(1 - nu^2).
 Numbers disk_modes(const FreeDisk& disk);
 
 }  // namespace ricochet::theory

@@ -6,7 +6,7 @@
 namespace ricochet::theory {
 
 struct Misprint {
-  const char* where;    ///< equation label of the paper's source, or section
+  const char* where;  ///< equation label of the paper's source, or section
   const char* printed;
   const char* right;
   const char* checked;  ///< how; tests are in tests/theory

@@ -34,7 +34,8 @@ WaltonFit fit_walton(const ImpactTable& table) {
   checked(table);
   const std::size_t n = table.psi1.size();
   for (const auto& [name, list] : {std::pair{"psi2", &table.psi2}, {"e", &table.e}})
-    if (list->size() != n) throw FieldError(name, fmt::format("must hold as many values as psi1, {}; holds {}", n, list->size()));
+    if (list->size() != n)
+      throw FieldError(name, fmt::format("must hold as many values as psi1, {}; holds {}", n, list->size()));
   if (n < 4) throw FieldError("psi1", fmt::format("must hold four impacts or more, holds {}", n));
   std::vector<std::size_t> order(n);
   std::iota(order.begin(), order.end(), 0);
@@ -48,8 +49,11 @@ WaltonFit fit_walton(const ImpactTable& table) {
     double xx = 0, xy = 0, slide = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const double x = table.psi1[order[i]], y = table.psi2[order[i]];
-      if (i < stick) xx += x * x, xy += x * y;
-      else slide += (x - y) / static_cast<double>(n - stick);
+      if (i < stick) {
+        xx += x * x;
+        xy += x * y;
+      } else
+        slide += (x - y) / static_cast<double>(n - stick);
     }
     if (xx == 0) continue;
     const double beta0 = -xy / xx;
@@ -59,10 +63,16 @@ WaltonFit fit_walton(const ImpactTable& table) {
       squares += std::pow(y - std::max(-beta0 * x, x - slide), 2);
     }
     if (squares >= least) continue;
-    least = squares, least_xx = xx;
-    best.beta0 = beta0, best.mu = slide, best.sticking = static_cast<double>(stick), best.sliding = static_cast<double>(n - stick);
+    least = squares;
+    least_xx = xx;
+    best.beta0 = beta0;
+    best.mu = slide;
+    best.sticking = static_cast<double>(stick);
+    best.sliding = static_cast<double>(n - stick);
   }
-  if (!std::isfinite(least)) throw FieldError("psi1", "must hold impacts of two different angles or more, two impacts at least on either side of the break");
+  if (!std::isfinite(least))
+    throw FieldError(
+        "psi1", "must hold impacts of two different angles or more, two impacts at least on either side of the break");
 
   const double count = static_cast<double>(n), slide = best.mu;
   best.e = std::accumulate(table.e.begin(), table.e.end(), 0.0) / count;
@@ -73,7 +83,8 @@ WaltonFit fit_walton(const ImpactTable& table) {
   best.beta0_se = best.residual / std::sqrt(least_xx);
   // mu = s/(beta_x (1 + e)).
   best.mu = slide / (table.beta_x * (1 + best.e));
-  best.mu_se = std::hypot(best.residual / std::sqrt(best.sliding) / (table.beta_x * (1 + best.e)), best.mu * best.e_se / (1 + best.e));
+  best.mu_se = std::hypot(best.residual / std::sqrt(best.sliding) / (table.beta_x * (1 + best.e)),
+                          best.mu * best.e_se / (1 + best.e));
   best.psi1_0 = slide / (1 + best.beta0);
   if (!std::isfinite(best.psi1_0)) throw FieldError("psi2", "shows no sticking: beta0 is -1 and there is no break");
   return best;

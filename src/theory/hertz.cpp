@@ -11,14 +11,19 @@ double Contact::kappa() const { return 0.8 / D() * std::sqrt(R_eff()); }
 double SphereImpact::h0() const { return std::pow(m_eff() / kappa(), 0.4) * std::pow(v, 0.8); }
 
 Arguments<Compression> Compression::fields() {
-  return joined<Compression>({fields_of<Compression>(), {{{"h", "number", "L", "compression; no force below 0", not_negative}, &Compression::h}}});
+  return joined<Compression>(
+      {fields_of<Compression>(),
+       {{{"h", "number", "L", "compression; no force below 0", not_negative}, &Compression::h}}});
 }
 
 Arguments<ContactForce> ContactForce::fields() {
-  return {{{"F", "number", "M L T^-2", "repulsive force"}, &ContactForce::F}, {{"a", "number", "L", "radius of the contact"}, &ContactForce::a}};
+  return {{{"F", "number", "M L T^-2", "repulsive force"}, &ContactForce::F},
+          {{"a", "number", "L", "radius of the contact"}, &ContactForce::a}};
 }
 
-Arguments<SphereImpact> SphereImpact::fields() { return joined<SphereImpact>({fields_of<SphereImpact>(), masses_of<SphereImpact>()}); }
+Arguments<SphereImpact> SphereImpact::fields() {
+  return joined<SphereImpact>({fields_of<SphereImpact>(), masses_of<SphereImpact>()});
+}
 
 Arguments<HertzImpact> HertzImpact::fields() {
   return {{{"h0", "number", "L", "greatest compression"}, &HertzImpact::h0},
@@ -37,14 +42,23 @@ ContactForce hertz_force(const Compression& at) {
   return {F, std::cbrt(F * at.D() * at.R_eff())};
 }
 
-double hertz_time_constant() { return 4 * boost::math::constants::root_pi<double>() * boost::math::tgamma(0.4) / (5 * boost::math::tgamma(0.9)); }
+double hertz_time_constant() {
+  return 4 * boost::math::constants::root_pi<double>() * boost::math::tgamma(0.4) / (5 * boost::math::tgamma(0.9));
+}
 
 HertzImpact hertz(const SphereImpact& impact) {
   checked(impact);
   const double m = impact.m_eff(), kappa = impact.kappa(), h0 = impact.h0();
   Compression most{impact, h0};
   const ContactForce at = hertz_force(most);
-  return {h0, hertz_time_constant() * std::pow(m * m / (kappa * kappa * impact.v), 0.2), at.F, at.a, kappa, impact.D(), impact.R_eff(), m};
+  return {h0,
+          hertz_time_constant() * std::pow(m * m / (kappa * kappa * impact.v), 0.2),
+          at.F,
+          at.a,
+          kappa,
+          impact.D(),
+          impact.R_eff(),
+          m};
 }
 
 }  // namespace ricochet::theory

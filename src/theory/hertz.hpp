@@ -1,5 +1,6 @@
 #pragma once
-// Normal contact and impact of elastic spheres, quasi-static. [Hertz 1882; Hayakawa & Kuninaka 2003, eqs. hertz, 2-ene_cons, tc]
+// Normal contact and impact of elastic spheres, quasi-static. [Hertz 1882; Hayakawa & Kuninaka 2003, eqs. hertz,
+// 2-ene_cons, tc]
 
 #include "theory/argument.hpp"
 
@@ -10,8 +11,8 @@ struct Contact {
   double R = 1, E = 1, nu = 0.25;
   double R2 = without_bound, E2 = without_bound, nu2 = 0;
 
-  /// D = (3/4) [(1 - nu^2)/E + (1 - nu2^2)/E2]. The paper prints (1 - nu) once; (1 - nu^2) is right: only with it comes F = (4/3) E* sqrt(R) h^{3/2},
-  /// and Chung & Ooi's test 1 to four digits (tests/theory). [M^-1 L T^2]
+  /// D = (3/4) [(1 - nu^2)/E + (1 - nu2^2)/E2]. The paper prints (1 - nu) once; (1 - nu^2) is right: only with it comes
+  /// F = (4/3) E* sqrt(R) h^{3/2}, and Chung & Ooi's test 1 to four digits (tests/theory). [M^-1 L T^2]
   double D() const { return 0.75 * ((1 - nu * nu) / E + (1 - nu2 * nu2) / E2); }
   /// E* = 3 / (4 D). [M L^-1 T^-2]
   double E_star() const { return 0.75 / D(); }
@@ -22,12 +23,13 @@ struct Contact {
 
   template <class Struct>
   static Arguments<Struct> fields_of() {
-    return {{{"R", "number", "L", "radius of the sphere", positive}, &Struct::R},
-            {{"E", "number", "M L^-1 T^-2", "its Young's modulus", positive}, &Struct::E},
-            {{"nu", "number", "", "its Poisson's ratio", {-1, 0.5, true}}, &Struct::nu},
-            {{"R2", "number", "L", "radius of the other sphere; a plane unless given", positive, "", true}, &Struct::R2},
-            {{"E2", "number", "M L^-1 T^-2", "its Young's modulus; rigid unless given", positive, "", true}, &Struct::E2},
-            {{"nu2", "number", "", "its Poisson's ratio", {-1, 0.5, true}, "0"}, &Struct::nu2}};
+    return {
+        {{"R", "number", "L", "radius of the sphere", positive}, &Struct::R},
+        {{"E", "number", "M L^-1 T^-2", "its Young's modulus", positive}, &Struct::E},
+        {{"nu", "number", "", "its Poisson's ratio", {-1, 0.5, true}}, &Struct::nu},
+        {{"R2", "number", "L", "radius of the other sphere; a plane unless given", positive, "", true}, &Struct::R2},
+        {{"E2", "number", "M L^-1 T^-2", "its Young's modulus; rigid unless given", positive, "", true}, &Struct::E2},
+        {{"nu2", "number", "", "its Poisson's ratio", {-1, 0.5, true}, "0"}, &Struct::nu2}};
   }
 };
 

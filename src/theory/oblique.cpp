@@ -15,7 +15,9 @@ Arguments<Oblique> Oblique::fields() {
 Arguments<ObliqueRebound> ObliqueRebound::fields() {
   return {{{"beta", "number", "", "tangential restitution of the contact point, -v_ct'/v_ct"}, &ObliqueRebound::beta},
           {{"psi2", "number", "", "v_ct' over the normal speed before, -beta psi1"}, &ObliqueRebound::psi2},
-          {{"psi1_0", "number", "", "psi1 above which it slides all along; left out if it never sticks (beta0 = -1)", any_number, "", true}, &ObliqueRebound::psi1_0},
+          {{"psi1_0", "number", "", "psi1 above which it slides all along; left out if it never sticks (beta0 = -1)",
+            any_number, "", true},
+           &ObliqueRebound::psi1_0},
           {{"B", "number", "", "tangential impulse over m v_ct, -(1 + beta)/beta_x"}, &ObliqueRebound::B}};
 }
 

@@ -13,7 +13,8 @@ const double pi = boost::math::constants::pi<double>();
 template <class S>
 Arguments<S> sphere() {
   return {{{"R", "number", "L", "effective radius R R2/(R + R2)", positive}, &S::R},
-          {{"E_star", "number", "M L^-1 T^-2", "E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2", positive}, &S::E_star},
+          {{"E_star", "number", "M L^-1 T^-2", "E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2", positive},
+           &S::E_star},
           {{"m", "number", "M", "effective mass m m2/(m + m2)", positive}, &S::m},
           {{"Y", "number", "M L^-1 T^-2", "yield stress in simple tension of the softer body", positive}, &S::Y}};
 }
@@ -36,8 +37,10 @@ Arguments<PlasticRebound> PlasticRebound::fields() {
 PlasticRebound plastic(const PlasticImpact& impact) {
   checked(impact);
   const double p = impact.pressure * impact.Y, W = 0.5 * impact.m * impact.v * impact.v, R = impact.R;
-  const double e2 = 0.3 * std::pow(pi, 1.25) * std::pow(4.0, 0.75) * p / impact.E_star * std::pow(p * R * R * R / W, 0.25);
-  if (e2 > 1) throw FieldError("v", fmt::format("is too low for a fully plastic impact: e would be {:.3g}", std::sqrt(e2)));
+  const double e2 =
+      0.3 * std::pow(pi, 1.25) * std::pow(4.0, 0.75) * p / impact.E_star * std::pow(p * R * R * R / W, 0.25);
+  if (e2 > 1)
+    throw FieldError("v", fmt::format("is too low for a fully plastic impact: e would be {:.3g}", std::sqrt(e2)));
   const double a = std::pow(4 * R * W / (pi * p), 0.25);
   if (a > R) throw FieldError("v", fmt::format("is too high: the contact's radius would be {:.3g} R", a / R));
   return {std::sqrt(e2), a, p};

@@ -15,8 +15,9 @@ struct PlasticRebound {
   static Arguments<PlasticRebound> fields();
 };
 
-/// Fully plastic: the contact pressure stays p_d = `pressure` Y, the work is W = m v^2/2 = pi p_d a^4/(4R), and the rebound releases W' = 3 F^2/(10 a E*), F = pi a^2 p_d:
-/// e^2 = W'/W = (3 pi^{5/4} 4^{3/4}/10) (p_d/E*) (p_d R^3/W)^{1/4}, e ~ v^{-1/4}. The paper has the same without its number. Valid far above the yield speed, where e < 1.
+/// Fully plastic: the contact pressure stays p_d = `pressure` Y, the work is W = m v^2/2 = pi p_d a^4/(4R), and the
+/// rebound releases W' = 3 F^2/(10 a E*), F = pi a^2 p_d: e^2 = W'/W = (3 pi^{5/4} 4^{3/4}/10) (p_d/E*) (p_d
+/// R^3/W)^{1/4}, e ~ v^{-1/4}. The paper has the same without its number. Valid far above the yield speed, where e < 1.
 PlasticRebound plastic(const PlasticImpact& impact);
 
 struct YieldPoint {
@@ -29,8 +30,9 @@ struct Yield {
   static Arguments<Yield> fields();
 };
 
-/// Yield begins where the greatest pressure p0 = 3F/(2 pi a^2) = (6 F E*^2/(pi^3 R^2))^{1/3} reaches 1.60 Y (von Mises, nu = 0.3); the paper prints 1.6 E, which no
-/// solid would reach: (p0)_Y is a stress of yield. m v^2/2 = pi^5 R^3 p0^5/(60 E*^4) = 53 R^3 Y^5/E*^4.
+/// Yield begins where the greatest pressure p0 = 3F/(2 pi a^2) = (6 F E*^2/(pi^3 R^2))^{1/3} reaches 1.60 Y (von Mises,
+/// nu = 0.3); the paper prints 1.6 E, which no solid would reach: (p0)_Y is a stress of yield. m v^2/2 = pi^5 R^3
+/// p0^5/(60 E*^4) = 53 R^3 Y^5/E*^4.
 Yield yield_speed(const YieldPoint& point);
 
 }  // namespace ricochet::theory

@@ -19,9 +19,12 @@ const double pi = boost::math::constants::pi<double>();
 // c_S/c_P = 1/zeta; zeta^2 = 2 (1 - nu)/(1 - 2 nu).
 double zeta_squared(double nu) { return 2 * (1 - nu) / (1 - 2 * nu); }
 
-// Takes x^2, so that sqrt(x^2 - 1) here and in Theta2 has the same rounding: at nu = 0, where F0(1) = 0, their ratio then stays finite.
+// Takes x^2, so that sqrt(x^2 - 1) here and in Theta2 has the same rounding: at nu = 0, where F0(1) = 0, their ratio
+// then stays finite.
 Complex F0(double x2, double zeta2) {
-  const auto root = [](double square) { return square >= 0 ? Complex(std::sqrt(square), 0) : Complex(0, std::sqrt(-square)); };
+  const auto root = [](double square) {
+    return square >= 0 ? Complex(std::sqrt(square), 0) : Complex(0, std::sqrt(-square));
+  };
   return (2 * x2 - zeta2) * (2 * x2 - zeta2) - 4 * x2 * root(x2 - zeta2) * root(x2 - 1);
 }
 
@@ -36,10 +39,13 @@ double Theta2(double sin, double zeta2) {
   return 2 * sin * std::sqrt(1 - sin * sin) * std::sqrt(std::abs(x2 - 1)) / std::abs(F0(x2, zeta2));
 }
 
-// Over x = from + (to - from) sin^2(s): square roots at the ends become smooth, and the ends themselves are never evaluated.
+// Over x = from + (to - from) sin^2(s): square roots at the ends become smooth, and the ends themselves are never
+// evaluated.
 template <class F>
 double integral(const F& f, double from, double to) {
-  const auto smooth = [&](double s) { return f(from + (to - from) * std::sin(s) * std::sin(s)) * (to - from) * std::sin(2 * s); };
+  const auto smooth = [&](double s) {
+    return f(from + (to - from) * std::sin(s) * std::sin(s)) * (to - from) * std::sin(2 * s);
+  };
   return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(smooth, 0, pi / 2, 15, 1e-12);
 }
 
@@ -48,10 +54,12 @@ Field poisson() { return {"nu", "number", "", "Poisson's ratio of the half-space
 }  // namespace
 
 Arguments<Direction> Direction::fields() {
-  return {{poisson(), &Direction::nu}, {{"theta", "number", "", "polar angle from the force's axis, in radians", {0, pi / 2}}, &Direction::theta}};
+  return {{poisson(), &Direction::nu},
+          {{"theta", "number", "", "polar angle from the force's axis, in radians", {0, pi / 2}}, &Direction::theta}};
 }
 Arguments<Pattern> Pattern::fields() {
-  return {{{"Theta1", "number", "", "of P waves"}, &Pattern::Theta1}, {{"Theta2", "number", "", "of S waves, its modulus"}, &Pattern::Theta2}};
+  return {{{"Theta1", "number", "", "of P waves"}, &Pattern::Theta1},
+          {{"Theta2", "number", "", "of S waves, its modulus"}, &Pattern::Theta2}};
 }
 Arguments<Solid> Solid::fields() { return {{poisson(), &Solid::nu}}; }
 
@@ -91,7 +99,8 @@ Shares radiation_shares(const Solid& solid) {
   s.I2 = integral(shear, 0, critical) + integral(shear, critical, pi / 2);
   s.T_body = zeta2 * (s.I1 + std::pow(zeta, 5) * s.I2);
   const auto real_F0 = [&](double x) { return F0(x * x, zeta2).real(); };
-  const double x = root_between(real_F0, zeta * (1 + 1e-12), 3 * zeta), a = std::sqrt(x * x - 1), b = std::sqrt(x * x - zeta2);
+  const double x = root_between(real_F0, zeta * (1 + 1e-12), 3 * zeta), a = std::sqrt(x * x - 1),
+               b = std::sqrt(x * x - zeta2);
   // F0' = 8x(2x^2 - zeta^2) - 8x a b - 4x^3 (a/b + b/a).
   const double slope = 8 * x * (2 * x * x - zeta2) - 8 * x * a * b - 4 * x * x * x * (a / b + b / a);
   s.T_rayleigh = pi * x * zeta2 * a / std::abs(slope);
@@ -124,11 +133,18 @@ Arguments<RadiationLoss> RadiationLoss::fields() {
 RadiationLoss radiation_loss(const RadiatingImpact& impact) {
   checked(impact);
   SphereImpact hertzian;
-  hertzian.R = impact.R, hertzian.E = impact.E, hertzian.nu = impact.nu, hertzian.E2 = impact.E2, hertzian.nu2 = impact.nu2, hertzian.m = impact.m, hertzian.v = impact.v;
+  hertzian.R = impact.R;
+  hertzian.E = impact.E;
+  hertzian.nu = impact.nu;
+  hertzian.E2 = impact.E2;
+  hertzian.nu2 = impact.nu2;
+  hertzian.m = impact.m;
+  hertzian.v = impact.v;
   const double kappa = hertzian.kappa(), h0 = hertzian.h0(), nu = impact.nu2;
   const double G = impact.E2 / (2 * (1 + nu)), c_P = std::sqrt(zeta_squared(nu) * G / impact.rho2);
   const double rates = 45.0 / 16 * boost::math::beta(0.8, 1.5) * kappa * kappa * h0 * h0 * impact.v;
-  const double energy = radiation_shares({nu}).T / (2 * pi * G * c_P) * rates, loss = 2 * energy / (impact.m * impact.v * impact.v);
+  const double energy = radiation_shares({nu}).T / (2 * pi * G * c_P) * rates,
+               loss = 2 * energy / (impact.m * impact.v * impact.v);
   if (loss >= 1) throw FieldError("v", fmt::format("is too high: {:.3g} of the energy would be radiated", loss));
   return {energy, std::sqrt(1 - loss), loss};
 }
@@ -143,7 +159,8 @@ Arguments<PrintedImpact> PrintedImpact::fields() {
   return {{{"R", "number", "L", "radius of the sphere", positive}, &S::R},
           {{"m", "number", "M", "its mass", positive}, &S::m},
           {{"E", "number", "M L^-1 T^-2", "its Young's modulus; its Poisson's ratio is 1/4", positive}, &S::E},
-          {{"E2", "number", "M L^-1 T^-2", "Young's modulus of the half-space; rigid unless given", positive, "", true}, &S::E2},
+          {{"E2", "number", "M L^-1 T^-2", "Young's modulus of the half-space; rigid unless given", positive, "", true},
+           &S::E2},
           {{"nu2", "number", "", "Poisson's ratio of the half-space", {-1, 0.5, true}, "0.25"}, &S::nu2},
           {{"rho", "number", "M L^-3", "density", positive}, &S::rho},
           {{"v", "number", "L T^-1", "normal speed", positive}, &S::v}};
@@ -159,10 +176,16 @@ Arguments<PrintedLoss> PrintedLoss::fields() {
 PrintedLoss radiation_printed(const PrintedImpact& impact) {
   checked(impact);
   SphereImpact hertzian;
-  hertzian.R = impact.R, hertzian.E = impact.E, hertzian.nu = 0.25, hertzian.E2 = impact.E2, hertzian.nu2 = impact.nu2;
+  hertzian.R = impact.R;
+  hertzian.E = impact.E;
+  hertzian.nu = 0.25;
+  hertzian.E2 = impact.E2;
+  hertzian.nu2 = impact.nu2;
   const double kappa = std::pow(hertzian.kappa(), 1.2), v = impact.v;
-  const double energy = 0.5827 * kappa * std::pow(impact.m, 0.8) / (impact.rho * std::pow(impact.E, 1.5)) * std::pow(v, 2.6);
-  return {0.5827 * kappa / (impact.rho * std::pow(impact.m, 0.2) * std::pow(impact.E, 1.5)) * std::pow(v, 0.2), energy, energy / (impact.m * v * v)};
+  const double energy =
+      0.5827 * kappa * std::pow(impact.m, 0.8) / (impact.rho * std::pow(impact.E, 1.5)) * std::pow(v, 2.6);
+  return {0.5827 * kappa / (impact.rho * std::pow(impact.m, 0.2) * std::pow(impact.E, 1.5)) * std::pow(v, 0.2), energy,
+          energy / (impact.m * v * v)};
 }
 
 }  // namespace ricochet::theory

@@ -1,5 +1,6 @@
 #pragma once
-// Energy radiated as elastic waves into a half-space. [Miller & Pursey 1954, 1955; Hunter 1957; Hayakawa & Kuninaka 2003, section II C]
+// Energy radiated as elastic waves into a half-space. [Miller & Pursey 1954, 1955; Hunter 1957; Hayakawa & Kuninaka
+// 2003, section II C]
 
 #include "theory/argument.hpp"
 
@@ -15,9 +16,10 @@ struct Pattern {
   static Arguments<Pattern> fields();
 };
 
-/// Amplitudes of a point force's P and S waves: Theta1 = cos(theta) (zeta^2 - 2 sin^2) / F0(sin), |Theta2| = |sin(2 theta) sqrt(zeta^2 sin^2 - 1) / F0(zeta sin)|,
-/// F0(x) = (2x^2 - zeta^2)^2 - 4 x^2 sqrt(x^2 - zeta^2) sqrt(x^2 - 1), each root taken on its own: below x = 1 their product is negative. The paper prints
-/// one root of the product, which would be positive there and has the wrong pattern: sum I1 + zeta^5 I2 would not equal the work done (tests/theory).
+/// Amplitudes of a point force's P and S waves: Theta1 = cos(theta) (zeta^2 - 2 sin^2) / F0(sin), |Theta2| = |sin(2
+/// theta) sqrt(zeta^2 sin^2 - 1) / F0(zeta sin)|, F0(x) = (2x^2 - zeta^2)^2 - 4 x^2 sqrt(x^2 - zeta^2) sqrt(x^2 - 1),
+/// each root taken on its own: below x = 1 their product is negative. The paper prints one root of the product, which
+/// would be positive there and has the wrong pattern: sum I1 + zeta^5 I2 would not equal the work done (tests/theory).
 Pattern radiation_pattern(const Direction& direction);
 
 struct Solid {
@@ -30,9 +32,10 @@ struct Shares {
   static Arguments<Shares> fields();
 };
 
-/// A force F(t) on a small area radiates T/(2 pi G c_P) int (dF/dt)^2 dt, G the shear modulus: T = T_body + T_rayleigh, T_body = zeta^2 (I1 + zeta^5 I2),
-/// I1 = int Theta1^2 sin, I2 = int |Theta2|^2 sin over 0 ... pi/2. T is also the imaginary part of the surface's own displacement, the work done [here]:
-/// T_body = int_0^zeta x zeta^2 Im[alpha/F0] dx, T_rayleigh = pi x zeta^2 alpha/|F0'| at F0(x) = 0, x > zeta, alpha = sqrt(x^2 - 1).
+/// A force F(t) on a small area radiates T/(2 pi G c_P) int (dF/dt)^2 dt, G the shear modulus: T = T_body + T_rayleigh,
+/// T_body = zeta^2 (I1 + zeta^5 I2), I1 = int Theta1^2 sin, I2 = int |Theta2|^2 sin over 0 ... pi/2. T is also the
+/// imaginary part of the surface's own displacement, the work done [here]: T_body = int_0^zeta x zeta^2 Im[alpha/F0]
+/// dx, T_rayleigh = pi x zeta^2 alpha/|F0'| at F0(x) = 0, x > zeta, alpha = sqrt(x^2 - 1).
 Shares radiation_shares(const Solid& solid);
 
 /// T_body from the work done instead of from the waves.
@@ -48,11 +51,13 @@ struct RadiationLoss {
   static Arguments<RadiationLoss> fields();
 };
 
-/// Of a sphere on a half-space, with Hertz's force: int (dF/dt)^2 dt = (45/16) B(4/5, 3/2) kappa^2 h0^2 v, so the energy lost goes as v^{13/5} and 1 - e as v^{3/5},
-/// Hunter's law. The paper prints the same loss, and then 1 - e ~ v^{1/5}: E_loss = m v^2 (1 - e) gives 13/5 - 2 = 3/5. Valid for slow impacts, 1 - e << 1.
+/// Of a sphere on a half-space, with Hertz's force: int (dF/dt)^2 dt = (45/16) B(4/5, 3/2) kappa^2 h0^2 v, so the
+/// energy lost goes as v^{13/5} and 1 - e as v^{3/5}, Hunter's law. The paper prints the same loss, and then 1 - e ~
+/// v^{1/5}: E_loss = m v^2 (1 - e) gives 13/5 - 2 = 3/5. Valid for slow impacts, 1 - e << 1.
 RadiationLoss radiation_loss(const RadiatingImpact& impact);
 
-/// C of 1 - e^2 = C (v/c0)^{3/5}, c0 = sqrt(E/rho), for sphere and half-space of one material: 1.11 at nu = 1/4, 1.13 at 0.3; Hunter as quoted by Johnson: 1.04.
+/// C of 1 - e^2 = C (v/c0)^{3/5}, c0 = sqrt(E/rho), for sphere and half-space of one material: 1.11 at nu = 1/4, 1.13
+/// at 0.3; Hunter as quoted by Johnson: 1.04.
 double hunter_coefficient(const Solid& solid);
 
 struct PrintedImpact {
@@ -65,8 +70,9 @@ struct PrintedLoss {
   static Arguments<PrintedLoss> fields();
 };
 
-/// The paper's printed law for nu = 1/4: 1 - e = 0.5827 kappa^{6/5} v^{1/5}/(rho m^{1/5} E^{3/2}), E_loss = 0.5827 kappa^{6/5} m^{4/5} v^{13/5}/(rho E^{3/2}). Neither keeps
-/// its dimensions (k1^2 t_c should go as k1^3, and zeta^4 is counted twice), so the numbers depend on the units. To be compared with, not to be used.
+/// The paper's printed law for nu = 1/4: 1 - e = 0.5827 kappa^{6/5} v^{1/5}/(rho m^{1/5} E^{3/2}), E_loss = 0.5827
+/// kappa^{6/5} m^{4/5} v^{13/5}/(rho E^{3/2}). Neither keeps its dimensions (k1^2 t_c should go as k1^3, and zeta^4 is
+/// counted twice), so the numbers depend on the units. To be compared with, not to be used.
 PrintedLoss radiation_printed(const PrintedImpact& impact);
 
 }  // namespace ricochet::theory

@@ -1,5 +1,6 @@
 #pragma once
-// Coaxial impact of two rods of one material and cross-section, one of them at rest. [Saint-Venant 1867; Goldsmith 1960; Hayakawa & Kuninaka 2003, section II A]
+// Coaxial impact of two rods of one material and cross-section, one of them at rest. [Saint-Venant 1867; Goldsmith
+// 1960; Hayakawa & Kuninaka 2003, section II A]
 
 #include <algorithm>
 
@@ -20,15 +21,17 @@ struct Rods {
 struct RodRebound {
   double e, t_c, v1, v2;
   static Arguments<RodRebound> fields() {
-    return {{{"e", "number", "", "restitution coefficient of the centres of mass: the ratio of lengths, whatever the speed"}, &RodRebound::e},
+    return {{{"e", "number", "",
+              "restitution coefficient of the centres of mass: the ratio of lengths, whatever the speed"},
+             &RodRebound::e},
             {{"t_c", "number", "T", "contact time"}, &RodRebound::t_c},
             {{"v1", "number", "L T^-1", "velocity of the first rod afterwards"}, &RodRebound::v1},
             {{"v2", "number", "L T^-1", "velocity of the second, its centre of mass"}, &RodRebound::v2}};
   }
 };
 
-/// A wave of particle speed v/2 enters both rods; when it has run up and down the shorter one, t_c = 2 L_short/c, that rod is left at its other's former
-/// velocity. With momentum conserved e = L_short/L_long. [here]
+/// A wave of particle speed v/2 enters both rods; when it has run up and down the shorter one, t_c = 2 L_short/c, that
+/// rod is left at its other's former velocity. With momentum conserved e = L_short/L_long. [here]
 inline RodRebound rods(const Rods& given) {
   checked(given);
   const double shorter = std::min(given.L, given.L2), e = shorter / std::max(given.L, given.L2);

@@ -14,19 +14,21 @@ Arguments<TiltedSurface> TiltedSurface::fields() {
   return {{{"psi1", "number", "", "tangent of the incident angle against the flat surface", not_negative}, &S::psi1},
           {{"mu", "number", "", "impulse ratio against the flat surface", not_negative}, &S::mu},
           {{"e_alpha", "number", "", "restitution against the turned normal"}, &S::e_alpha},
-          {{"offset", "number", "", "|x_c - x_a|/R, from the trailing end of the contact to the disk's centre", {0, 2}}, &S::offset},
+          {{"offset", "number", "", "|x_c - x_a|/R, from the trailing end of the contact to the disk's centre", {0, 2}},
+           &S::offset},
           {{"nu", "number", "", "Poisson's ratio of the wall", {0, 0.5}}, &S::nu}};
 }
 
 Arguments<TiltedRebound> TiltedRebound::fields() {
   using S = TiltedRebound;
-  return {{{"e", "number", "", "restitution against the flat surface's normal, as printed"}, &S::e},
-          {{"e_rotated", "number", "", "the same with mu_alpha = (mu - tan_alpha)/(1 + mu tan_alpha)"}, &S::e_rotated},
-          {{"theta", "number", "", "exponent of the frictional contact"}, &S::theta},
-          {{"tan_alpha", "number", "", "slope of the chord between the ends of the contact"}, &S::tan_alpha},
-          {{"mu_alpha", "number", "", "impulse ratio against the turned normal, as printed"}, &S::mu_alpha},
-          {{"psi1_alpha", "number", "", "tangent of the incident angle against the turned normal"}, &S::psi1_alpha},
-          {{"psi2_alpha", "number", "", "that of the rebound, by Walton's law of sliding, as printed"}, &S::psi2_alpha}};
+  return {
+      {{"e", "number", "", "restitution against the flat surface's normal, as printed"}, &S::e},
+      {{"e_rotated", "number", "", "the same with mu_alpha = (mu - tan_alpha)/(1 + mu tan_alpha)"}, &S::e_rotated},
+      {{"theta", "number", "", "exponent of the frictional contact"}, &S::theta},
+      {{"tan_alpha", "number", "", "slope of the chord between the ends of the contact"}, &S::tan_alpha},
+      {{"mu_alpha", "number", "", "impulse ratio against the turned normal, as printed"}, &S::mu_alpha},
+      {{"psi1_alpha", "number", "", "tangent of the incident angle against the turned normal"}, &S::psi1_alpha},
+      {{"psi2_alpha", "number", "", "that of the rebound, by Walton's law of sliding, as printed"}, &S::psi2_alpha}};
 }
 
 TiltedRebound tilted_surface(const TiltedSurface& impact) {
@@ -34,11 +36,24 @@ TiltedRebound tilted_surface(const TiltedSurface& impact) {
   const double nu = impact.nu, psi1 = impact.psi1, mu = impact.mu, pi = boost::math::constants::pi<double>();
   const double theta = std::atan2(1 - 2 * nu, mu * (2 - 2 * nu)) / pi;  // mu = 0: 1/2, no tilt
   const double t = (1 - 2 * theta) / (2 - 2 * theta) * impact.offset;
-  if (mu * t >= 1) throw FieldError("mu", fmt::format("is too great: with tan(alpha) = {:.3g} the friction angle against the turned normal passes 90 degrees", t));
+  if (mu * t >= 1)
+    throw FieldError(
+        "mu",
+        fmt::format(
+            "is too great: with tan(alpha) = {:.3g} the friction angle against the turned normal passes 90 degrees",
+            t));
   const double psi1_alpha = (psi1 - t) / (1 + psi1 * t), mu_alpha = (mu + t) / (1 - mu * t);
   // 1 - Psi1a t = (1 + t^2)/(1 + Psi1 t): positive for every incident angle.
-  const auto restitution = [&](double friction) { return (impact.e_alpha + (psi1_alpha - 3 * (1 + impact.e_alpha) * friction) * t) * (1 + psi1 * t) / (1 + t * t); };
-  return {restitution(mu_alpha), restitution((mu - t) / (1 + mu * t)), theta, t, mu_alpha, psi1_alpha, psi1_alpha - 3 * (1 + impact.e_alpha) * mu_alpha};
+  const auto restitution = [&](double friction) {
+    return (impact.e_alpha + (psi1_alpha - 3 * (1 + impact.e_alpha) * friction) * t) * (1 + psi1 * t) / (1 + t * t);
+  };
+  return {restitution(mu_alpha),
+          restitution((mu - t) / (1 + mu * t)),
+          theta,
+          t,
+          mu_alpha,
+          psi1_alpha,
+          psi1_alpha - 3 * (1 + impact.e_alpha) * mu_alpha};
 }
 
 Arguments<MeasuredCurve> MeasuredCurve::fields() {
@@ -59,19 +74,24 @@ Arguments<TiltedCurve> TiltedCurve::fields() {
 }
 
 Numbers cubic_spline(const Numbers& x, const Numbers& y, const Numbers& at) {
-  if (x.size() < 2 || x.size() != y.size()) throw FieldError("psi1", "must hold two values or more, as many as the others");
-  if (x.size() > 1000) throw FieldError("psi1", fmt::format("must hold 1000 values at most, holds {}", x.size()));  // the spline solves for all at once
+  if (x.size() < 2 || x.size() != y.size())
+    throw FieldError("psi1", "must hold two values or more, as many as the others");
+  if (x.size() > 1000)
+    throw FieldError(
+        "psi1", fmt::format("must hold 1000 values at most, holds {}", x.size()));  // the spline solves for all at once
   const auto n = static_cast<Eigen::Index>(x.size());
   for (std::size_t i = 1; i < x.size(); ++i)
     if (x[i] <= x[i - 1]) throw FieldError("psi1", fmt::format("must rise, but {:g} follows {:g}", x[i], x[i - 1]));
   using Spline = Eigen::Spline<double, 1>;
   const double first = x.front(), width = x.back() - x.front();
-  const Eigen::RowVectorXd places = ((Eigen::Map<const Eigen::RowVectorXd>(x.data(), n).array() - first) / width).matrix();
+  const Eigen::RowVectorXd places =
+      ((Eigen::Map<const Eigen::RowVectorXd>(x.data(), n).array() - first) / width).matrix();
   const Eigen::RowVectorXd values = Eigen::Map<const Eigen::RowVectorXd>(y.data(), n);
   const Spline spline = Eigen::SplineFitting<Spline>::Interpolate(values, std::min<Eigen::Index>(3, n - 1), places);
   Numbers result;
   for (const double where : at) {
-    if (where < first || where > x.back()) throw FieldError("at", fmt::format("must lie within {:g} and {:g}, is {:g}", first, x.back(), where));
+    if (where < first || where > x.back())
+      throw FieldError("at", fmt::format("must lie within {:g} and {:g}, is {:g}", first, x.back(), where));
     result.push_back(spline((where - first) / width)(0));
   }
   return result;
@@ -79,14 +99,21 @@ Numbers cubic_spline(const Numbers& x, const Numbers& y, const Numbers& at) {
 
 TiltedCurve tilted_curve(const MeasuredCurve& measured) {
   checked(measured);
-  for (const auto& [name, list] : {std::pair{"mu", &measured.mu}, {"e_alpha", &measured.e_alpha}, {"offset", &measured.offset}})
-    if (list->size() != measured.psi1.size()) throw FieldError(name, fmt::format("must hold as many values as psi1, {}; holds {}", measured.psi1.size(), list->size()));
+  for (const auto& [name, list] :
+       {std::pair{"mu", &measured.mu}, {"e_alpha", &measured.e_alpha}, {"offset", &measured.offset}})
+    if (list->size() != measured.psi1.size())
+      throw FieldError(
+          name, fmt::format("must hold as many values as psi1, {}; holds {}", measured.psi1.size(), list->size()));
   Numbers e, e_rotated, slope;
   for (std::size_t i = 0; i < measured.psi1.size(); ++i) {
-    const TiltedRebound at = tilted_surface({measured.psi1[i], measured.mu[i], measured.e_alpha[i], measured.offset[i], measured.nu});
-    e.push_back(at.e), e_rotated.push_back(at.e_rotated), slope.push_back(at.tan_alpha);
+    const TiltedRebound at =
+        tilted_surface({measured.psi1[i], measured.mu[i], measured.e_alpha[i], measured.offset[i], measured.nu});
+    e.push_back(at.e);
+    e_rotated.push_back(at.e_rotated);
+    slope.push_back(at.tan_alpha);
   }
-  return {cubic_spline(measured.psi1, e, measured.at), cubic_spline(measured.psi1, e_rotated, measured.at), cubic_spline(measured.psi1, slope, measured.at)};
+  return {cubic_spline(measured.psi1, e, measured.at), cubic_spline(measured.psi1, e_rotated, measured.at),
+          cubic_spline(measured.psi1, slope, measured.at)};
 }
 
 }  // namespace ricochet::theory

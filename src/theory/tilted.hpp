@@ -1,5 +1,6 @@
 #pragma once
-// Impact on a surface that the contact has tilted: why e may exceed 1. [Louge & Adams 2002; Kuninaka & Hayakawa 2004; Hayakawa & Kuninaka 2003, section V C]
+// Impact on a surface that the contact has tilted: why e may exceed 1. [Louge & Adams 2002; Kuninaka & Hayakawa 2004;
+// Hayakawa & Kuninaka 2003, section V C]
 
 #include "theory/argument.hpp"
 
@@ -15,10 +16,12 @@ struct TiltedRebound {
   static Arguments<TiltedRebound> fields();
 };
 
-/// theta = (1/pi) arctan((1 - 2 nu)/(mu (2 - 2 nu))), (x_c - x_a)/l = 1 - theta, tan(alpha) = (1 - 2 theta)/(2 - 2 theta) |x_c - x_a|/R,
-/// e = (e_alpha + Psi2a tan(alpha))/(1 - Psi1a tan(alpha)), Psi1a = (Psi1 - tan(alpha))/(1 + Psi1 tan(alpha)), Psi2a = Psi1a - 3 (1 + e_alpha) mu_alpha,
-/// mu_alpha = (mu + tan(alpha))/(1 - mu tan(alpha)), all as printed. Psi1a is that of a surface that rises in the direction of motion. An impulse with the ratio mu, which leans
-/// back by arctan(mu), has against that surface's normal, which leans back by alpha itself, the ratio (mu - tan(alpha))/(1 + mu tan(alpha)) [here]: e_rotated takes this one.
+/// theta = (1/pi) arctan((1 - 2 nu)/(mu (2 - 2 nu))), (x_c - x_a)/l = 1 - theta, tan(alpha) = (1 - 2 theta)/(2 - 2
+/// theta) |x_c - x_a|/R, e = (e_alpha + Psi2a tan(alpha))/(1 - Psi1a tan(alpha)), Psi1a = (Psi1 - tan(alpha))/(1 + Psi1
+/// tan(alpha)), Psi2a = Psi1a - 3 (1 + e_alpha) mu_alpha, mu_alpha = (mu + tan(alpha))/(1 - mu tan(alpha)), all as
+/// printed. Psi1a is that of a surface that rises in the direction of motion. An impulse with the ratio mu, which leans
+/// back by arctan(mu), has against that surface's normal, which leans back by alpha itself, the ratio (mu -
+/// tan(alpha))/(1 + mu tan(alpha)) [here]: e_rotated takes this one.
 TiltedRebound tilted_surface(const TiltedSurface& impact);
 
 struct MeasuredCurve {
@@ -32,9 +35,10 @@ struct TiltedCurve {
   static Arguments<TiltedCurve> fields();
 };
 
-/// The whole chain, as the paper draws it: e at each measured point, and the points joined by a cubic spline. The spline is Eigen's interpolating B-spline of degree 3 with averaged
-/// knots: twice continuously differentiable on any knots and exact for cubics; Boost.Math of Debian 12 (1.74) has such only for equally spaced points, its pchip and makima are
-/// but once differentiable. Fewer than four points are joined by the polynomial through them.
+/// The whole chain, as the paper draws it: e at each measured point, and the points joined by a cubic spline. The
+/// spline is Eigen's interpolating B-spline of degree 3 with averaged knots: twice continuously differentiable on any
+/// knots and exact for cubics; Boost.Math of Debian 12 (1.74) has such only for equally spaced points, its pchip and
+/// makima are but once differentiable. Fewer than four points are joined by the polynomial through them.
 TiltedCurve tilted_curve(const MeasuredCurve& measured);
 
 /// That spline by itself: values at `at` of the curve through (x, y); x rises, `at` lies within it.

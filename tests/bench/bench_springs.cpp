@@ -1,5 +1,5 @@
-// What the spring sweep costs: the bound that the core's own square root and division set, the engine's kernel in lanes of several
-// widths and alone. `./workbench bench` runs it. Every time is per spring evaluation and lane.
+// What the spring sweep costs: the bound that the core's own square root and division set, the engine's kernel in lanes
+// of several widths and alone. `./workbench bench` runs it. Every time is per spring evaluation and lane.
 
 #include <benchmark/benchmark.h>
 
@@ -16,7 +16,8 @@ namespace {
 
 /// The paper's scene at rest but for a small vibration, so that no operand is special.
 struct PaperBodies {
-  std::shared_ptr<const Lattice> projectile = build_lattice(*disk(800, 1e4, 0.03, 1)), target = build_lattice(*wall(4000, 100, 0.03, 1, 8, 2));
+  std::shared_ptr<const Lattice> projectile = build_lattice(*disk(800, 1e4, 0.03, 1)),
+                                 target = build_lattice(*wall(4000, 100, 0.03, 1, 8, 2));
   static const PaperBodies& get() {
     static const PaperBodies bodies;
     return bodies;
@@ -36,10 +37,12 @@ Moving<W> vibrating(const Lattice& lattice, double stiffness) {
 }
 
 void per_spring(benchmark::State& state, double springs) {
-  state.counters["a_spring"] = benchmark::Counter(springs, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["a_spring"] =
+      benchmark::Counter(springs, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// Independent square roots and divisions, as many as springs need, nothing else: no sweep that uses them can be faster.
+/// Independent square roots and divisions, as many as springs need, nothing else: no sweep that uses them can be
+/// faster.
 template <int W>
 void bound(benchmark::State& state) {
   constexpr int count = 64;
@@ -59,7 +62,10 @@ template <int W>
 struct Pair {
   Moving<W> projectile, target;
   double springs;
-  Pair(const Lattice& p, const Lattice& t) : projectile(vibrating<W>(p, 1e4)), target(vibrating<W>(t, 100)), springs(static_cast<double>(p.spring.size() + t.spring.size())) {}
+  Pair(const Lattice& p, const Lattice& t)
+      : projectile(vibrating<W>(p, 1e4)),
+        target(vibrating<W>(t, 100)),
+        springs(static_cast<double>(p.spring.size() + t.spring.size())) {}
 };
 
 template <int W>
@@ -69,11 +75,21 @@ const Lane<W> step = Lane<W>::Constant(1e-3);
 template <int W, class Way>
 void sweep(benchmark::State& state, const Lattice& projectile, const Lattice& target, Way&& way) {
   Pair<W> bodies(projectile, target), checked = bodies;
-  for (auto* body : {&bodies.projectile, &bodies.target}) way(*body, step<W>, step<W>), way(*body, step<W>, step<W>);
-  for (auto* body : {&checked.projectile, &checked.target}) kick_and_drift(*body, step<W>, step<W>), kick_and_drift(*body, step<W>, step<W>);
+  for (auto* body : {&bodies.projectile, &bodies.target}) {
+    way(*body, step<W>, step<W>);
+    way(*body, step<W>, step<W>);
+  }
+  for (auto* body : {&checked.projectile, &checked.target}) {
+    kick_and_drift(*body, step<W>, step<W>);
+    kick_and_drift(*body, step<W>, step<W>);
+  }
   for (int i = 0; i < target.free; ++i)
-    if (!((bodies.target.position.at(i, 0) - checked.target.position.at(i, 0)).norm() <= 1e-13)) return state.SkipWithError("this is another sweep");
-  for (auto _ : state) way(bodies.projectile, step<W>, step<W>), way(bodies.target, step<W>, step<W>);
+    if (!((bodies.target.position.at(i, 0) - checked.target.position.at(i, 0)).norm() <= 1e-13))
+      return state.SkipWithError("this is another sweep");
+  for (auto _ : state) {
+    way(bodies.projectile, step<W>, step<W>);
+    way(bodies.target, step<W>, step<W>);
+  }
   per_spring(state, bodies.springs * W);
 }
 
@@ -87,19 +103,22 @@ void sweep(benchmark::State& state) {
 
 void edge_list(benchmark::State& state) {
   const PaperBodies& bodies = PaperBodies::get();
-  sweep<4>(state, *bodies.projectile, *bodies.target, [](auto& body, const auto& kick, const auto& drift) { variants::edge_list(body, kick, drift); });
+  sweep<4>(state, *bodies.projectile, *bodies.target,
+           [](auto& body, const auto& kick, const auto& drift) { variants::edge_list(body, kick, drift); });
 }
 
 template <int ahead, class Root, int W>
 void by_node(benchmark::State& state) {
   const PaperBodies& bodies = PaperBodies::get();
-  sweep<W>(state, *bodies.projectile, *bodies.target, [](auto& body, const auto& kick, const auto& drift) { variants::by_node<ahead, Root>(body, kick, drift); });
+  sweep<W>(state, *bodies.projectile, *bodies.target,
+           [](auto& body, const auto& kick, const auto& drift) { variants::by_node<ahead, Root>(body, kick, drift); });
 }
 
 template <auto order>
 void ordered(benchmark::State& state) {
   const PaperBodies& bodies = PaperBodies::get();
-  sweep<4>(state, variants::renumbered(*bodies.projectile, order(*bodies.projectile)), variants::renumbered(*bodies.target, order(*bodies.target)), as_built);
+  sweep<4>(state, variants::renumbered(*bodies.projectile, order(*bodies.projectile)),
+           variants::renumbered(*bodies.target, order(*bodies.target)), as_built);
 }
 
 void displacements(benchmark::State& state) {
@@ -109,15 +128,21 @@ void displacements(benchmark::State& state) {
   for (int b = 0; b < 2; ++b) {
     Moving<4>& body = b == 0 ? pair.projectile : pair.target;
     const Lattice& lattice = *body.lattice;
-    for (std::size_t s = 0; s < lattice.spring.size(); ++s) rest[b].push_back(lattice.points[static_cast<std::size_t>(lattice.spring[s].other)] - lattice.points[static_cast<std::size_t>(lattice.spring[s].node)]);
+    for (std::size_t s = 0; s < lattice.spring.size(); ++s)
+      rest[b].push_back(lattice.points[static_cast<std::size_t>(lattice.spring[s].other)] -
+                        lattice.points[static_cast<std::size_t>(lattice.spring[s].node)]);
     for (int i = 0; i < lattice.nodes(); ++i)
       for (int lane = 0; lane < 4; ++lane) body.position.set(i, lane, Vec2(0, 0));
   }
-  for (auto _ : state) variants::displacements(pair.projectile, rest[0], step<4>, step<4>), variants::displacements(pair.target, rest[1], step<4>, step<4>);
+  for (auto _ : state) {
+    variants::displacements(pair.projectile, rest[0], step<4>, step<4>);
+    variants::displacements(pair.target, rest[1], step<4>, step<4>);
+  }
   per_spring(state, pair.springs * 4);
 }
 
-// Other guests of a machine slow everything but the divider by half for seconds or hours: the least of many short runs is the core's own.
+// Other guests of a machine slow everything but the divider by half for seconds or hours: the least of many short runs
+// is the core's own.
 double least(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
 
 BENCHMARK(bound<4>)->Name("bound, 1 / sqrt(x)")->ComputeStatistics("least", least);
@@ -128,9 +153,13 @@ BENCHMARK(sweep<2>)->Name("sweep, 2 lanes")->ComputeStatistics("least", least);
 BENCHMARK(sweep<1>)->Name("sweep, alone")->ComputeStatistics("least", least);
 BENCHMARK(edge_list)->Name("flat edge list, kick and drift apart")->ComputeStatistics("least", least);
 BENCHMARK(by_node<8, variants::Divider, 4>)->Name("prefetch 8 springs ahead")->ComputeStatistics("least", least);
-BENCHMARK(by_node<0, variants::Newton, 4>)->Name("4 lanes, Newton's steps instead of root and division")->ComputeStatistics("least", least);
+BENCHMARK(by_node<0, variants::Newton, 4>)
+    ->Name("4 lanes, Newton's steps instead of root and division")
+    ->ComputeStatistics("least", least);
 #ifdef __AVX512F__
-BENCHMARK(by_node<0, variants::Estimate, 8>)->Name("8 lanes, root from the processor's estimate")->ComputeStatistics("least", least);
+BENCHMARK(by_node<0, variants::Estimate, 8>)
+    ->Name("8 lanes, root from the processor's estimate")
+    ->ComputeStatistics("least", least);
 #endif
 BENCHMARK(displacements)->Name("displacements")->ComputeStatistics("least", least);
 BENCHMARK(ordered<variants::by_rows>)->Name("nodes by rows")->ComputeStatistics("least", least);

@@ -1,5 +1,5 @@
-// What a lattice costs as it grows: `growth [most nodes]`. Seconds to build, to launch and to search for contacts, nanoseconds a node and step of the spring sweep in full lanes and
-// alone, bytes a node and lane of what a run holds.
+// What a lattice costs as it grows: `growth [most nodes]`. Seconds to build, to launch and to search for contacts,
+// nanoseconds a node and step of the spring sweep in full lanes and alone, bytes a node and lane of what a run holds.
 
 #include <fmt/format.h>
 
@@ -30,7 +30,10 @@ double sweep(const Lattice& lattice) {
   Moving<W> body{&lattice, {}, {}, {}, Lane<W>::Constant(1e4)};
   for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(lattice.nodes());
   for (int i = 0; i < lattice.nodes(); ++i)
-    for (int lane = 0; lane < W; ++lane) body.position.set(i, lane, lattice.points[static_cast<std::size_t>(i)]), body.velocity.set(i, lane, 1e-4 * Vec2(std::sin(i), std::cos(i)));
+    for (int lane = 0; lane < W; ++lane) {
+      body.position.set(i, lane, lattice.points[static_cast<std::size_t>(i)]);
+      body.velocity.set(i, lane, 1e-4 * Vec2(std::sin(i), std::cos(i)));
+    }
   const Lane<W> step = Lane<W>::Constant(1e-4);
   const int repeats = std::max(1, 200000 / lattice.nodes());
   double least = std::numeric_limits<double>::infinity();
@@ -47,10 +50,14 @@ double sweep(const Lattice& lattice) {
 
 int main(int count, char** values) {
   const int most = count > 1 ? std::atoi(values[1]) : 1000000;
-  fmt::print("{:>9} {:>12} {:>14} {:>12} {:>16} {:>26} {:>20}\n", "", "build [s]", "build [s]", "launch [s]", "candidates [s]", "sweep [ns/node/lane]", "");
-  fmt::print("{:>9} {:>12} {:>14} {:>12} {:>16} {:>20} lanes {:>20}\n", "nodes", "uniform", "poisson_disk", "", "", lanes, "alone");
+  fmt::print("{:>9} {:>12} {:>14} {:>12} {:>16} {:>26} {:>20}\n", "", "build [s]", "build [s]", "launch [s]",
+             "candidates [s]", "sweep [ns/node/lane]", "");
+  fmt::print("{:>9} {:>12} {:>14} {:>12} {:>16} {:>20} lanes {:>20}\n", "nodes", "uniform", "poisson_disk", "", "",
+             lanes, "alone");
   for (int nodes = 1000; nodes <= most; nodes *= 10) {
-    const auto body = [&](const char* placement) { return Body{circle(1, 2000), numbers(nodes, 1e4, 0, 1, placement), {}, {}}; };
+    const auto body = [&](const char* placement) {
+      return Body{circle(1, 2000), numbers(nodes, 1e4, 0, 1, placement), {}, {}};
+    };
     std::shared_ptr<const Lattice> lattice;
     const double uniform = seconds([&] { lattice = build_lattice(body("uniform")); });
     const double poisson = seconds([&] { lattice = build_lattice(body("poisson_disk")); });
@@ -64,8 +71,11 @@ int main(int count, char** values) {
     for (const int node : lattice->rim) rim.push_back(lattice->points[static_cast<std::size_t>(node)]);
     const Points flying = posed(rim, lattice->centre(), start.pose);
     const double to_search = seconds([&] { pairs_within(flying, rim, 1.5 * scene.contact.reach); });
-    fmt::print("{:>9} {:>12.3f} {:>14.3f} {:>12.4f} {:>16.4f} {:>26.2f} {:>20.2f}\n", nodes, uniform, poisson, to_launch, to_search, sweep<lanes>(*lattice), sweep<1>(*lattice));
+    fmt::print("{:>9} {:>12.3f} {:>14.3f} {:>12.4f} {:>16.4f} {:>26.2f} {:>20.2f}\n", nodes, uniform, poisson,
+               to_launch, to_search, sweep<lanes>(*lattice), sweep<1>(*lattice));
   }
-  // position, velocity, force of the run, position, velocity of its copy at a step's end, displacement of force-gradient kicks
-  fmt::print("a run holds {} bytes a node and lane, a lattice {} bytes a spring and {} a node beside its triangles\n", 8 * 2 * (3 + 3 + 1), sizeof(std::array<int, 2>) + 2 * sizeof(double), sizeof(Vec2) + sizeof(int));
+  // position, velocity, force of the run, position, velocity of its copy at a step's end, displacement of
+  // force-gradient kicks
+  fmt::print("a run holds {} bytes a node and lane, a lattice {} bytes a spring and {} a node beside its triangles\n",
+             8 * 2 * (3 + 3 + 1), sizeof(std::array<int, 2>) + 2 * sizeof(double), sizeof(Vec2) + sizeof(int));
 }

@@ -13,7 +13,10 @@ TEST_CASE("the normal deviate has the moments and the tail of a normal distribut
   int beyond_two = 0;
   for (int i = 0; i < n; ++i) {
     const double x = random.normal();
-    sum += x, square += x * x, fourth += x * x * x * x, beyond_two += std::abs(x) > 2;
+    sum += x;
+    square += x * x;
+    fourth += x * x * x * x;
+    beyond_two += std::abs(x) > 2;
   }
   // Four standard errors of each estimate.
   CHECK(std::abs(sum / n) < 4 / std::sqrt(n));

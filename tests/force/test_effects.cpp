@@ -1,8 +1,8 @@
 // Properties over the catalogue of effects: every kind is tested by what it says it is.
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
 
@@ -30,9 +30,12 @@ Lane<1> one(double value) { return Lane<1>::Constant(value); }
 
 // Kept out of line: GCC 12 warns of a string in effects that have none, in a branch that they never take.
 template <class E>
-[[gnu::noinline]] void set_text(E& effect, std::string E::*place, const std::string& text) { effect.*place = text; }
+[[gnu::noinline]] void set_text(E& effect, std::string E::*place, const std::string& text) {
+  effect.*place = text;
+}
 
-/// Every number different and not zero, so that no field can be left out unseen; on both bodies, where there is a choice.
+/// Every number different and not zero, so that no field can be left out unseen; on both bodies, where there is a
+/// choice.
 template <class E>
 E set_up() {
   E effect;
@@ -41,8 +44,11 @@ E set_up() {
     std::visit(
         [&](auto place) {
           using Value = std::remove_reference_t<decltype(effect.*place)>;
-          if constexpr (std::is_same_v<Value, double>) effect.*place = value, value += 0.41;
-          else if constexpr (std::is_same_v<Value, std::string>) set_text(effect, place, member.field.choices.back());
+          if constexpr (std::is_same_v<Value, double>) {
+            effect.*place = value;
+            value += 0.41;
+          } else if constexpr (std::is_same_v<Value, std::string>)
+            set_text(effect, place, member.field.choices.back());
         },
         member.place);
   return effect;
@@ -83,14 +89,17 @@ Vec2 momentum(const Moving<1>& body) {
 
 double angular_momentum(const Moving<1>& body) {
   double sum = 0;
-  for (int i = 0; i < body.lattice->nodes(); ++i) sum += body.lattice->mass * cross(body.position.at(i, 0), body.velocity.at(i, 0));
+  for (int i = 0; i < body.lattice->nodes(); ++i)
+    sum += body.lattice->mass * cross(body.position.at(i, 0), body.velocity.at(i, 0));
   return sum;
 }
 
 Scene scene_with(std::vector<Effect> effects, double psi1 = 1) {
   Scene scene;
-  scene.projectile = disk(60, 1e4, 0.02, 3), scene.target = wall(200, 400, 0.02, 3, 5, 1.5);
-  scene.launch.psi1 = psi1, scene.effects = std::move(effects);
+  scene.projectile = disk(60, 1e4, 0.02, 3);
+  scene.target = wall(200, 400, 0.02, 3, 5, 1.5);
+  scene.launch.psi1 = psi1;
+  scene.effects = std::move(effects);
   return scene;
 }
 
@@ -105,7 +114,9 @@ TEST_CASE("effects and their fields are documented, named once, and all in the t
     CHECK(std::string(E::example).starts_with(fmt::format("ricochet.{} {{", E::name)));
     CHECK((E::energy_doc ? std::string(E::energy_doc).size() > 8 : AtStart<E>));
     // Every kind says of itself what it is, once.
-    CHECK(NodeForce<E> + NodeDamping<E> + SpringDamping<E> + SpringChange<E> + AnchorMotion<E> + PairForce<E> + PairMemory<E> + AtStart<E> == 1);
+    CHECK(NodeForce<E> + NodeDamping<E> + SpringDamping<E> + SpringChange<E> + AnchorMotion<E> + PairForce<E> +
+              PairMemory<E> + AtStart<E> ==
+          1);
     std::set<std::string> fields;
     const Effect changed = set_up<E>(), initial = E{};
     const std::string text = text_of(std::span(&changed, 1)), plain = text_of(std::span(&initial, 1));
@@ -134,7 +145,8 @@ TEST_CASE("forces of conservative effects are minus the gradient of their energi
               return effect.energy(body, moved)[0];
             };
             const double h = 1e-4;
-            CHECK(moving.force.at(i, 0)[axis] == Catch::Detail::Approx(-(energy(h) - energy(-h)) / (2 * h)).epsilon(1e-8).margin(1e-9));
+            CHECK(moving.force.at(i, 0)[axis] ==
+                  Catch::Detail::Approx(-(energy(h) - energy(-h)) / (2 * h)).epsilon(1e-8).margin(1e-9));
           }
       }
     }
@@ -154,7 +166,8 @@ TEST_CASE("what depends on velocities takes energy, exactly as much as it books,
         acting.dissipate(bodies, one(h / 2), true);
         const double middle = kinetic(bodies[0]) + kinetic(bodies[1]);
         acting.dissipate(bodies, one(h / 2), false);
-        const double after = kinetic(bodies[0]) + kinetic(bodies[1]), booked = acting.energies(bodies)[Effect(E{}).index()][0];
+        const double after = kinetic(bodies[0]) + kinetic(bodies[1]),
+                     booked = acting.energies(bodies)[Effect(E{}).index()][0];
         CHECK(middle < before);
         CHECK(after < middle);
         CHECK(booked == Catch::Detail::Approx(before - after).epsilon(1e-12).margin(1e-14 * before));
@@ -169,7 +182,8 @@ TEST_CASE("damping conserves momentum and angular momentum, and leaves a body th
   Moving<1> moving = shaken(*lattice, 30, 4);
   const Vec2 p = momentum(moving);
   const double L = angular_momentum(moving);
-  damping.damp(0, moving, one(0.2), true, unbroken), damping.damp(0, moving, one(0.2), false, unbroken);
+  damping.damp(0, moving, one(0.2), true, unbroken);
+  damping.damp(0, moving, one(0.2), false, unbroken);
   CHECK((momentum(moving) - p).norm() < 1e-13);
   CHECK(std::abs(angular_momentum(moving) - L) < 1e-13);
   for (int i = 0; i < lattice->nodes(); ++i) {
@@ -181,13 +195,17 @@ TEST_CASE("damping conserves momentum and angular momentum, and leaves a body th
 
 TEST_CASE("damping of two nodes is their exact decay, for steps of any length") {
   Lattice pair;
-  pair.points = {Vec2(0, 0), Vec2(1, 0)}, pair.free = 2, pair.first = {0, 1, 1}, pair.mass = 2;
+  pair.points = {Vec2(0, 0), Vec2(1, 0)};
+  pair.free = 2;
+  pair.first = {0, 1, 1};
+  pair.mass = 2;
   pair.spring.push_back({0, 1, false, 1.0, 1.5});
   const Damping damping{0.25, "both"};
   const auto error = [&](int steps) {
     Moving<1> moving{&pair, {}, {}, {}, one(4.0)};
     for (auto* values : {&moving.position, &moving.velocity, &moving.force}) values->resize(2);
-    moving.position.set(1, 0, {1, 0}), moving.velocity.set(1, 0, {1, 0});
+    moving.position.set(1, 0, {1, 0});
+    moving.velocity.set(1, 0, {1, 0});
     for (int i = 0; i < steps; ++i) damping.damp(0, moving, one(1.0 / steps), i % 2 == 0, unbroken);
     // du/dt = -(1/m + 1/m) time k u with k = 4 * 1.5, m = 2: u = exp(-1.5).
     return std::abs(moving.velocity.at(1, 0).x() - moving.velocity.at(0, 0).x() - std::exp(-1.5));
@@ -205,7 +223,9 @@ TEST_CASE("drag is exact for any step: velocities fall as exp(-rate t)") {
   CHECK((bodies[0].velocity.at(5, 0) - v * std::exp(-0.8 * 6 * 0.25)).norm() < 1e-15);
 }
 
-TEST_CASE("springs that remember pull by the slope of their energy, lose energy and never gain it, and hold none that their law would not") {
+TEST_CASE(
+    "springs that remember pull by the slope of their energy, lose energy and never gain it, and hold none that their "
+    "law would not") {
   const std::vector<double> stretches{0.001, 0.3, 1.1, 0.4, -0.9, -1.6, 0.2, 2.5, -2.4};
   each_effect_kind([&]<class E>(const E&) {
     if constexpr (SpringChange<E>) {
@@ -228,7 +248,12 @@ TEST_CASE("springs that remember pull by the slope of their energy, lose energy 
         }
         before = stretches[k];
         const double held = energy_of(effect, law, one(before), memory)[0], h = 1e-5;
-        CHECK(tension_of(effect, law, one(before), memory)[0] == Catch::Detail::Approx((energy_of(effect, law, one(before + h), memory)[0] - energy_of(effect, law, one(before - h), memory)[0]) / (2 * h)).epsilon(1e-7).margin(1e-9));
+        CHECK(tension_of(effect, law, one(before), memory)[0] ==
+              Catch::Detail::Approx((energy_of(effect, law, one(before + h), memory)[0] -
+                                     energy_of(effect, law, one(before - h), memory)[0]) /
+                                    (2 * h))
+                  .epsilon(1e-7)
+                  .margin(1e-9));
         CHECK(work == Catch::Detail::Approx(held + lost).epsilon(1e-3));
       }
       CHECK(lost > 0);
@@ -241,7 +266,10 @@ TEST_CASE("a plastic spring yields at its limit, hardens, and yields the other w
   const Plastic plastic{0.1, 0.5, "both"};
   const Spring spring{0, 1, false, 2.0, 1.0};
   SpringMemory<1> memory{one(0), one(0)};
-  const auto tension_at = [&](double x) { return plastic.change(Linear{}, spring, one(x), memory), tension_of(plastic, Linear{}, one(x), memory)[0]; };
+  const auto tension_at = [&](double x) {
+    return plastic.change(Linear{}, spring, one(x), memory);
+    tension_of(plastic, Linear{}, one(x), memory)[0];
+  };
   CHECK(tension_at(0.19) == Catch::Detail::Approx(0.19));
   // Past 0.2 the tension grows with slope H / (1 + H) = 1/3.
   CHECK(tension_at(0.5) == Catch::Detail::Approx(0.2 + 0.3 / 3));
@@ -268,7 +296,9 @@ TEST_CASE("forces between rims of a pair are minus the slope of its energy") {
   each_effect_kind([&]<class E>(const E&) {
     if constexpr (PairForce<E>) {
       const E effect = set_up<E>();
-      for (const double d : {0.0, 0.01, 0.3, 2.0}) CHECK(effect.force(d) == Catch::Detail::Approx(-(effect.energy(d + 1e-5) - effect.energy(d - 1e-5)) / 2e-5).epsilon(1e-6));
+      for (const double d : {0.0, 0.01, 0.3, 2.0})
+        CHECK(effect.force(d) ==
+              Catch::Detail::Approx(-(effect.energy(d + 1e-5) - effect.energy(d - 1e-5)) / 2e-5).epsilon(1e-6));
     }
   });
 }
@@ -281,12 +311,15 @@ TEST_CASE("what acts between rims has a reaction: no momentum or angular momentu
       const E effect = set_up<E>();
       const Adhesion* adhesion = nullptr;
       const Friction* friction = nullptr;
-      if constexpr (PairForce<E>) adhesion = &effect;
-      else friction = &effect;
+      if constexpr (PairForce<E>)
+        adhesion = &effect;
+      else
+        friction = &effect;
       for (const char* sides : {"one", "two"}) {
         Contact<1> contact(*a, *b, adhesion, friction), bare(*a, *b);
         const ExponentialRepulsion law{150, 60, 0.5, sides};
-        contact.set(0, &law), bare.set(0, &law);
+        contact.set(0, &law);
+        bare.set(0, &law);
         Moving<1> p = shaken(*a, 1e3, 5), t = shaken(*b, 1e3, 6);
         for (int i = 0; i < a->nodes(); ++i) p.position.add(i, 0, Vec2(0.1, 2.02));
         Moving<1> plain_p, plain_t;
@@ -295,15 +328,19 @@ TEST_CASE("what acts between rims has a reaction: no momentum or angular momentu
             body->force.resize(body->lattice->nodes());
             for (int i = 0; i < body->lattice->nodes(); ++i) body->position.add(i, 0, 0.02 * body->velocity.at(i, 0));
           }
-          plain_p = p, plain_t = t;
-          contact.add_forces(p, t), bare.add_forces(plain_p, plain_t);
+          plain_p = p;
+          plain_t = t;
+          contact.add_forces(p, t);
+          bare.add_forces(plain_p, plain_t);
         }
         Vec2 sum = Vec2::Zero();
         double moment = 0, size = 0, whole = 0;
         for (const auto& [body, plain] : {std::pair(&p, &plain_p), std::pair(&t, &plain_t)})
           for (int i = 0; i < body->lattice->nodes(); ++i) {
             const Vec2 f = body->force.at(i, 0) - plain->force.at(i, 0);
-            sum += f, moment += cross(body->position.at(i, 0), f), size += f.norm();
+            sum += f;
+            moment += cross(body->position.at(i, 0), f);
+            size += f.norm();
             whole += body->force.at(i, 0).norm();
           }
         CHECK(size > 1e-3);
@@ -331,25 +368,34 @@ TEST_CASE("friction stays within its cone and leaves two bodies that turn togeth
   const Friction friction{0.4, 0.05};
   Contact<1> contact(*a, *b, nullptr, &friction), bare(*a, *b);
   const ExponentialRepulsion law{150, 60, 0.5, "one"};
-  contact.set(0, &law), bare.set(0, &law);
+  contact.set(0, &law);
+  bare.set(0, &law);
   Moving<1> p = shaken(*a, 1e3, 5), t = shaken(*b, 1e3, 6);
   for (int i = 0; i < a->nodes(); ++i) p.position.add(i, 0, Vec2(0.1, 2.02));
   const auto forces = [&](auto&& moved) {
     for (Moving<1>* body : {&p, &t})
-      for (int i = 0; i < body->lattice->nodes(); ++i) body->position.set(i, 0, moved(body, i)), body->force.set(i, 0, Vec2::Zero());
+      for (int i = 0; i < body->lattice->nodes(); ++i) {
+        body->position.set(i, 0, moved(body, i));
+        body->force.set(i, 0, Vec2::Zero());
+      }
     Moving<1> plain_p = p, plain_t = t;
-    contact.add_forces(p, t), bare.add_forces(plain_p, plain_t);
+    contact.add_forces(p, t);
+    bare.add_forces(plain_p, plain_t);
     double most = 0;
-    for (int i = 0; i < a->nodes(); ++i) most = std::max(most, (p.force.at(i, 0) - plain_p.force.at(i, 0)).norm() - 0.4 * plain_p.force.at(i, 0).norm());
+    for (int i = 0; i < a->nodes(); ++i)
+      most = std::max(most, (p.force.at(i, 0) - plain_p.force.at(i, 0)).norm() - 0.4 * plain_p.force.at(i, 0).norm());
     double size = 0;
     for (int i = 0; i < a->nodes(); ++i) size += (p.force.at(i, 0) - plain_p.force.at(i, 0)).norm();
     return std::pair(most, size);
   };
   forces([](Moving<1>* body, int i) { return body->position.at(i, 0); });
   const double turn = 1e-4;
-  const auto together = forces([&](Moving<1>* body, int i) { return Vec2(body->position.at(i, 0) + turn * perpendicular(body->position.at(i, 0)) + Vec2(0.3, -0.2)); });
+  const auto together = forces([&](Moving<1>* body, int i) {
+    return Vec2(body->position.at(i, 0) + turn * perpendicular(body->position.at(i, 0)) + Vec2(0.3, -0.2));
+  });
   CHECK(together.second < 1e-5);  // second order in the turn
-  const auto apart = forces([&](Moving<1>* body, int i) { return Vec2(body->position.at(i, 0) + (body == &p ? Vec2(0.3, 0) : Vec2(0, 0))); });
+  const auto apart = forces(
+      [&](Moving<1>* body, int i) { return Vec2(body->position.at(i, 0) + (body == &p ? Vec2(0.3, 0) : Vec2(0, 0))); });
   CHECK(apart.second > 0.1);
   CHECK(apart.first < 1e-12);
 }
@@ -367,10 +413,12 @@ TEST_CASE("a warm lattice has the energy of its modes, no rigid motion, and stay
       const auto sample = vibrations.draw(temperature, 30, seed, 0);
       for (int i = 0; i < lattice->nodes(); ++i) {
         const auto k = static_cast<std::size_t>(i);
-        moving.position.set(i, 0, lattice->points[k] + (i < lattice->free ? sample.displacement[k] : Vec2(Vec2::Zero())));
+        moving.position.set(i, 0,
+                            lattice->points[k] + (i < lattice->free ? sample.displacement[k] : Vec2(Vec2::Zero())));
         moving.velocity.set(i, 0, i < lattice->free ? sample.velocity[k] : Vec2(Vec2::Zero()));
       }
-      potential += spring_energy(moving)[0] / samples, motion += kinetic(moving) / samples;
+      potential += spring_energy(moving)[0] / samples;
+      motion += kinetic(moving) / samples;
       if (!lattice->anchored()) {
         CHECK(momentum(moving).norm() < 1e-15);
         CHECK(std::abs(angular_momentum(moving)) < 1e-15);
@@ -398,7 +446,9 @@ TEST_CASE("prestress scatters the springs' lengths, leaves every node balanced, 
   CHECK(lattice->rest_energy > 1e-4);
   CHECK(std::abs(spring_energy(at_rest(*lattice, 30))[0]) < 1e-14);
   double square = 0;
-  for (std::size_t s = 0; s < plain->spring.size(); ++s) square += std::pow(lattice->spring[s].length / plain->spring[s].length - 1, 2) / static_cast<double>(plain->spring.size());
+  for (std::size_t s = 0; s < plain->spring.size(); ++s)
+    square += std::pow(lattice->spring[s].length / plain->spring[s].length - 1, 2) /
+              static_cast<double>(plain->spring.size());
   CHECK(std::sqrt(square) == Catch::Detail::Approx(0.05).epsilon(0.15));
   // The matrix of small motions is the slope of the forces, prestress included.
   Lattice moved = *lattice;
@@ -419,12 +469,18 @@ TEST_CASE("anchors that move slowly do the work that lifts what they hold") {
   CHECK(std::abs(later.energy.effects) > 1e-3);
   CHECK(later.energy.total() == Catch::Detail::Approx(start.energy.total()).epsilon(1e-4));
   const MovingAnchor& shaken = std::get<MovingAnchor>(scene.effects[0]);
-  CHECK((later.target[static_cast<std::size_t>(t->nodes() - 1)] - t->points.back() - shaken.displacement(later.time)).norm() < 1e-12);
+  CHECK((later.target[static_cast<std::size_t>(t->nodes() - 1)] - t->points.back() - shaken.displacement(later.time))
+            .norm() < 1e-12);
 }
 
-TEST_CASE("the ledger closes with every effect and with all that stand together, ever better with a shorter step, and each takes its part") {
-  const std::vector<Effect> all{Gravity{0.004, "both"}, Drag{0.006, "both"}, Absorbing{0.8, 0.5}, MovingAnchor{0.02, 0.4, 30, "tangential"}, Damping{4e-3, "both"}, Plastic{2e-4, 0.2, "projectile"},
-                                Breaking{0.01, "target"}, Adhesion{0.5, 200}, Friction{0.3, 1}, Thermal{1e-6, 1, "both"}};
+TEST_CASE(
+    "the ledger closes with every effect and with all that stand together, ever better with a shorter step, and each "
+    "takes its part") {
+  const std::vector<Effect> all{Gravity{0.004, "both"},   Drag{0.006, "both"},
+                                Absorbing{0.8, 0.5},      MovingAnchor{0.02, 0.4, 30, "tangential"},
+                                Damping{4e-3, "both"},    Plastic{2e-4, 0.2, "projectile"},
+                                Breaking{0.01, "target"}, Adhesion{0.5, 200},
+                                Friction{0.3, 1},         Thermal{1e-6, 1, "both"}};
   REQUIRE(all.size() == effect_kinds);
   std::vector<std::vector<Effect>> sets{all, all};  // absorbing and moving anchors do not stand together
   std::erase_if(sets[0], [](const Effect& e) { return std::holds_alternative<Absorbing>(e); });
@@ -446,20 +502,26 @@ TEST_CASE("the ledger closes with every effect and with all that stand together,
     CHECK(fine.energy_drift < std::max(usual.energy_drift / 10, 1e-8));
     // Out of each other's reach no attraction is left.
     for (std::size_t kind = 0; kind < effect_kinds; ++kind) {
-      const bool named = std::any_of(effects.begin(), effects.end(), [&](const Effect& e) { return e.index() == kind; });
+      const bool named =
+          std::any_of(effects.begin(), effects.end(), [&](const Effect& e) { return e.index() == kind; });
       CHECK(std::isfinite(usual.effect_energy[kind]) == named);
-      if (named) CHECK((std::abs(usual.effect_energy[kind]) > 1e-6) == (kind != Effect(Thermal{}).index() && kind != Effect(Adhesion{}).index()));
+      if (named)
+        CHECK((std::abs(usual.effect_energy[kind]) > 1e-6) ==
+              (kind != Effect(Thermal{}).index() && kind != Effect(Adhesion{}).index()));
     }
   }
 }
 
 TEST_CASE("a real impact with effects that depend on velocities converges at order 2, beside friction at order 1") {
   const Effect gravity = Gravity{0.01, "projectile"};
-  for (const Effect& effect : {Effect(Drag{0.05, "both"}), Effect(Damping{2e-3, "both"}), Effect(Absorbing{0.7, 2.0}), Effect(MovingAnchor{0.03, 0.4, 30, "normal"}), Effect(Plastic{5e-3, 0.3, "both"}),
-                               Effect(Friction{0.3, 1})}) {
+  for (const Effect& effect :
+       {Effect(Drag{0.05, "both"}), Effect(Damping{2e-3, "both"}), Effect(Absorbing{0.7, 2.0}),
+        Effect(MovingAnchor{0.03, 0.4, 30, "normal"}), Effect(Plastic{5e-3, 0.3, "both"}), Effect(Friction{0.3, 1})}) {
     Scene scene = scene_with({effect, gravity});
     INFO(text_of(scene.effects));
-    scene.projectile = disk(60, 1e4, 0, 3), scene.target = wall(200, 400, 0, 3, 5, 1.5), scene.launch.psi1 = 0;
+    scene.projectile = disk(60, 1e4, 0, 3);
+    scene.target = wall(200, 400, 0, 3, 5, 1.5);
+    scene.launch.psi1 = 0;
     const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
     const auto at = [&](double step) {
       scene.integration.step = step;
@@ -471,12 +533,14 @@ TEST_CASE("a real impact with effects that depend on velocities converges at ord
       for (std::size_t i = 0; i < a.projectile.size(); ++i) sum += (a.projectile[i] - b.projectile[i]).squaredNorm();
       return std::sqrt(sum);
     };
-    // Springs that yield and contacts that slip do so at moments that fall anywhere within a step: from one step to its half the order
-    // scatters, over three halvings it shows.
+    // Springs that yield and contacts that slip do so at moments that fall anywhere within a step: from one step to its
+    // half the order scatters, over three halvings it shows.
     const Snapshot coarse = at(0.004), middle = at(0.002), finest = at(0.0005), reference = at(0.00025);
     const double order = std::log2(distance(coarse, middle) / distance(finest, reference)) / 3;
-    if (order_beside(effect) == 2) CHECK(order == Catch::Detail::Approx(2).margin(std::holds_alternative<Plastic>(effect) ? 0.3 : 0.1));
-    else CHECK(order > 0.9);  // friction
+    if (order_beside(effect) == 2)
+      CHECK(order == Catch::Detail::Approx(2).margin(std::holds_alternative<Plastic>(effect) ? 0.3 : 0.1));
+    else
+      CHECK(order > 0.9);  // friction
   }
 }
 
@@ -486,7 +550,8 @@ TEST_CASE("a conservative effect keeps the order of its method, which effects th
   scene.integration.method = "blanes_moan_srkn6b";
   CHECK(run_scene(*p, *t, scene, go_on).energy_closure < 1e-7);
   scene.effects.push_back(Drag{0.1, "projectile"});
-  CHECK_THROWS_WITH(launch(scene, *p, *t), Catch::Matchers::Contains("blanes_moan_srkn6b of order 4 would fall to order 2 beside drag"));
+  CHECK_THROWS_WITH(launch(scene, *p, *t),
+                    Catch::Matchers::Contains("blanes_moan_srkn6b of order 4 would fall to order 2 beside drag"));
   scene.integration.method = "multirate_3";
   CHECK_THROWS_WITH(launch(scene, *p, *t), Catch::Matchers::Contains("multirate_3 cannot hold gravity"));
   scene.integration.method = "auto";
@@ -506,7 +571,8 @@ TEST_CASE("a disk that rests on nothing falls as Galilei says") {
   // A rim a reach of 0.1 R away is not felt before half of it is crossed, after 3 R/c.
   const auto [start, zero] = height(0);
   const auto [later, time] = height(2);
-  CHECK(later - start == Catch::Detail::Approx(-1e-3 * (time - zero) - 0.005 * (time * time - zero * zero)).epsilon(1e-6));
+  CHECK(later - start ==
+        Catch::Detail::Approx(-1e-3 * (time - zero) - 0.005 * (time * time - zero * zero)).epsilon(1e-6));
 }
 
 TEST_CASE("e beside gravity and drag is that of the moment of parting, whenever one looks") {
@@ -520,7 +586,8 @@ TEST_CASE("e beside gravity and drag is that of the moment of parting, whenever 
       scene.integration.theta = theta;
       const Outcome outcome = run_scene(*p, *t, scene, go_on);
       REQUIRE(outcome.status == Status::finished);
-      e.push_back(outcome.e), beta.push_back(outcome.beta);
+      e.push_back(outcome.e);
+      beta.push_back(outcome.beta);
     }
     for (std::size_t i = 1; i < e.size(); ++i) {
       INFO(text_of(std::vector<Effect>{effect}) << " " << i << " " << e[i] - e[0] << " " << beta[i] - beta[0]);
@@ -534,7 +601,8 @@ TEST_CASE("e beside gravity and drag is that of the moment of parting, whenever 
 TEST_CASE("the absorbing layer lets waves of a bar come back with the share of amplitude that its doc says") {
   // A thin bar along y, held at its upper end; a pulse much longer than the bar is wide runs up, then back.
   constexpr double length = 24, breadth = 0.3, stiffness = 100, middle = 5, spread = 0.8;
-  Body body{{{0, 0}, {breadth, 0}, {breadth, length}, {0, length}}, numbers(2400, stiffness, 0, 1, "triangular"), {}, {}};
+  Body body{
+      {{0, 0}, {breadth, 0}, {breadth, length}, {0, length}}, numbers(2400, stiffness, 0, 1, "triangular"), {}, {}};
   const auto unheld = build_lattice(body);
   const Elasticity moduli = stretch_band(*unheld, stiffness);
   const double speed = std::sqrt(moduli.young_modulus * length * breadth / unheld->total_mass());
@@ -549,7 +617,8 @@ TEST_CASE("the absorbing layer lets waves of a bar come back with the share of a
     for (int i = 0; i < lattice->nodes(); ++i) {
       const Vec2 p = lattice->points[i];
       // u_y = f(y - c t), u_x = -nu x u_y': the bar's long wave, which leaves nothing behind.
-      const double s = (p.y() - middle) / spread, f = 1e-4 * std::exp(-s * s / 2), slope = -s / spread * f, bend = (s * s - 1) / (spread * spread) * f;
+      const double s = (p.y() - middle) / spread, f = 1e-4 * std::exp(-s * s / 2), slope = -s / spread * f,
+                   bend = (s * s - 1) / (spread * spread) * f;
       const double x = moduli.poisson_ratio * (p.x() - breadth / 2);
       bar.position.set(i, 0, i < lattice->free ? Vec2(p + Vec2(-x * slope, f)) : p);
       bar.velocity.set(i, 0, i < lattice->free ? Vec2(speed * x * bend, -speed * slope) : Vec2(0, 0));
@@ -563,7 +632,8 @@ TEST_CASE("the absorbing layer lets waves of a bar come back with the share of a
       kick_and_drift(bar, one(h / lattice->mass), one(h));
       acting.dissipate(bodies, one(h / 2), false);
     }
-    // The share of the pulse's shape in the velocities: what the lattice's disorder scattered on the way does not count.
+    // The share of the pulse's shape in the velocities: what the lattice's disorder scattered on the way does not
+    // count.
     double sum = 0;
     for (int i = 0; i < lattice->free; ++i) {
       const double s = (lattice->points[i].y() - middle) / spread;

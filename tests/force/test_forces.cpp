@@ -14,7 +14,9 @@ namespace {
 template <int W>
 Moving<W> at_rest(const Lattice& lattice, double stiffness) {
   Moving<W> body{&lattice, {}, {}, {}, Lane<W>::Constant(stiffness)};
-  body.position.resize(lattice.nodes()), body.velocity.resize(lattice.nodes()), body.force.resize(lattice.nodes());
+  body.position.resize(lattice.nodes());
+  body.velocity.resize(lattice.nodes());
+  body.force.resize(lattice.nodes());
   for (int i = 0; i < lattice.nodes(); ++i)
     for (int lane = 0; lane < W; ++lane) body.position.set(i, lane, lattice.points[i]);
   return body;
@@ -31,15 +33,20 @@ void shake(Moving<W>& body, double size, int lane, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("spring tension is the derivative of its energy over decades of stretch, and linear is quartic without its term") {
+TEST_CASE(
+    "spring tension is the derivative of its energy over decades of stretch, and linear is quartic without its term") {
   for (const double q : {0.0, 1e-100, 1e-3, 7.5, 1e6}) {
     const Quartic law{q};
     for (double x : {-2.0, -0.3, -1e-3, 1e-4, 0.05, 1.7}) {
       const double h = 1e-4 * std::abs(x);
-      const double slope = (law.energy(x - 2 * h) - 8 * law.energy(x - h) + 8 * law.energy(x + h) - law.energy(x + 2 * h)) / (12 * h);
+      const double slope =
+          (law.energy(x - 2 * h) - 8 * law.energy(x - h) + 8 * law.energy(x + h) - law.energy(x + 2 * h)) / (12 * h);
       CHECK(law.tension(x) == Catch::Detail::Approx(slope).epsilon(1e-9));
-      if (q == 0) CHECK(law.tension(x) == Linear{}.tension(x));
-      else CHECK(std::abs(law.scale() * law.scaled_tension(x) / law.tension(x) - 1) < 4 * std::numeric_limits<double>::epsilon());
+      if (q == 0)
+        CHECK(law.tension(x) == Linear{}.tension(x));
+      else
+        CHECK(std::abs(law.scale() * law.scaled_tension(x) / law.tension(x) - 1) <
+              4 * std::numeric_limits<double>::epsilon());
     }
   }
   CHECK(Quartic{2.0}.tension(0.5) == 0.5 + 2.0 * 0.125);
@@ -66,7 +73,8 @@ TEST_CASE("spring forces are minus the gradient of the spring energy, with a sti
         moved.position.add(i, 0, axis == 0 ? Vec2(shift, 0) : Vec2(0, shift));
         return spring_energy(moved)[0];
       };
-      CHECK(kicked.velocity.at(i, 0)[axis] == Catch::Detail::Approx(-(energy(h) - energy(-h)) / (2 * h)).epsilon(1e-6).margin(1e-7));
+      CHECK(kicked.velocity.at(i, 0)[axis] ==
+            Catch::Detail::Approx(-(energy(h) - energy(-h)) / (2 * h)).epsilon(1e-6).margin(1e-7));
     }
   }
   CHECK(total.norm() < 1e-12);
@@ -101,7 +109,8 @@ TEST_CASE("contact forces are minus the gradient of the contact energy, one-side
   for (const char* sides : {"one", "two"}) {
     ExponentialRepulsion law;
     law.sides = sides;
-    law.V0 = 37, law.xi = 250;
+    law.V0 = 37;
+    law.xi = 250;
     for (int pose = 0; pose < 60; ++pose) {
       auto p = at_rest<1>(*disk_lattice, 1e4), t = at_rest<1>(*wall_lattice, 100);
       const Vec2 shift(random.uniform(-1, 1), 1 + random.uniform(-0.2, 0.08));  // deep overlaps as well
@@ -113,7 +122,10 @@ TEST_CASE("contact forces are minus the gradient of the contact energy, one-side
       Vec2 total = Vec2::Zero();
       double largest = 0;
       for (auto* body : {&p, &t})
-        for (int i = 0; i < body->lattice->nodes(); ++i) total += body->force.at(i, 0), largest = std::max(largest, body->force.at(i, 0).norm());
+        for (int i = 0; i < body->lattice->nodes(); ++i) {
+          total += body->force.at(i, 0);
+          largest = std::max(largest, body->force.at(i, 0).norm());
+        }
       CHECK(total.norm() <= 1e-13 * std::max(1.0, largest) * 100);  // action and reaction
       for (auto* body : {&p, &t})
         for (const int node : body->lattice->rim)
@@ -126,7 +138,8 @@ TEST_CASE("contact forces are minus the gradient of the contact energy, one-side
               body->position.add(node, 0, axis == 0 ? Vec2(-by, 0) : Vec2(0, -by));
               return value;
             };
-            // Deep overlaps cross segments within 2h here and there, where the unsigned distance has its crease: skip the crease itself.
+            // Deep overlaps cross segments within 2h here and there, where the unsigned distance has its crease: skip
+            // the crease itself.
             const double left = (at(0) - at(-h)) / h, right = (at(h) - at(0)) / h;
             if (std::abs(left - right) > 0.01 * largest) continue;
             CHECK(force == Catch::Detail::Approx(-(left + right) / 2).epsilon(1e-5).margin(1e-5 * largest));
@@ -179,10 +192,12 @@ TEST_CASE("a tree of a chain finds what a look at every segment finds") {
   };
   const auto nearest = [](const Points& chain, const Vec2& p) {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t s = 0; s < chain.size(); ++s) least = std::min(least, closest(p, chain[s], chain[(s + 1) % chain.size()]).distance);
+    for (std::size_t s = 0; s < chain.size(); ++s)
+      least = std::min(least, closest(p, chain[s], chain[(s + 1) % chain.size()]).distance);
     return least;
   };
-  const auto winds_around = [](const Points& chain, const Vec2& p) {  // by the angle that the chain sweeps as seen from p
+  const auto winds_around = [](const Points& chain,
+                               const Vec2& p) {  // by the angle that the chain sweeps as seen from p
     double angle = 0;
     for (std::size_t s = 0; s < chain.size(); ++s) {
       const Vec2 a = chain[s] - p, b = chain[(s + 1) % chain.size()] - p;

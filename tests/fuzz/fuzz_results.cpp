@@ -1,6 +1,6 @@
-// The readers of results.h5 and trajectory.h5. An even first byte: the rest is the file as it lies on disk. An odd one: the rest describes an
-// HDF5 file, sealed like ours but of other groups, types and sizes. (What HDF5 itself makes of bytes that are none of its own never
-// comes to pass: the seal is checked first.)
+// The readers of results.h5 and trajectory.h5. An even first byte: the rest is the file as it lies on disk. An odd one:
+// the rest describes an HDF5 file, sealed like ours but of other groups, types and sizes. (What HDF5 itself makes of
+// bytes that are none of its own never comes to pass: the seal is checked first.)
 
 #include <hdf5.h>
 #include <unistd.h>
@@ -50,9 +50,18 @@ std::string described(Bytes& bytes) {
         continue;
       }
       hid_t type = H5Tcopy(H5T_C_S1);
-      if (kind == 1) H5Tset_size(type, H5T_VARIABLE);
-      else if (kind == 2) H5Tset_size(type, 1 + bytes.take());
-      else H5Tclose(type), type = H5Tcopy(kind == 3 ? H5T_IEEE_F64LE : kind == 4 ? H5T_STD_I32BE : kind == 5 ? H5T_IEEE_F32LE : kind == 6 ? H5T_STD_B8LE : H5T_STD_REF_OBJ);
+      if (kind == 1)
+        H5Tset_size(type, H5T_VARIABLE);
+      else if (kind == 2)
+        H5Tset_size(type, 1 + bytes.take());
+      else {
+        H5Tclose(type);
+        type = H5Tcopy(kind == 3   ? H5T_IEEE_F64LE
+                       : kind == 4 ? H5T_STD_I32BE
+                       : kind == 5 ? H5T_IEEE_F32LE
+                       : kind == 6 ? H5T_STD_B8LE
+                                   : H5T_STD_REF_OBJ);
+      }
       hsize_t shape[3] = {length, 1 + bytes.take() % 3, 1 + bytes.take() % 2};
       const int rank = static_cast<int>(bytes.take() % 4);
       const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
@@ -61,7 +70,8 @@ std::string described(Bytes& bytes) {
         const hsize_t chunk[3] = {1, 1, 1};
         H5Pset_chunk(properties, rank, chunk);
       }
-      const hid_t space = rank == 0 ? H5Screate(bytes.take() % 2 ? H5S_SCALAR : H5S_NULL) : H5Screate_simple(rank, shape, nullptr);
+      const hid_t space =
+          rank == 0 ? H5Screate(bytes.take() % 2 ? H5S_SCALAR : H5S_NULL) : H5Screate_simple(rank, shape, nullptr);
       const hid_t set = H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
       if (set >= 0) {
         if (bytes.take() % 2) hdf5::attribute(set, "unit", "c");
@@ -72,7 +82,8 @@ std::string described(Bytes& bytes) {
         H5Dclose(set);
       }
       if (space >= 0) H5Sclose(space);
-      H5Pclose(properties), H5Tclose(type);
+      H5Pclose(properties);
+      H5Tclose(type);
     }
   }
   return hdf5::image(file);
@@ -82,7 +93,8 @@ std::string described(Bytes& bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  static const std::filesystem::path path = std::filesystem::temp_directory_path() / ("ricochet_fuzz_" + std::to_string(getpid()) + ".h5");
+  static const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("ricochet_fuzz_" + std::to_string(getpid()) + ".h5");
   Bytes bytes(data + 1, size - 1);
   std::string file;
   try {
@@ -91,7 +103,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   write_atomically(path, file);
-  for (const auto& read : {+[](const std::filesystem::path& p) { read_table(p); }, +[](const std::filesystem::path& p) { read_provenance(p); }, +[](const std::filesystem::path& p) { is_trajectory(p); }, +[](const std::filesystem::path& p) { read_trajectory(p); }}) try {
+  for (const auto& read : {+[](const std::filesystem::path& p) { read_table(p); },
+                           +[](const std::filesystem::path& p) { read_provenance(p); },
+                           +[](const std::filesystem::path& p) { is_trajectory(p); },
+                           +[](const std::filesystem::path& p) { read_trajectory(p); }})
+    try {
       read(path);
     } catch (const FileError&) {  // refused: as it should be
     }

@@ -1,4 +1,5 @@
-// The script reader: any text, run with --check and a budget, ends in an error or not at all; nothing crashes, leaks or hangs.
+// The script reader: any text, run with --check and a budget, ends in an error or not at all; nothing crashes, leaks or
+// hangs.
 
 #include <unistd.h>
 
@@ -25,7 +26,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     file.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   }
   RunOptions options;
-  options.check = true, options.quiet = true, options.budget = 100'000, options.out = (folder / "out").string(), options.threads = 1;
+  options.check = true;
+  options.quiet = true;
+  options.budget = 100'000;
+  options.out = (folder / "out").string();
+  options.threads = 1;
   try {
     Session session(options, script, {});
     State state(session);

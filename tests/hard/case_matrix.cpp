@@ -1,4 +1,5 @@
-// case_matrix [COUNT [FIRST_SEED]]: runs random scenes of every kind, and counts how they end. Exits with 1 if an ending is wrong.
+// case_matrix [COUNT [FIRST_SEED]]: runs random scenes of every kind, and counts how they end. Exits with 1 if an
+// ending is wrong.
 
 #include <fmt/format.h>
 
@@ -32,14 +33,23 @@ int main(int argc, char** argv) {
     const Verdict verdict = judged(random);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     const std::lock_guard lock(counting);
-    ++endings[verdict.ending], ++done;
-    if (seconds > slowest) slowest = seconds, slowest_seed = seed;
-    if (verdict.wrong) ++wrong, fmt::print("seed {}: {}\n  {}\n", seed, *verdict.wrong, random.text);
-    if (std::getenv("MATRIX_TELL") && verdict.ending == std::getenv("MATRIX_TELL")) fmt::print("seed {}: {}\n  {}\n", seed, verdict.reason, random.text);
+    ++endings[verdict.ending];
+    ++done;
+    if (seconds > slowest) {
+      slowest = seconds;
+      slowest_seed = seed;
+    }
+    if (verdict.wrong) {
+      ++wrong;
+      fmt::print("seed {}: {}\n  {}\n", seed, *verdict.wrong, random.text);
+    }
+    if (std::getenv("MATRIX_TELL") && verdict.ending == std::getenv("MATRIX_TELL"))
+      fmt::print("seed {}: {}\n  {}\n", seed, verdict.reason, random.text);
     if (done % 200 == 0) fmt::print("{} scenes ...\n", done);
     std::fflush(stdout);
   });
   for (const auto& [ending, number] : endings) fmt::print("{:14} {:6}\n", ending, number);
-  fmt::print("{} scenes (seeds {} to {}), {} wrong; the slowest took {:.1f} s (seed {})\n", count, first, first + count - 1, wrong, slowest, slowest_seed);
+  fmt::print("{} scenes (seeds {} to {}), {} wrong; the slowest took {:.1f} s (seed {})\n", count, first,
+             first + count - 1, wrong, slowest, slowest_seed);
   return wrong > 0;
 }

@@ -28,12 +28,15 @@ struct Shape {
 Shape random_shape(Random& random) {
   const double turn = random.uniform(0, 2 * std::numbers::pi);
   const auto turned = [&](Points points) {
-    for (Vec2& p : points) p = Vec2(std::cos(turn) * p.x() - std::sin(turn) * p.y(), std::sin(turn) * p.x() + std::cos(turn) * p.y());
+    for (Vec2& p : points)
+      p = Vec2(std::cos(turn) * p.x() - std::sin(turn) * p.y(), std::sin(turn) * p.x() + std::cos(turn) * p.y());
     return points;
   };
   switch (static_cast<int>(random.uniform(0, 4))) {
-    case 0: return {"disk", circle()};
-    case 1: return {"square", turned({{-0.8, -0.8}, {0.8, -0.8}, {0.8, 0.8}, {-0.8, 0.8}})};
+    case 0:
+      return {"disk", circle()};
+    case 1:
+      return {"square", turned({{-0.8, -0.8}, {0.8, -0.8}, {0.8, 0.8}, {-0.8, 0.8}})};
     case 2: {
       Points ellipse = circle();
       const double flat = random.uniform(0.3, 1);
@@ -43,7 +46,9 @@ Shape random_shape(Random& random) {
     default: {
       Points star;
       const double inner = random.uniform(0.45, 0.8);
-      for (int i = 0; i < 10; ++i) star.push_back((i % 2 ? inner : 1.0) * Vec2(std::cos(std::numbers::pi * i / 5), std::sin(std::numbers::pi * i / 5)));
+      for (int i = 0; i < 10; ++i)
+        star.push_back((i % 2 ? inner : 1.0) *
+                       Vec2(std::cos(std::numbers::pi * i / 5), std::sin(std::numbers::pi * i / 5)));
       return {fmt::format("star({:.2f})", inner), turned(star)};
     }
   }
@@ -63,21 +68,27 @@ RandomScene random_scene(std::uint64_t seed) {
   Random random(seed, 606);
   RandomScene made;
   Scene& scene = made.scene;
-  // Half of all ratios within 1e-2 ... 1e2; three quarters of the bodies with springs for which the speed is 1/300 to 3 of their sound, so that
-  // most impacts are over in some thousand steps.
-  const double ratio = random.uniform() < 0.5 ? decades(random, -6, 6) : decades(random, -2, 2), mass = decades(random, -3, 3), speed = decades(random, -8, std::log10(3.0));
+  // Half of all ratios within 1e-2 ... 1e2; three quarters of the bodies with springs for which the speed is 1/300 to 3
+  // of their sound, so that most impacts are over in some thousand steps.
+  const double ratio = random.uniform() < 0.5 ? decades(random, -6, 6) : decades(random, -2, 2),
+               mass = decades(random, -3, 3), speed = decades(random, -8, std::log10(3.0));
   const double stiffness = random.uniform() < 0.25 ? 1e4 : std::pow(10 * speed / decades(random, -2.5, 0.5), 2) * mass;
   const auto quartic = [&] { return random.uniform() < 0.3 ? 0.0 : decades(random, -3, 3); };
-  const auto placement = [&] { return std::array{"uniform", "poisson_disk", "triangular"}[static_cast<std::size_t>(random.uniform(0, 3))]; };
+  const auto placement = [&] {
+    return std::array{"uniform", "poisson_disk", "triangular"}[static_cast<std::size_t>(random.uniform(0, 3))];
+  };
   const auto roughness = [&] { return random.uniform() < 0.3 ? 0.0 : random.uniform(0, 0.1); };
 
   const Shape upper = random_shape(random);
-  BodyNumbers p = numbers(60 + static_cast<int>(random.uniform(0, 60)), stiffness, roughness(), static_cast<int>(seed), placement());
-  p.quartic = quartic(), p.mass = mass;
+  BodyNumbers p = numbers(60 + static_cast<int>(random.uniform(0, 60)), stiffness, roughness(), static_cast<int>(seed),
+                          placement());
+  p.quartic = quartic();
+  p.mass = mass;
   scene.projectile = std::make_shared<Body>(Body{upper.outline, p, {}, {}});
 
   std::string below;
-  BodyNumbers t = numbers(100 + static_cast<int>(random.uniform(0, 100)), stiffness / mass * ratio, roughness(), static_cast<int>(seed), placement());
+  BodyNumbers t = numbers(100 + static_cast<int>(random.uniform(0, 100)), stiffness / mass * ratio, roughness(),
+                          static_cast<int>(seed), placement());
   t.quartic = quartic();
   const double kind = random.uniform(0, 1);
   if (kind < 0.4) {
@@ -93,7 +104,8 @@ RandomScene random_scene(std::uint64_t seed) {
     for (const Vec2& q : plan_rim(wall.outline, t)) rim.push_back(held(q));
     try {
       const Points planned = plan_nodes(wall.outline, t, rim).points;
-      for (std::size_t i = 0; i < planned.size(); ++i) wall.anchored.push_back(i < rim.size() ? rim[i] : held(planned[i]));
+      for (std::size_t i = 0; i < planned.size(); ++i)
+        wall.anchored.push_back(i < rim.size() ? rim[i] : held(planned[i]));
     } catch (const FieldError&) {  // refused again when it is built
     }
     scene.target = std::make_shared<Body>(wall);
@@ -102,7 +114,9 @@ RandomScene random_scene(std::uint64_t seed) {
   }
 
   scene.launch.speed = speed;
-  scene.launch.psi1 = random.uniform() < 0.3 ? 0.0 : random.uniform() < 0.8 ? random.uniform(0, 8) : random.uniform(8, 50);
+  scene.launch.psi1 = random.uniform() < 0.3   ? 0.0
+                      : random.uniform() < 0.8 ? random.uniform(0, 8)
+                                               : random.uniform(8, 50);
   if (random.uniform() < 0.4) scene.launch.spin = (random.uniform() < 0.5 ? 1 : -1) * speed * random.uniform(0, 3);
   made.flat_rigid = made.flat_rigid && scene.launch.spin == 0;
   scene.launch.at = random.uniform(-0.6, 0.6);
@@ -114,13 +128,21 @@ RandomScene random_scene(std::uint64_t seed) {
   const Method& method = all[static_cast<std::size_t>(random.uniform(0, static_cast<double>(all.size())))];
   scene.integration.method = method.name;
   const double way = random.uniform();
-  if (way < 0.2) scene.integration.theta = random.uniform(0.2, 1) * method.stability_limit;
-  else if (way < 0.25) scene.integration.theta = random.uniform(1.02, 3) * method.stability_limit;
-  else if (way < 0.3) scene.integration.step = decades(random, -20, 2);
-  else if (way < 0.33) scene.integration.step = std::array{0.0, -0.01, std::numeric_limits<double>::infinity(), 5e-324}[static_cast<std::size_t>(random.uniform(0, 4))];
-  made.text = fmt::format("{} ({}, {} nodes, springs {:.2g}, quartic {:.2g}, mass {:.2g}, rough {:.2g}) on {} ({}, {} nodes, ratio {:.2g}, quartic {:.2g}, rough {:.2g}), {:.2g} c, psi1 {:.2g}, spin {:.2g}, {}-sided, {} step {:.3g} theta {:.3g}",
-                          upper.name, p.placement, p.nodes, stiffness, p.quartic, mass, p.roughness, below, t.placement, t.nodes, ratio, t.quartic, t.roughness, speed, scene.launch.psi1, scene.launch.spin,
-                          scene.contact.sides, method.name, scene.integration.step, scene.integration.theta);
+  if (way < 0.2)
+    scene.integration.theta = random.uniform(0.2, 1) * method.stability_limit;
+  else if (way < 0.25)
+    scene.integration.theta = random.uniform(1.02, 3) * method.stability_limit;
+  else if (way < 0.3)
+    scene.integration.step = decades(random, -20, 2);
+  else if (way < 0.33)
+    scene.integration.step = std::array{0.0, -0.01, std::numeric_limits<double>::infinity(),
+                                        5e-324}[static_cast<std::size_t>(random.uniform(0, 4))];
+  made.text = fmt::format(
+      "{} ({}, {} nodes, springs {:.2g}, quartic {:.2g}, mass {:.2g}, rough {:.2g}) on {} ({}, {} nodes, ratio {:.2g}, "
+      "quartic {:.2g}, rough {:.2g}), {:.2g} c, psi1 {:.2g}, spin {:.2g}, {}-sided, {} step {:.3g} theta {:.3g}",
+      upper.name, p.placement, p.nodes, stiffness, p.quartic, mass, p.roughness, below, t.placement, t.nodes, ratio,
+      t.quartic, t.roughness, speed, scene.launch.psi1, scene.launch.spin, scene.contact.sides, method.name,
+      scene.integration.step, scene.integration.theta);
   return made;
 }
 
@@ -129,29 +151,35 @@ Verdict judged(const RandomScene& random, double steps) {
   const Method& method = scene.method();
   LatticePointer projectile, target;
   try {
-    projectile = build_lattice(*scene.projectile), target = build_lattice(*scene.target);
+    projectile = build_lattice(*scene.projectile);
+    target = build_lattice(*scene.target);
   } catch (const FieldError& error) {
     // Stars and squares may be too rough for their spacing; nothing else is wrong with any of these bodies.
     const bool rough = std::string(error.what()).find("rough rim crosses itself") != std::string::npos;
     return {"refused", rough ? std::nullopt : std::optional(fmt::format("refused: {}: {}", error.field, error.what()))};
   }
-  const double own = frequency_bound(*projectile, scene.projectile->numbers.stiffness).omega, other = slower_by(method) * frequency_bound(*target, scene.target->numbers.stiffness).omega;
+  const double own = frequency_bound(*projectile, scene.projectile->numbers.stiffness).omega,
+               other = slower_by(method) * frequency_bound(*target, scene.target->numbers.stiffness).omega;
   const double limit = method.stability_limit / std::max(own, other);
   Start start;
   try {
     start = launch(scene, *projectile, *target);
   } catch (const FieldError& error) {
     const std::string text = error.what();
-    const double asked = !std::isnan(scene.integration.step) ? scene.integration.step : scene.integration.theta / method.stability_limit * limit;
+    const double asked = !std::isnan(scene.integration.step) ? scene.integration.step
+                                                             : scene.integration.theta / method.stability_limit * limit;
     bool right = false;
     if (text.find("is unstable") != std::string::npos) right = asked > limit && told(text, "; ") > 0;
-    if (text.find("lost in rounding") != std::string::npos) right = error.field == "speed" || asked * scene.launch.velocity().norm() < 1e-12 || asked < 1e-14 / scene.launch.speed;
+    if (text.find("lost in rounding") != std::string::npos)
+      right = error.field == "speed" || asked * scene.launch.velocity().norm() < 1e-12 ||
+              asked < 1e-14 / scene.launch.speed;
     if (text.find("might pass the contact unseen") != std::string::npos) {
       // Coarser than the repulsion's length, and what it says is accepted.
       Scene finer = scene;
       (std::isnan(scene.integration.step) ? finer.integration.theta : finer.integration.step) = told(text, "; give ");
       const double kicks = method.multirate() ? static_cast<double>(method.stages.size()) : 1;
-      right = asked * (scene.launch.velocity().norm() + 3 * std::abs(scene.launch.spin)) / kicks > std::min(3 / scene.contact.xi, 0.01);
+      right = asked * (scene.launch.velocity().norm() + 3 * std::abs(scene.launch.spin)) / kicks >
+              std::min(3 / scene.contact.xi, 0.01);
       try {
         launch(finer, *projectile, *target);
       } catch (const FieldError&) {
@@ -170,7 +198,9 @@ Verdict judged(const RandomScene& random, double steps) {
     return {"refused", fmt::format("refused in the run: {}: {}", error.field, error.what())};
   }
   Verdict verdict{name_of(o.status), std::nullopt, o.reason};
-  const auto wrong = [&](const std::string& what) { verdict.wrong = fmt::format("{}: {} ({})", verdict.ending, what, o.reason); };
+  const auto wrong = [&](const std::string& what) {
+    verdict.wrong = fmt::format("{}: {} ({})", verdict.ending, what, o.reason);
+  };
   // The advice, taken, leads elsewhere.
   const auto again = [&](const auto& change) {
     Scene better = scene;
@@ -180,7 +210,8 @@ Verdict judged(const RandomScene& random, double steps) {
   };
   const auto with_step = [&](double step) {
     return again([&](Scene& s) {
-      s.integration.step = step, s.integration.theta = not_given;
+      s.integration.step = step;
+      s.integration.theta = not_given;
       s.integration.time_limit = std::fmin(s.integration.time_limit, 2 * steps * step);  // it may be not given
     });
   };
@@ -193,18 +224,28 @@ Verdict judged(const RandomScene& random, double steps) {
       if (!std::isfinite(o.e) || !std::isfinite(o.vt) || !std::isfinite(o.omega)) wrong("no result");
       if (!(o.energy_drift <= 1e-2)) wrong(fmt::format("energy strayed by {:.2g}", o.energy_drift));
       if (!(o.energy_closure <= 1e-2)) wrong(fmt::format("energy closes to {:.2g}", o.energy_closure));
-      if (!target->anchored() && !(o.momentum_residual < 1e-9)) wrong(fmt::format("momentum changed by {:.2g}", o.momentum_residual));
-      // At vertices of the wall two segments push, which is as a bump of ln 2 / xi: an oblique flight may turn some of its energy upwards there.
-      if (random.flat_rigid && scene.launch.psi1 == 0 && o.e > 1 + 1e-6 + o.energy_drift) wrong(fmt::format("e = {:.6g} on a flat rigid wall", o.e));
-      if (o.after.projectile_translation + o.after.projectile_rotation + o.after.target_translation + o.after.target_rotation > o.before.total() * (1 + 1e-6 + 2 * o.energy_drift)) wrong("the flight gained energy");
+      if (!target->anchored() && !(o.momentum_residual < 1e-9))
+        wrong(fmt::format("momentum changed by {:.2g}", o.momentum_residual));
+      // At vertices of the wall two segments push, which is as a bump of ln 2 / xi: an oblique flight may turn some of
+      // its energy upwards there.
+      if (random.flat_rigid && scene.launch.psi1 == 0 && o.e > 1 + 1e-6 + o.energy_drift)
+        wrong(fmt::format("e = {:.6g} on a flat rigid wall", o.e));
+      if (o.after.projectile_translation + o.after.projectile_rotation + o.after.target_translation +
+              o.after.target_rotation >
+          o.before.total() * (1 + 1e-6 + 2 * o.energy_drift))
+        wrong("the flight gained energy");
       break;
     }
     case Status::energy_drift: {
       if (!(o.energy_drift > scene.integration.energy_tolerance)) wrong("the energy had not strayed");
       double step = o.step, drift = o.energy_drift;
       Outcome finer = o;
-      for (int halving = 0; halving < 4 && finer.status == Status::energy_drift; ++halving) step /= 2, finer = with_step(step);
-      if (finer.status == Status::energy_drift && !(finer.energy_drift < drift)) wrong(fmt::format("a sixteenth of the step strays by {:.2g} again", finer.energy_drift));
+      for (int halving = 0; halving < 4 && finer.status == Status::energy_drift; ++halving) {
+        step /= 2;
+        finer = with_step(step);
+      }
+      if (finer.status == Status::energy_drift && !(finer.energy_drift < drift))
+        wrong(fmt::format("a sixteenth of the step strays by {:.2g} again", finer.energy_drift));
       break;
     }
     case Status::unstable: {
@@ -223,7 +264,8 @@ Verdict judged(const RandomScene& random, double steps) {
     case Status::tunnelled:
       if (o.certified == 1 && o.reason.find("one-sided") == std::string::npos) wrong("below V0");
       if (o.reason.find("flew through") != std::string::npos) break;
-      if (o.reason.find("node ") == std::string::npos || o.reason.find("at t = ") == std::string::npos) wrong("node or time is not named");
+      if (o.reason.find("node ") == std::string::npos || o.reason.find("at t = ") == std::string::npos)
+        wrong("node or time is not named");
       break;
     case Status::not_finite:
       if (o.reason.find("at t = ") == std::string::npos) wrong("no time is named");
@@ -235,16 +277,24 @@ Verdict judged(const RandomScene& random, double steps) {
       if (!start.touches || !scene.effects.empty()) break;
       const Outcome slower = again([](Scene& s) {
         const Vec2 v = s.launch.velocity();
-        s.launch = Launch{.normal_speed = -v.y() / 2, .tangential_speed = v.x() / 2, .spin = s.launch.spin / 2, .at = s.launch.at, .height = s.launch.height};
+        s.launch = Launch{.normal_speed = -v.y() / 2,
+                          .tangential_speed = v.x() / 2,
+                          .spin = s.launch.spin / 2,
+                          .at = s.launch.at,
+                          .height = s.launch.height};
         s.integration = Integration{};
       });
-      if (slower.status != Status::no_contact && !(slower.status == Status::finished && std::abs(slower.e + 1) < 0.05)) wrong(fmt::format("at half the speed it ends {}", name_of(slower.status)));
+      if (slower.status != Status::no_contact && !(slower.status == Status::finished && std::abs(slower.e + 1) < 0.05))
+        wrong(fmt::format("at half the speed it ends {}", name_of(slower.status)));
       break;
     }
     case Status::out_of_time:
-      if (!(o.time >= (ours ? scene.integration.time_limit : start.time_limit) * (1 - 1e-12))) wrong("there was time left");
+      if (!(o.time >= (ours ? scene.integration.time_limit : start.time_limit) * (1 - 1e-12)))
+        wrong("there was time left");
       break;
-    case Status::not_run: wrong("it did not run"); break;
+    case Status::not_run:
+      wrong("it did not run");
+      break;
   }
   if (o.status != Status::finished && o.reason.empty()) wrong("no reason");
   return verdict;

@@ -14,18 +14,19 @@ struct RandomScene {
   std::string text;         ///< what it is, on one line
 };
 
-/// Bodies: disk, square, ellipse, star; stiffness ratio 1e-6 ... 1e6, masses 1e-3 ... 1e3, speed 1e-8 ... 3 c, psi1 0 ... 50, roughness 0 ... 0.1 R,
-/// spin, quartic constants to 1e3, every method, steps from automatic to wrong. The same for ever by its seed.
+/// Bodies: disk, square, ellipse, star; stiffness ratio 1e-6 ... 1e6, masses 1e-3 ... 1e3, speed 1e-8 ... 3 c, psi1 0
+/// ... 50, roughness 0 ... 0.1 R, spin, quartic constants to 1e3, every method, steps from automatic to wrong. The same
+/// for ever by its seed.
 RandomScene random_scene(std::uint64_t seed);
 
 struct Verdict {
-  std::string ending;               ///< a status, or "refused"
-  std::optional<std::string> wrong; ///< what is wrong about it, if anything is
-  std::string reason;               ///< what the program says
+  std::string ending;                ///< a status, or "refused"
+  std::optional<std::string> wrong;  ///< what is wrong about it, if anything is
+  std::string reason;                ///< what the program says
 };
 
-/// Runs the scene, for at most `steps` steps, and judges its ending. A result must close its ledger and keep momentum; a status must be
-/// true, and its advice must help; a refusal must be of something that is wrong.
+/// Runs the scene, for at most `steps` steps, and judges its ending. A result must close its ledger and keep momentum;
+/// a status must be true, and its advice must help; a refusal must be of something that is wrong.
 Verdict judged(const RandomScene& random, double steps = 1e5);
 
 }  // namespace ricochet::test

@@ -1,5 +1,6 @@
 #pragma once
-// The hard cases read, and are printed, as a table: what a case provokes, what counts as passing, what was measured, and the margin.
+// The hard cases read, and are printed, as a table: what a case provokes, what counts as passing, what was measured,
+// and the margin.
 
 #include <string>
 
@@ -18,7 +19,8 @@ class Case {
   void told(double measured, const std::string& what);
 
  private:
-  void add(const std::string& criterion, const std::string& allowed, const std::string& measured, const std::string& margin);
+  void add(const std::string& criterion, const std::string& allowed, const std::string& measured,
+           const std::string& margin);
 
   int number_;
   std::string provokes_;

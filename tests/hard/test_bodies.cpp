@@ -1,8 +1,9 @@
 // Hard cases of bodies: shapes that are refused by name, and ugly ones that are not.
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "core/rng.hpp"
@@ -69,14 +70,16 @@ TEST_CASE("hard 14: outlines that make no body are refused by name") {
   CHECK(coincident);
   of.all(static_cast<int>(list.size()) + 1, refused + coincident, "refused, naming what is wrong");
 
-  // A script names nodes and springs by its outline alone: what comes of it has no loose node and no spring of length 0.
+  // A script names nodes and springs by its outline alone: what comes of it has no loose node and no spring of length
+  // 0.
   int whole = 0, all = 0;
   for (int seed = 1; seed <= 200; ++seed) {
     Random random(static_cast<std::uint64_t>(seed), 31);
     Points star;
     const int corners = 3 + static_cast<int>(random.uniform(0, 9));
     for (int i = 0; i < corners; ++i) {
-      const double angle = 2 * std::numbers::pi * (i + random.uniform(0.1, 0.9)) / corners, radius = random.uniform(0.2, 1);
+      const double angle = 2 * std::numbers::pi * (i + random.uniform(0.1, 0.9)) / corners,
+                   radius = random.uniform(0.2, 1);
       star.push_back(radius * Vec2(std::cos(angle), std::sin(angle)));
     }
     const char* placement = std::array{"uniform", "poisson_disk", "triangular"}[static_cast<std::size_t>(seed % 3)];
@@ -90,12 +93,14 @@ TEST_CASE("hard 14: outlines that make no body are refused by name") {
     bool right = true;
     for (std::size_t s = 0; s < lattice->spring.size(); ++s) {
       const Spring spring = lattice->spring[s];
-      ++springs[static_cast<std::size_t>(spring.node)], ++springs[static_cast<std::size_t>(spring.other)];
+      ++springs[static_cast<std::size_t>(spring.node)];
+      ++springs[static_cast<std::size_t>(spring.other)];
       right = right && spring.length > 0;
     }
     for (const int count : springs) right = right && count >= 2;
     CHECK(right);
-    whole += right, ++all;
+    whole += right;
+    ++all;
   }
   CHECK(all > 100);
   of.all(all, whole, "random stars in which every node has two springs at least, none of length 0");
@@ -112,7 +117,8 @@ TEST_CASE("hard 15: near-duplicate nodes and slivers run as usual") {
       Points outline;
       for (const Vec2& p : circle(1, 24)) {
         outline.push_back(p);
-        if ((below && p.y() < -0.999) || (!below && p.x() > 0.999)) outline.push_back(p + gap * Vec2(below ? 1 : 0, below ? 0 : 1));
+        if ((below && p.y() < -0.999) || (!below && p.x() > 0.999))
+          outline.push_back(p + gap * Vec2(below ? 1 : 0, below ? 0 : 1));
       }
       Scene scene = small_scene(1, 0.5, 0);
       scene.projectile = std::make_shared<Body>(Body{outline, numbers(80, 1e4, 0, 1, "uniform"), {}, {}});
@@ -126,7 +132,8 @@ TEST_CASE("hard 15: near-duplicate nodes and slivers run as usual") {
       } catch (const Error& error) {
         FAIL_CHECK(gap << ": " << error.what());
       }
-      right += fine, ++all;
+      right += fine;
+      ++all;
     }
   of.all(all, right, "impacts that finish");
   of.at_most(1e-6, drift, "largest |E - E0| / E0");
@@ -134,9 +141,11 @@ TEST_CASE("hard 15: near-duplicate nodes and slivers run as usual") {
   // The paper's nodes, thrown at random: the flattest of 1e5 triangles.
   double flattest = 1;
   for (int seed = 1; seed <= 30; ++seed) {
-    const auto lattice = build_lattice(*std::make_shared<Body>(Body{circle(), numbers(800, 1e4, 0.03, seed, "uniform"), {}, {}}));
+    const auto lattice =
+        build_lattice(*std::make_shared<Body>(Body{circle(), numbers(800, 1e4, 0.03, seed, "uniform"), {}, {}}));
     for (const Triangle& t : lattice->triangles) {
-      const Vec2 u = lattice->points[static_cast<std::size_t>(t[1])] - lattice->points[static_cast<std::size_t>(t[0])], v = lattice->points[static_cast<std::size_t>(t[2])] - lattice->points[static_cast<std::size_t>(t[0])];
+      const Vec2 u = lattice->points[static_cast<std::size_t>(t[1])] - lattice->points[static_cast<std::size_t>(t[0])],
+                 v = lattice->points[static_cast<std::size_t>(t[2])] - lattice->points[static_cast<std::size_t>(t[0])];
       flattest = std::min(flattest, cross(u, v) / std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()}));
     }
   }

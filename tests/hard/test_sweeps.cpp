@@ -1,8 +1,9 @@
 // Hard cases of sweeps: the same bits whatever runs beside, golden hashes, and the paper's sweeps in full.
 
-#include <catch2/catch.hpp>
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
 #include <map>
 
 #include "core/hash.hpp"
@@ -44,14 +45,30 @@ std::map<std::string, Scene> reference_scenes() {
   Scene& multirate = list["multirate, rough, grazing"] = small_scene(2, 6);
   multirate.integration.method = "multirate_3";
   Scene& disks = list["two free disks, spin, two-sided"];
-  disks.projectile = disk(60, 1e4, 0.02, 1), disks.target = disk(80, 3e3, 0.02, 2);
-  disks.launch.at = 0.5, disks.launch.psi1 = 0.4, disks.launch.spin = 0.5, disks.contact.sides = "two", disks.integration.method = "blanes_moan_srkn11b";
+  disks.projectile = disk(60, 1e4, 0.02, 1);
+  disks.target = disk(80, 3e3, 0.02, 2);
+  disks.launch.at = 0.5;
+  disks.launch.psi1 = 0.4;
+  disks.launch.spin = 0.5;
+  disks.contact.sides = "two";
+  disks.integration.method = "blanes_moan_srkn11b";
   Scene& effects = list["ten effects but one"] = small_scene(3, 2);
-  effects.effects = {Gravity{1e-4, "both"}, Drag{0.1, "projectile"}, Absorbing{0.5, 2}, Damping{1e-3, "both"}, Plastic{1e-3, 0.1, "projectile"}, Breaking{0.01, "target"}, Adhesion{0.1, 200}, Friction{0.3, 1}, Thermal{1e-6, 3, "both"}};
+  effects.effects = {Gravity{1e-4, "both"},
+                     Drag{0.1, "projectile"},
+                     Absorbing{0.5, 2},
+                     Damping{1e-3, "both"},
+                     Plastic{1e-3, 0.1, "projectile"},
+                     Breaking{0.01, "target"},
+                     Adhesion{0.1, 200},
+                     Friction{0.3, 1},
+                     Thermal{1e-6, 3, "both"}};
   Scene& hard = list["hard wall, fast, force gradient"] = small_scene(4, 0.5);
   Body stiff = *hard.target;
-  stiff.numbers.stiffness = 1e5, stiff.numbers.quartic = 100;
-  hard.target = std::make_shared<Body>(stiff), hard.launch.speed = 0.3, hard.integration.method = "chin_4a";
+  stiff.numbers.stiffness = 1e5;
+  stiff.numbers.quartic = 100;
+  hard.target = std::make_shared<Body>(stiff);
+  hard.launch.speed = 0.3;
+  hard.integration.method = "chin_4a";
   return list;
 }
 
@@ -71,7 +88,8 @@ Rows rows_of(const std::string& script, const std::string& arguments) {
   rows.all = static_cast<int>(table.rows());
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const std::string& status = table.text("status")->values[i];
-    rows.finished += status == "finished", rows.tunnelled += status == "tunnelled";
+    rows.finished += status == "finished";
+    rows.tunnelled += status == "tunnelled";
     rows.closure = std::max(rows.closure, table.number("energy_closure")->values[i]);
   }
   return rows;
@@ -87,7 +105,10 @@ TEST_CASE("hard 20: the same bits for 1 to 16 threads, every batch, and resumed 
   const std::string expected = hash_of(list, 1, 1, 0);
   int same = 0, all = 0;
   for (int threads = 1; threads <= 16; threads += sanitized ? 5 : 1)
-    for (int batch = 1; batch <= lanes; ++batch) same += hash_of(list, threads, batch, 0) == expected, ++all;
+    for (int batch = 1; batch <= lanes; ++batch) {
+      same += hash_of(list, threads, batch, 0) == expected;
+      ++all;
+    }
   of.all(all, same, "sweeps of 8 scenes with the same hash");
   int resumed = 0;
   for (std::size_t part = 1; part < list.size(); ++part) resumed += hash_of(list, 2, lanes, part) == expected;
@@ -107,23 +128,28 @@ TEST_CASE("hard 20: five reference scenes have their golden hashes") {
   int same = 0, all = 0;
   std::vector<Scene> list;
   std::vector<std::string> names;
-  for (const auto& [name, scene] : reference_scenes()) list.push_back(scene), names.push_back(name);
+  for (const auto& [name, scene] : reference_scenes()) {
+    list.push_back(scene);
+    names.push_back(name);
+  }
   for (int threads = 1; threads <= 8; threads += sanitized ? 3 : 1)
     for (int batch = 1; batch <= lanes; ++batch) {
       std::vector<std::string> hashes(list.size());
-      run_sweep(list, std::vector<bool>(list.size(), true), {threads, batch}, go_on, [&](const std::vector<Result>& results) {
-        for (const Result& r : results) {
-          INFO(names[r.index] << ": " << r.outcome.reason);
-          CHECK(r.outcome.status == Status::finished);
-          hashes[r.index] = hash_text(exact_text(r.outcome));
-        }
-      });
+      run_sweep(list, std::vector<bool>(list.size(), true), {threads, batch}, go_on,
+                [&](const std::vector<Result>& results) {
+                  for (const Result& r : results) {
+                    INFO(names[r.index] << ": " << r.outcome.reason);
+                    CHECK(r.outcome.status == Status::finished);
+                    hashes[r.index] = hash_text(exact_text(r.outcome));
+                  }
+                });
       for (std::size_t i = 0; i < list.size(); ++i) {
         const auto expected = golden.find(names[i]);
         INFO(names[i] << " " << hashes[i]);
         const bool right = expected != golden.end() && hashes[i] == expected->second;
         CHECK(right);
-        same += right, ++all;
+        same += right;
+        ++all;
       }
     }
   of.all(all, same, "golden hashes of five scenes, 8 numbers of threads, 4 of lanes (debug and release)");

@@ -1,5 +1,6 @@
-// count_steps with|without: 40 steps of an impact without effects, by an engine with or without the catalogue of them, for valgrind to count.
-// Valgrind does not know the rounding modes that CGAL asks the processor for, so the lattices are made here.
+// count_steps with|without: 40 steps of an impact without effects, by an engine with or without the catalogue of them,
+// for valgrind to count. Valgrind does not know the rounding modes that CGAL asks the processor for, so the lattices
+// are made here.
 
 #include <cstdio>
 #include <string_view>
@@ -11,12 +12,16 @@ using namespace ricochet::test;
 
 namespace {
 
-/// A block of columns x rows nodes with both diagonals' half, as many springs a node as a triangulation; held below if `anchored`.
+/// A block of columns x rows nodes with both diagonals' half, as many springs a node as a triangulation; held below if
+/// `anchored`.
 Lattice block(int columns, int rows, double spacing, double left, double bottom, bool anchored) {
   Lattice lattice;
-  const auto number = [&](int column, int row) { return (rows - 1 - row) * columns + column; };  // from the top, so that anchors come last
+  const auto number = [&](int column, int row) {
+    return (rows - 1 - row) * columns + column;
+  };  // from the top, so that anchors come last
   for (int row = rows - 1; row >= 0; --row)
-    for (int column = 0; column < columns; ++column) lattice.points.push_back(Vec2(left + spacing * column, bottom + spacing * row));
+    for (int column = 0; column < columns; ++column)
+      lattice.points.push_back(Vec2(left + spacing * column, bottom + spacing * row));
   lattice.free = static_cast<int>(lattice.points.size()) - (anchored ? columns : 0);
   lattice.first.assign(lattice.points.size() + 1, 0);
   for (int i = 0; i < lattice.nodes(); ++i) {
@@ -24,7 +29,8 @@ Lattice block(int columns, int rows, double spacing, double left, double bottom,
     if (i < lattice.free) {
       if (column + 1 < columns) lattice.spring.push_back({i, number(column + 1, row), false, spacing, 1});
       if (row > 0) lattice.spring.push_back({i, number(column, row - 1), false, spacing, 1});
-      if (row > 0 && column + 1 < columns) lattice.spring.push_back({i, number(column + 1, row - 1), false, spacing * std::sqrt(2.0), 1});
+      if (row > 0 && column + 1 < columns)
+        lattice.spring.push_back({i, number(column + 1, row - 1), false, spacing * std::sqrt(2.0), 1});
     }
     lattice.first[static_cast<std::size_t>(i) + 1] = static_cast<int>(lattice.spring.size());
   }
@@ -52,8 +58,11 @@ int main(int count, char** values) {
   Scene scene;
   Body stiff{{}, {}, {}, {}}, soft = stiff;
   soft.numbers.stiffness = 100;
-  scene.projectile = std::make_shared<Body>(stiff), scene.target = std::make_shared<Body>(soft);
+  scene.projectile = std::make_shared<Body>(stiff);
+  scene.target = std::make_shared<Body>(soft);
   scene.launch.psi1 = 1;
-  if (count > 1 && std::string_view(values[1]) == "with") run<ActingEffects<lanes>>(projectile, target, scene);
-  else run<NoEffects<lanes>>(projectile, target, scene);
+  if (count > 1 && std::string_view(values[1]) == "with")
+    run<ActingEffects<lanes>>(projectile, target, scene);
+  else
+    run<NoEffects<lanes>>(projectile, target, scene);
 }

@@ -31,33 +31,41 @@ TEST_CASE("a LAMMPS data file holds the nodes as launched, and bonds of class2 w
   Body target = *scene.target;
   target.numbers.quartic = 40;
   const std::size_t planned = static_cast<std::size_t>(target.numbers.nodes);
-  for (std::size_t i = 0; i < planned; ++i) target.node_stiffness.push_back(target.numbers.stiffness * (1 + 0.5 * std::sin(static_cast<double>(i))));
+  for (std::size_t i = 0; i < planned; ++i)
+    target.node_stiffness.push_back(target.numbers.stiffness * (1 + 0.5 * std::sin(static_cast<double>(i))));
   scene.target = std::make_shared<Body>(target);
   scene.launch.spin = 0.01;
   const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
   const LammpsFiles files = lammps_files(scene, *p, *t, "s");
   const Start start = launch(scene, *p, *t);
 
-  const auto atoms = section(files.data, "Atoms"), bonds = section(files.data, "Bonds"), coefficients = section(files.data, "Bond Coeffs"), velocities = section(files.data, "Velocities");
+  const auto atoms = section(files.data, "Atoms"), bonds = section(files.data, "Bonds"),
+             coefficients = section(files.data, "Bond Coeffs"), velocities = section(files.data, "Velocities");
   REQUIRE(static_cast<int>(atoms.size()) == p->nodes() + t->nodes());
   REQUIRE(bonds.size() == p->spring.size() + t->spring.size());
   REQUIRE(coefficients.size() == bonds.size());
-  CHECK_THAT(files.data, Catch::Matchers::Contains(std::to_string(atoms.size()) + " atoms\n" + std::to_string(bonds.size()) + " bonds\n5 atom types\n"));
+  CHECK_THAT(files.data, Catch::Matchers::Contains(std::to_string(atoms.size()) + " atoms\n" +
+                                                   std::to_string(bonds.size()) + " bonds\n5 atom types\n"));
   Vec2 centre = Vec2::Zero(), velocity = Vec2::Zero();
   int anchored = 0;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     const bool flies = static_cast<int>(i) < p->nodes();
     CHECK(atoms[i][1] == (flies ? 1 : 2));
     anchored += atoms[i][2] == 5;
-    if (flies) centre += Vec2(atoms[i][3], atoms[i][4]) / p->nodes(), velocity += Vec2(velocities[i][1], velocities[i][2]) / p->nodes();
-    else CHECK((velocities[i][1] == 0 && velocities[i][2] == 0));
+    if (flies) {
+      centre += Vec2(atoms[i][3], atoms[i][4]) / p->nodes();
+      velocity += Vec2(velocities[i][1], velocities[i][2]) / p->nodes();
+    } else
+      CHECK((velocities[i][1] == 0 && velocities[i][2] == 0));
   }
   CHECK((centre - start.pose.centre).norm() < 1e-13);
   CHECK((velocity - start.velocity).norm() < 1e-13);
   CHECK(anchored == t->nodes() - t->free);
 
   // Both energies where the nodes have been shaken.
-  const auto shaken = [](std::size_t i) -> Vec2 { return 0.02 * Vec2(std::sin(3.0 * static_cast<double>(i)), std::cos(5.0 * static_cast<double>(i))); };
+  const auto shaken = [](std::size_t i) -> Vec2 {
+    return 0.02 * Vec2(std::sin(3.0 * static_cast<double>(i)), std::cos(5.0 * static_cast<double>(i)));
+  };
   double theirs = 0;
   for (std::size_t b = 0; b < bonds.size(); ++b) {
     const auto place = [&](double atom) {
@@ -71,7 +79,8 @@ TEST_CASE("a LAMMPS data file holds the nodes as launched, and bonds of class2 w
   double ours = 0;
   for (int body : {0, 1}) {
     const Lattice& lattice = body == 0 ? *p : *t;
-    Moving<1> moving{&lattice, {}, {}, {}, Lane<1>::Constant((body == 0 ? scene.projectile : scene.target)->numbers.stiffness)};
+    Moving<1> moving{
+        &lattice, {}, {}, {}, Lane<1>::Constant((body == 0 ? scene.projectile : scene.target)->numbers.stiffness)};
     for (auto* values : {&moving.position, &moving.velocity, &moving.force}) values->resize(lattice.nodes());
     for (int i = 0; i < lattice.nodes(); ++i) {
       const std::size_t atom = static_cast<std::size_t>(i + (body == 0 ? 0 : p->nodes()));
@@ -88,6 +97,8 @@ TEST_CASE("LAMMPS files of effects, or of bodies that pass by each other, are re
   const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
   scene.effects = {Gravity{0.01, "both"}};
   CHECK_THROWS_AS(lammps_files(scene, *p, *t, "s"), FieldError);
-  scene.effects.clear(), scene.launch.psi1 = not_given, scene.launch.angle = 90;
+  scene.effects.clear();
+  scene.launch.psi1 = not_given;
+  scene.launch.angle = 90;
   CHECK_THROWS_AS(lammps_files(scene, *p, *t, "s"), FieldError);
 }

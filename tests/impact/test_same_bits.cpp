@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
+#include <catch2/catch.hpp>
 #include <set>
 #include <thread>
 
@@ -25,7 +25,8 @@ std::vector<Scene> scenes() {
   for (int seed = 1; seed <= 3; ++seed)
     for (double psi1 : {0.0, 0.7, 1.5, 3.0, 6.0, 9.0}) {
       Scene scene = small_scene(seed, psi1);
-      if (psi1 == 0.7 || psi1 == 0.0) scene.integration.method = std::array{"takahashi_imada", "multirate_3", "rk4"}[seed - 1];
+      if (psi1 == 0.7 || psi1 == 0.0)
+        scene.integration.method = std::array{"takahashi_imada", "multirate_3", "rk4"}[seed - 1];
       if (psi1 == 1.5) scene.launch.speed = 0.2;
       if (psi1 == 0.7) scene.launch.speed = 0.03;  // in contact while its neighbours ring
       if (psi1 == 3.0) {
@@ -35,13 +36,26 @@ std::vector<Scene> scenes() {
       }
       if (psi1 == 6.0) scene.contact.sides = "two";
       if (psi1 == 1.5 || psi1 == 6.0 || psi1 == 9.0) {
-        scene.effects = {Gravity{0.01, "both"}, Drag{0.1, "projectile"}, Absorbing{0.5, 2}, Damping{1e-3, "both"}, Plastic{1e-3, 0.1, "projectile"}, Breaking{0.01, "target"}, Adhesion{0.5, 200}, Friction{0.3, 1},
-                         MovingAnchor{0.02, 0.5, 40 * psi1, "normal"}, Thermal{1e-6, seed + static_cast<int>(psi1), "both"}};
+        scene.effects = {Gravity{0.01, "both"},
+                         Drag{0.1, "projectile"},
+                         Absorbing{0.5, 2},
+                         Damping{1e-3, "both"},
+                         Plastic{1e-3, 0.1, "projectile"},
+                         Breaking{0.01, "target"},
+                         Adhesion{0.5, 200},
+                         Friction{0.3, 1},
+                         MovingAnchor{0.02, 0.5, 40 * psi1, "normal"},
+                         Thermal{1e-6, seed + static_cast<int>(psi1), "both"}};
         REQUIRE(scene.effects.size() == effect_kinds);
-        if (seed == 1) std::erase_if(scene.effects, [](const Effect& e) { return std::holds_alternative<Absorbing>(e); });
-        else std::erase_if(scene.effects, [](const Effect& e) { return std::holds_alternative<MovingAnchor>(e); });
+        if (seed == 1)
+          std::erase_if(scene.effects, [](const Effect& e) { return std::holds_alternative<Absorbing>(e); });
+        else
+          std::erase_if(scene.effects, [](const Effect& e) { return std::holds_alternative<MovingAnchor>(e); });
       }
-      if (psi1 == 9.0 && seed == 1) scene.launch.psi1 = not_given, scene.launch.angle = 90;
+      if (psi1 == 9.0 && seed == 1) {
+        scene.launch.psi1 = not_given;
+        scene.launch.angle = 90;
+      }
       if (psi1 == 9.0 && seed == 2) scene.integration.time_limit = 3;
       list.push_back(scene);
     }
@@ -51,9 +65,10 @@ std::vector<Scene> scenes() {
 std::string hash_of(const std::vector<Scene>& list, int threads, int batch) {
   std::vector<std::string> texts(list.size());
   const std::atomic<bool> go_on{false};
-  const bool whole = run_sweep(list, std::vector<bool>(list.size(), true), {threads, batch}, go_on, [&](const std::vector<Result>& results) {
-    for (const Result& r : results) texts[r.index] = exact_text(r.outcome);
-  });
+  const bool whole = run_sweep(list, std::vector<bool>(list.size(), true), {threads, batch}, go_on,
+                               [&](const std::vector<Result>& results) {
+                                 for (const Result& r : results) texts[r.index] = exact_text(r.outcome);
+                               });
   CHECK(whole);
   std::string all;
   for (const std::string& text : texts) all += text;
@@ -66,11 +81,13 @@ TEST_CASE("the outcomes have the same bits for 1, 2, 4 threads, for every batch 
   const std::vector<Scene> list = scenes();
   std::string alone;
   const std::atomic<bool> go_on{false};
-  for (const Scene& scene : list) alone += exact_text(run_scene(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, go_on));
+  for (const Scene& scene : list)
+    alone += exact_text(run_scene(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, go_on));
   const std::string expected = hash_text(alone);
   for (int threads : {1, 2, 4})
     for (int batch = 1; batch <= lanes; ++batch) {
-      if (sanitized && std::pair(threads, batch) != std::pair(2, lanes) && std::pair(threads, batch) != std::pair(4, 3)) continue;
+      if (sanitized && std::pair(threads, batch) != std::pair(2, lanes) && std::pair(threads, batch) != std::pair(4, 3))
+        continue;
       INFO(threads << " threads, batch " << batch);
       CHECK(hash_of(list, threads, batch) == expected);
     }
@@ -80,7 +97,8 @@ TEST_CASE("a lane of a multirate method cannot tell whether its neighbours are i
   std::vector<Scene> list;
   for (int i = 0; i < 24; ++i) {
     Scene scene = small_scene(1, 0.3 * (i % 5));
-    scene.launch.speed = 0.02 * (1 + i * 7 % 12), scene.integration.method = "multirate_5";
+    scene.launch.speed = 0.02 * (1 + i * 7 % 12);
+    scene.integration.method = "multirate_5";
     list.push_back(scene);
   }
   CHECK(hash_of(list, 1, lanes) == hash_of(list, 1, 1));
@@ -88,7 +106,10 @@ TEST_CASE("a lane of a multirate method cannot tell whether its neighbours are i
 
 TEST_CASE("the lanes may narrow as the contact of an impact beside effects ends") {
   Scene scene;
-  scene.projectile = disk(40, 1e4, 0.03, 1), scene.target = wall(150, 400, 0.03, 1), scene.launch.speed = 0.2, scene.effects = {Drag{0.02, "both"}};
+  scene.projectile = disk(40, 1e4, 0.03, 1);
+  scene.target = wall(150, 400, 0.03, 1);
+  scene.launch.speed = 0.2;
+  scene.effects = {Drag{0.02, "both"}};
   const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
   const std::atomic<bool> go_on{false};
   const Start start = launch(scene, *p, *t);
@@ -99,13 +120,15 @@ TEST_CASE("the lanes may narrow as the contact of an impact beside effects ends"
     if (shot.energy.contact > touch_share * start.energy) contact_end = shot.time;
   };
   REQUIRE(run_scene(*p, *t, scene, go_on, &observer).status == Status::finished);
-  // A step with which the contact ends a few steps after, at, or before a look, where the neighbour's time limit makes the lanes narrow.
+  // A step with which the contact ends a few steps after, at, or before a look, where the neighbour's time limit makes
+  // the lanes narrow.
   const double looks = std::ceil(contact_end / start.step / evaluations_between_looks);
   int same = 0, moments = 0;
   for (double after = -2; after <= 3; after += 0.5, ++moments) {
     scene.integration.step = contact_end / (looks * evaluations_between_looks + after);
     Scene neighbour = scene;
-    neighbour.launch.speed = 0.15, neighbour.integration.time_limit = (looks - 0.5) * evaluations_between_looks * scene.integration.step;
+    neighbour.launch.speed = 0.15;
+    neighbour.integration.time_limit = (looks - 0.5) * evaluations_between_looks * scene.integration.step;
     std::array<Outcome, 2> outcomes;
     run_sweep({scene, neighbour}, {true, true}, {1, 2}, go_on, [&](const std::vector<Result>& results) {
       for (const Result& r : results) outcomes[r.index] = r.outcome;
@@ -116,24 +139,29 @@ TEST_CASE("the lanes may narrow as the contact of an impact beside effects ends"
   CHECK(same == moments);
 }
 
-TEST_CASE("threads share the scenes of one lattice, every result is handed over once, and the use of the machine is told") {
+TEST_CASE(
+    "threads share the scenes of one lattice, every result is handed over once, and the use of the machine is told") {
   std::vector<Scene> list;
   for (int i = 0; i < 40; ++i) list.push_back(small_scene(1, 0.2 * i));
   const std::atomic<bool> go_on{false};
   std::vector<int> times(list.size());
   std::set<std::thread::id> threads;
   SweepUse use;
-  run_sweep(list, std::vector<bool>(list.size(), true), {2, lanes}, go_on, [&](const std::vector<Result>& results) {
-    threads.insert(std::this_thread::get_id());
-    for (const Result& r : results) ++times[r.index];
-  }, &use);
+  run_sweep(
+      list, std::vector<bool>(list.size(), true), {2, lanes}, go_on,
+      [&](const std::vector<Result>& results) {
+        threads.insert(std::this_thread::get_id());
+        for (const Result& r : results) ++times[r.index];
+      },
+      &use);
   CHECK(std::count(times.begin(), times.end(), 1) == 40);
   CHECK(threads.size() == 2);
   CHECK(use.threads == 2);
   CHECK((use.idle_threads >= 0 && use.idle_threads < 1 && use.idle_lanes >= 0 && use.idle_lanes < 0.5));
   // Three scenes on three threads run alone each: no lane is idle.
   list.resize(3);
-  run_sweep(list, {true, true, true}, {3, lanes}, go_on, [](const auto&) {}, &use);
+  run_sweep(
+      list, {true, true, true}, {3, lanes}, go_on, [](const auto&) {}, &use);
   CHECK(use.idle_lanes == 0);
 }
 
@@ -167,12 +195,13 @@ TEST_CASE("what has begun when a scene cannot start runs to its end and is hande
   for (int threads : {1, 2}) {
     std::set<std::size_t> ended;
     const auto run = [&] {
-      run_sweep(list, std::vector<bool>(list.size(), true), {threads, 4}, std::atomic<bool>{false}, [&](const std::vector<Result>& results) {
-        for (const Result& r : results) {
-          CHECK(r.outcome.status == Status::finished);
-          ended.insert(r.index);
-        }
-      });
+      run_sweep(list, std::vector<bool>(list.size(), true), {threads, 4}, std::atomic<bool>{false},
+                [&](const std::vector<Result>& results) {
+                  for (const Result& r : results) {
+                    CHECK(r.outcome.status == Status::finished);
+                    ended.insert(r.index);
+                  }
+                });
     };
     CHECK_THROWS_AS(run(), SceneError);
     for (std::size_t i = 0; i < 9; ++i) CHECK(ended.count(i) == 1);

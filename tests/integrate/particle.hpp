@@ -18,9 +18,17 @@ struct Particle {
   int evaluations = 0;
   State displacement = {};
 
-  void kick_and_drift(long double kick, long double drift) { ++evaluations, v -= kick * slope(x), x += drift * v; }
+  void kick_and_drift(long double kick, long double drift) {
+    ++evaluations;
+    v -= kick * slope(x);
+    x += drift * v;
+  }
   void drift(long double by) { x += by * v; }
-  void displace(long double by) { ++evaluations, displacement = -by * slope(x), x += displacement; }
+  void displace(long double by) {
+    ++evaluations;
+    displacement = -by * slope(x);
+    x += displacement;
+  }
   void put_back() { x -= displacement; }
 
   // All of it is fast: a multirate method is then its own fast part.
@@ -32,17 +40,31 @@ struct Particle {
 
   State x0 = {}, v0 = {};
   std::vector<State> velocities = {}, accelerations = {};
-  void remember() { x0 = x, v0 = v, velocities.clear(), accelerations.clear(); }
-  void evaluate(std::size_t) { ++evaluations, velocities.push_back(v), accelerations.push_back(-slope(x)); }
+  void remember() {
+    x0 = x;
+    v0 = v;
+    velocities.clear();
+    accelerations.clear();
+  }
+  void evaluate(std::size_t) {
+    ++evaluations;
+    velocities.push_back(v);
+    accelerations.push_back(-slope(x));
+  }
   void combine(long double h, const std::vector<double>& weights) {
-    x = x0, v = v0;
-    for (std::size_t i = 0; i < weights.size(); ++i) x += h * weights[i] * velocities[i], v += h * weights[i] * accelerations[i];
+    x = x0;
+    v = v0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      x += h * weights[i] * velocities[i];
+      v += h * weights[i] * accelerations[i];
+    }
   }
 };
 
 /// `steps` steps of h, from the beginning of a step to the end of one.
 template <class State, class Slope>
-std::pair<State, State> run(const Method& method, State x, State v, double h, int steps, Slope&& slope, int* evaluations = nullptr) {
+std::pair<State, State> run(const Method& method, State x, State v, double h, int steps, Slope&& slope,
+                            int* evaluations = nullptr) {
   Particle<State, Slope&> particle{x, v, slope};
   get_ahead(method, h, particle);
   particle.evaluations = 0;

@@ -1,5 +1,5 @@
-#include <catch2/catch.hpp>
 #include <Eigen/Eigenvalues>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
 
@@ -16,19 +16,31 @@ TEST_CASE("every method's coefficients sum to one and read the same from both en
     if (!m.symplectic()) continue;
     INFO(m.name);
     double kicks = 0, drifts = 0;
-    for (const Stage& s : m.stages) kicks += s.kick, drifts += s.drift;
+    for (const Stage& s : m.stages) {
+      kicks += s.kick;
+      drifts += s.drift;
+    }
     CHECK(kicks == Catch::Detail::Approx(1).epsilon(1e-15));
     CHECK(drifts == Catch::Detail::Approx(1).epsilon(1e-15));
     // Kicks and drifts in turn, the part done ahead first and the joined last one without it.
     std::vector<double> whole{m.ahead_drift};
-    for (const Stage& s : m.stages) whole.push_back(s.kick), whole.push_back(s.drift);
-    if (m.ahead_kick != 0) whole.insert(whole.begin(), m.ahead_kick), whole.pop_back(), whole.back() -= m.ahead_kick;
-    else whole.back() -= m.ahead_drift;
-    for (std::size_t i = 0; i < whole.size(); ++i) CHECK(whole[i] == Catch::Detail::Approx(whole[whole.size() - 1 - i]).margin(1e-14));
+    for (const Stage& s : m.stages) {
+      whole.push_back(s.kick);
+      whole.push_back(s.drift);
+    }
+    if (m.ahead_kick != 0) {
+      whole.insert(whole.begin(), m.ahead_kick);
+      whole.pop_back();
+      whole.back() -= m.ahead_kick;
+    } else
+      whole.back() -= m.ahead_drift;
+    for (std::size_t i = 0; i < whole.size(); ++i)
+      CHECK(whole[i] == Catch::Detail::Approx(whole[whole.size() - 1 - i]).margin(1e-14));
   }
 }
 
-TEST_CASE("the weights of a Runge-Kutta method sum to one, and its abscissae are those of the rule it integrates time by") {
+TEST_CASE(
+    "the weights of a Runge-Kutta method sum to one, and its abscissae are those of the rule it integrates time by") {
   for (const Method& m : methods()) {
     if (m.symplectic()) continue;
     INFO(m.name);
@@ -56,7 +68,9 @@ TEST_CASE("every method evaluates the force as often as it says, and a symplecti
 TEST_CASE("the energy of a long run has no trend, unless the method is not symplectic") {
   for (const Method& m : methods()) {
     if (!m.symplectic()) continue;
-    const auto energy = [](std::pair<long double, long double> s) { return s.second * s.second / 2 + s.first * s.first / 2 + std::pow(s.first, 4) / 4; };
+    const auto energy = [](std::pair<long double, long double> s) {
+      return s.second * s.second / 2 + s.first * s.first / 2 + std::pow(s.first, 4) / 4;
+    };
     const long double start = energy({1.0, 0.0});
     long double early = 0, late = 0;
     std::pair<long double, long double> state{1.0, 0.0};
@@ -89,7 +103,11 @@ using Four = Eigen::Array<long double, 4, 1>;
 /// Two masses on a stiff spring that hit the first of two on soft ones, in a line, for a multirate method to move.
 /// x: the projectile's far and near mass, the target's rim and inside.
 struct Hammer : Particle<Four, Four (*)(const Four&)> {
-  explicit Hammer(bool mixes_ = true) : Particle{{6, 5, 0, -1}, {-1, -1, 0, 0}, [](const Four& at) -> Four { return -fast_force(at) - slow_force(at); }}, mixes(mixes_) {}
+  explicit Hammer(bool mixes_ = true)
+      : Particle{{6, 5, 0, -1},
+                 {-1, -1, 0, 0},
+                 [](const Four& at) -> Four { return -fast_force(at) - slow_force(at); }},
+        mixes(mixes_) {}
   bool mixes;
 
   static Four contact(const Four& at) {
@@ -105,7 +123,10 @@ struct Hammer : Particle<Four, Four (*)(const Four&)> {
     return {0, 0, -upper, upper - lower};
   }
 
-  void displace_fast(long double by) { displacement = by * fast_force(x), x += displacement; }
+  void displace_fast(long double by) {
+    displacement = by * fast_force(x);
+    x += displacement;
+  }
   void fast(long double kick, long double drift) {
     v += kick * fast_force(x);
     x += Four{drift, drift, drift, 0} * v;
@@ -114,7 +135,8 @@ struct Hammer : Particle<Four, Four (*)(const Four&)> {
     const long double mix = mixes ? mixed * gradient : 0;
     const Four rim{0, 0, 1, 0};
     v += kick * (contact(x + mix * rim * slow_force(x)) - contact(x));
-    displacement = gradient * slow_force(x) + mix * rim * contact(x), x += displacement;
+    displacement = gradient * slow_force(x) + mix * rim * contact(x);
+    x += displacement;
   }
   void slow(long double kick, long double drift, long double outer_drift) {
     v += kick * slow_force(x);
@@ -133,7 +155,9 @@ double rebound(const Method& method, double h, bool mixes = true) {
 
 }  // namespace
 
-TEST_CASE("the rebound of a stiff projectile from a soft target converges at order 4 by multirate methods, and at 2 without their mixed term") {
+TEST_CASE(
+    "the rebound of a stiff projectile from a soft target converges at order 4 by multirate methods, and at 2 without "
+    "their mixed term") {
   const double exact = rebound(method_named("blanes_moan_srkn14a"), 0.01);
   CHECK(exact > 0.5);
   for (const Method& m : methods()) {
@@ -164,9 +188,12 @@ TEST_CASE("the frequency bound is above the highest frequency, and at most 30 pe
         const Eigen::Matrix2d k = body->numbers.stiffness * n * n.transpose();
         K.block<2, 2>(2 * i, 2 * i) += k;
         if (j >= lattice->free) continue;
-        K.block<2, 2>(2 * j, 2 * j) += k, K.block<2, 2>(2 * i, 2 * j) -= k, K.block<2, 2>(2 * j, 2 * i) -= k;
+        K.block<2, 2>(2 * j, 2 * j) += k;
+        K.block<2, 2>(2 * i, 2 * j) -= k;
+        K.block<2, 2>(2 * j, 2 * i) -= k;
       }
-    const double omega = std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff());
+    const double omega =
+        std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff());
     const double bound = frequency_bound(*lattice, body->numbers.stiffness).omega;
     CHECK(bound >= omega);
     CHECK(bound < 1.3 * omega);  // 1.10 to 1.15 for lattices of the paper's size; these are small

@@ -1,7 +1,8 @@
-#include <catch2/catch.hpp>
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
 #include <set>
 
 #include "core/error.hpp"
@@ -31,7 +32,8 @@ Points rim_of(const Lattice& lattice) {
   return rim;
 }
 
-const Points star{{0, 1}, {-0.25, 0.3}, {-1, 0.3}, {-0.4, -0.2}, {-0.6, -1}, {0, -0.5}, {0.6, -1}, {0.4, -0.2}, {1, 0.3}, {0.25, 0.3}};
+const Points star{{0, 1},    {-0.25, 0.3}, {-1, 0.3},   {-0.4, -0.2}, {-0.6, -1},
+                  {0, -0.5}, {0.6, -1},    {0.4, -0.2}, {1, 0.3},     {0.25, 0.3}};
 
 }  // namespace
 
@@ -42,9 +44,12 @@ TEST_CASE("triangles fill the rough outline, convex or not, and nothing else") {
       const auto lattice = build_lattice(body);
       CHECK(area(*lattice) == Catch::Detail::Approx(signed_area(rim_of(*lattice))).epsilon(1e-12));
       // Euler: nodes - edges + triangles = 1 for a disk without holes, every edge once.
-      CHECK(lattice->nodes() - static_cast<int>(lattice->edges.size()) + static_cast<int>(lattice->triangles.size()) == 1);
-      if (std::string(placement) != "triangular") CHECK(lattice->nodes() == 400);
-      else CHECK(std::abs(lattice->nodes() - 400) <= 12);
+      CHECK(lattice->nodes() - static_cast<int>(lattice->edges.size()) + static_cast<int>(lattice->triangles.size()) ==
+            1);
+      if (std::string(placement) != "triangular")
+        CHECK(lattice->nodes() == 400);
+      else
+        CHECK(std::abs(lattice->nodes() - 400) <= 12);
     }
 }
 
@@ -52,8 +57,10 @@ TEST_CASE("the rim is the outline in order, spaced like the interior, with its c
   const auto lattice = build_lattice(Body{box(4, 2), numbers(800, 1, 0, 1), {}, {}});
   const double spacing = std::sqrt(8.0 / 800);
   const Points rim = rim_of(*lattice);
-  for (std::size_t i = 0; i < rim.size(); ++i) CHECK((rim[(i + 1) % rim.size()] - rim[i]).norm() == Catch::Detail::Approx(spacing).epsilon(0.05));
-  for (const Vec2& corner : box(4, 2)) CHECK(std::any_of(rim.begin(), rim.end(), [&](const Vec2& p) { return (p - corner).norm() < 1e-12; }));
+  for (std::size_t i = 0; i < rim.size(); ++i)
+    CHECK((rim[(i + 1) % rim.size()] - rim[i]).norm() == Catch::Detail::Approx(spacing).epsilon(0.05));
+  for (const Vec2& corner : box(4, 2))
+    CHECK(std::any_of(rim.begin(), rim.end(), [&](const Vec2& p) { return (p - corner).norm() < 1e-12; }));
   CHECK(signed_area(rim) > 0);
   std::set<std::array<int, 2>> edges(lattice->edges.begin(), lattice->edges.end());
   for (std::size_t i = 0; i < lattice->rim.size(); ++i) {
@@ -98,7 +105,8 @@ TEST_CASE("anchored nodes come last and springs between them are left out") {
 }
 
 TEST_CASE("a seed gives the same lattice on every machine") {
-  // A golden hash: places of nodes (to 1e-9, the outline's cosines differ in their last bit between C libraries) and edges.
+  // A golden hash: places of nodes (to 1e-9, the outline's cosines differ in their last bit between C libraries) and
+  // edges.
   const auto lattice = build_lattice(Body{box(2, 1), numbers(200, 1, 0.03, 7, "uniform"), {}, {}});
   std::string text;
   for (const Vec2& p : lattice->points) text += fmt::format("{:.9f} {:.9f};", p.x(), p.y());
@@ -123,10 +131,12 @@ TEST_CASE("Poisson-disk nodes keep their distance and make no slivers inside") {
   const auto lattice = build_lattice(Body{circle(), numbers(800, 1, 0, 1), {}, {}});
   const double spacing = std::sqrt(std::numbers::pi / 800);
   double nearest = 1, smallest = 180;
-  for (const auto& e : lattice->edges) nearest = std::min(nearest, (lattice->points[e[0]] - lattice->points[e[1]]).norm());
+  for (const auto& e : lattice->edges)
+    nearest = std::min(nearest, (lattice->points[e[0]] - lattice->points[e[1]]).norm());
   for (const Triangle& t : lattice->triangles)
     for (int k = 0; k < 3; ++k) {
-      const Vec2 a = lattice->points[t[(k + 1) % 3]] - lattice->points[t[k]], b = lattice->points[t[(k + 2) % 3]] - lattice->points[t[k]];
+      const Vec2 a = lattice->points[t[(k + 1) % 3]] - lattice->points[t[k]],
+                 b = lattice->points[t[(k + 2) % 3]] - lattice->points[t[k]];
       smallest = std::min(smallest, std::atan2(std::abs(cross(a, b)), a.dot(b)) * 180 / std::numbers::pi);
     }
   CHECK(nearest > 0.7 * spacing);
@@ -135,7 +145,8 @@ TEST_CASE("Poisson-disk nodes keep their distance and make no slivers inside") {
 
 TEST_CASE("a triangular lattice of springs k has E = 2k/sqrt(3) and nu = 1/3") {
   // Free sides are softer by a share of order one spacing over the width: 4 % here.
-  const auto moduli = stretch_band(*build_lattice(Body{Points{{0, 0}, {2, 0}, {2, 6}, {0, 6}}, numbers(6000, 1, 0, 1, "triangular"), {}, {}}), 50);
+  const auto moduli = stretch_band(
+      *build_lattice(Body{Points{{0, 0}, {2, 0}, {2, 6}, {0, 6}}, numbers(6000, 1, 0, 1, "triangular"), {}, {}}), 50);
   CHECK(moduli.young_modulus / 50 == Catch::Detail::Approx(2 / std::sqrt(3.0)).epsilon(0.03));
   CHECK(moduli.poisson_ratio == Catch::Detail::Approx(1.0 / 3).epsilon(0.03));
 }

@@ -1,7 +1,7 @@
-#include <Eigen/Geometry>
-#include <catch2/catch.hpp>
 #include <png.h>
 
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -35,16 +35,21 @@ int dark_pixels(const Image& image, int x0, int y0, int x1, int y1) {
   return count;
 }
 
-// A wall of two triangles, 4 R wide and 1 R deep below y = 0, held at the bottom, and a projectile of one triangle above it.
+// A wall of two triangles, 4 R wide and 1 R deep below y = 0, held at the bottom, and a projectile of one triangle
+// above it.
 FrameMesh small_mesh() {
   FrameMesh mesh;
-  mesh.projectile_nodes = 3, mesh.psi1 = 1.5;
+  mesh.projectile_nodes = 3;
+  mesh.psi1 = 1.5;
   mesh.rest = {{-0.5, 0.2}, {0.5, 0.2}, {0, 1.2}, {-2, -1}, {2, -1}, {2, 0}, {-2, 0}};
   mesh.anchored = {false, false, false, true, true, false, false};
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {3, 5, 6}};
   mesh.springs = {{0, 1}, {1, 2}, {0, 2}, {3, 5}, {5, 6}, {4, 5}, {3, 6}};
   mesh.rims = {std::vector<int>{0, 1, 2}, std::vector<int>{3, 4, 5, 6}};
-  for (const auto& s : mesh.springs) mesh.length.push_back((mesh.rest[s[0]] - mesh.rest[s[1]]).norm()), mesh.stiffness.push_back(100);
+  for (const auto& s : mesh.springs) {
+    mesh.length.push_back((mesh.rest[s[0]] - mesh.rest[s[1]]).norm());
+    mesh.stiffness.push_back(100);
+  }
   return mesh;
 }
 
@@ -62,7 +67,9 @@ Frame frame_of(const FrameMesh& mesh, const Vec2& shift = Vec2::Zero()) {
 
 Show bare(const std::string& material = "plain") {
   Show show;
-  show.material = material, show.springs = "none", show.rims = show.anchors = show.colour_bar = show.clock = false;
+  show.material = material;
+  show.springs = "none";
+  show.rims = show.anchors = show.colour_bar = show.clock = false;
   return show;
 }
 
@@ -72,7 +79,9 @@ Image drawn(const Show& show, const FrameMesh& mesh, const Frame& frame, int wid
   Context context(width, height, show.how_smooth());
   Font font;
   const std::vector<Tile> tiles{{&subject, &frame, 0, ""}};
-  return context.draw(paint(show, {width * context.scale(), height * context.scale(), 1}, font, tiles, show.clock ? clock_text(tiles) : ""), font);
+  return context.draw(paint(show, {width * context.scale(), height * context.scale(), 1}, font, tiles,
+                            show.clock ? clock_text(tiles) : ""),
+                      font);
 }
 
 }  // namespace
@@ -98,8 +107,10 @@ TEST_CASE("a value has the colour that the map gives it") {
   const Image image = drawn(show, mesh, frame_of(mesh));
   CHECK(near(pixel(image, 200, 100), rgb(colour_of(colour_map_named("ylgnbu"), 0.5)), 3));  // |(0.3, -0.4)| of 1
   CHECK(near(pixel(image, 200, 240), rgb(colour_of(colour_map_named("ylgnbu"), 0)), 3));
-  show = bare("velocity_y"), show.high = 0.8;
-  CHECK(near(pixel(drawn(show, mesh, frame_of(mesh)), 200, 100), rgb(colour_of(colour_map_named("puor"), 0.25)), 3));  // -0.4 of -0.8 ... 0.8
+  show = bare("velocity_y");
+  show.high = 0.8;
+  CHECK(near(pixel(drawn(show, mesh, frame_of(mesh)), 200, 100), rgb(colour_of(colour_map_named("puor"), 0.25)),
+             3));  // -0.4 of -0.8 ... 0.8
   show.colours = "cividis";
   CHECK(near(pixel(drawn(show, mesh, frame_of(mesh)), 200, 100), rgb(colour_of(colour_map_named("cividis"), 0.25)), 3));
 }
@@ -110,7 +121,8 @@ TEST_CASE("limits hold over the whole sequence, so that a colour means the same 
   Frame slow = frame_of(mesh), fast = frame_of(mesh);
   for (auto& v : fast.velocity) v *= 2;
   Subject subject(mesh);
-  subject.see(show, slow), subject.see(show, fast);
+  subject.see(show, slow);
+  subject.see(show, fast);
   Context context(400, 300);
   Font font;
   const Image image = context.draw(paint(show, {400, 300, 1}, font, {{&subject, &slow, 0, ""}}, ""), font);
@@ -129,7 +141,7 @@ TEST_CASE("springs are dark lines on the sides of triangles and where one is bro
       for (int x = x0; x < x1; ++x) least = std::min(least, pixel(of, x, y)[0]);
     return least;
   };
-  CHECK(darkest(image, 785, 797, 825, 857) < 200);  // the wall's diagonal passes its middle
+  CHECK(darkest(image, 785, 797, 825, 857) < 200);   // the wall's diagonal passes its middle
   CHECK(darkest(image, 200, 300, 860, 880) == 237);  // inside of a triangle
   Frame broken = frame;
   broken.elongation.assign(mesh.springs.size(), 0.0f);
@@ -140,7 +152,8 @@ TEST_CASE("springs are dark lines on the sides of triangles and where one is bro
 TEST_CASE("springs alone are coloured by their tension") {
   const FrameMesh mesh = small_mesh();
   Show show = bare("none");
-  show.springs = "tension", show.high = 10;
+  show.springs = "tension";
+  show.high = 10;
   Frame frame = frame_of(mesh);
   frame.elongation.assign(mesh.springs.size(), 0.0f);
   frame.elongation[0] = 0.1f;  // T = 100 * 0.1
@@ -158,7 +171,8 @@ TEST_CASE("text is there, dark and legible, and only where it is asked for") {
   show.clock = true;
   const Image image = drawn(show, mesh, frame_of(mesh), 640, 360);
   CHECK(dark_pixels(image, 0, 0, 200, 20) > 100);  // "t = 0.00 R/c  Psi_1 = 1.5"
-  show.clock = false, show.title = "A title";
+  show.clock = false;
+  show.title = "A title";
   CHECK(dark_pixels(drawn(show, mesh, frame_of(mesh), 640, 360), 280, 0, 360, 24) > 60);
 }
 
@@ -186,7 +200,10 @@ TEST_CASE("the ledger's bar shares its length as the energy is shared") {
     std::array<int, 2> here{0, 0};
     for (int x = 0; x < 640; ++x)
       for (int k : {0, 1}) here[k] += near(pixel(image, x, y), rgb(kind_colour(k)));
-    if (here[0] + here[1] > best) best = here[0] + here[1], counts = here;
+    if (here[0] + here[1] > best) {
+      best = here[0] + here[1];
+      counts = here;
+    }
   }
   CHECK(best > 500);
   CHECK_THAT(static_cast<double>(counts[0]) / best, Catch::Matchers::WithinAbs(0.64, 0.01));
@@ -197,7 +214,8 @@ TEST_CASE("what effects owe is taken off the ledger's bar, which never leaves it
   Show show = bare();
   show.ledger = true;
   Frame frame = frame_of(mesh);
-  frame.energy[0] = 3, frame.energy[7] = 1;  // a potential has fallen by 2
+  frame.energy[0] = 3;
+  frame.energy[7] = 1;  // a potential has fallen by 2
   const Image image = drawn(show, mesh, frame, 640, 360);
   for (int y = 0; y < 360; ++y)
     for (int x = 630; x < 640; ++x) CHECK(near(pixel(image, x, y), white));
@@ -250,7 +268,10 @@ TEST_CASE("the nearest rigid motion of a body is the one that it made") {
   FrameMesh mesh = small_mesh();
   Frame frame = frame_of(mesh);
   const Eigen::Rotation2Dd turn(0.7);
-  for (int i = 0; i < 3; ++i) frame.position[i] = (turn * mesh.rest[i] + Vec2(1, 2)).cast<float>(), frame.velocity[i] = (2.0 * perpendicular(turn * mesh.rest[i]) + Vec2(0, 3)).cast<float>();
+  for (int i = 0; i < 3; ++i) {
+    frame.position[i] = (turn * mesh.rest[i] + Vec2(1, 2)).cast<float>();
+    frame.velocity[i] = (2.0 * perpendicular(turn * mesh.rest[i]) + Vec2(0, 3)).cast<float>();
+  }
   const Motion motion = motion_of(mesh, frame, 0);
   CHECK_THAT(motion.angle, Catch::Matchers::WithinAbs(0.7, 1e-6));
   CHECK_THAT(motion.spin, Catch::Matchers::WithinAbs(2, 1e-5));
@@ -271,28 +292,40 @@ FrameMesh triangular(int side) {
       if (i + 1 < side) mesh.springs.push_back({node(i, j), node(i + 1, j)});
       if (j + 1 < side) mesh.springs.push_back({node(i, j), node(i, j + 1)});
       if (i > 0 && j + 1 < side) mesh.springs.push_back({node(i, j), node(i - 1, j + 1)});
-      if (i + 1 < side && j + 1 < side) mesh.triangles.push_back({node(i, j), node(i + 1, j), node(i, j + 1)}), mesh.triangles.push_back({node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)});
+      if (i + 1 < side && j + 1 < side) {
+        mesh.triangles.push_back({node(i, j), node(i + 1, j), node(i, j + 1)});
+        mesh.triangles.push_back({node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)});
+      }
     }
   mesh.anchored.assign(mesh.rest.size(), false);
-  mesh.length.assign(mesh.springs.size(), 1.0), mesh.stiffness.assign(mesh.springs.size(), 7.0);
+  mesh.length.assign(mesh.springs.size(), 1.0);
+  mesh.stiffness.assign(mesh.springs.size(), 7.0);
   return mesh;
 }
 
 }  // namespace
 
-// Uniform stretch eps of a triangular lattice of springs k and length a: tension T = k a eps in each, stress sqrt(3) T / a (1 + eps)^-1,
-// energy sqrt(3) k eps^2 a^2 / (a^2) per rest area: three springs of k eps^2 / 2 in an area of sqrt(3)/2.
-TEST_CASE("pressure, von Mises stress and energy density of a uniformly stretched triangular lattice are the known ones") {
+// Uniform stretch eps of a triangular lattice of springs k and length a: tension T = k a eps in each, stress sqrt(3) T
+// / a (1 + eps)^-1, energy sqrt(3) k eps^2 a^2 / (a^2) per rest area: three springs of k eps^2 / 2 in an area of
+// sqrt(3)/2.
+TEST_CASE(
+    "pressure, von Mises stress and energy density of a uniformly stretched triangular lattice are the known ones") {
   const FrameMesh mesh = triangular(12);
   const double eps = 0.01;
   Frame frame;
-  for (const Vec2& p : mesh.rest) frame.position.push_back(((1 + eps) * p).cast<float>()), frame.velocity.emplace_back(0, 0);
+  for (const Vec2& p : mesh.rest) {
+    frame.position.push_back(((1 + eps) * p).cast<float>());
+    frame.velocity.emplace_back(0, 0);
+  }
   const Fields fields(mesh);
   const int inside = 5 * 12 + 5;
-  CHECK_THAT(fields.of_material("pressure", frame)[inside], Catch::Matchers::WithinRel(-std::sqrt(3.0) * 7 * eps / (1 + eps), 1e-3));
+  CHECK_THAT(fields.of_material("pressure", frame)[inside],
+             Catch::Matchers::WithinRel(-std::sqrt(3.0) * 7 * eps / (1 + eps), 1e-3));
   // A hydrostatic plane stress s has the von Mises stress |s|.
-  CHECK_THAT(fields.of_material("von_mises", frame)[inside], Catch::Matchers::WithinRel(std::sqrt(3.0) * 7 * eps / (1 + eps), 1e-3));
-  CHECK_THAT(fields.of_material("energy_density", frame)[inside], Catch::Matchers::WithinRel(3 * 7 * eps * eps / 2 / (std::sqrt(3.0) / 2), 1e-3));
+  CHECK_THAT(fields.of_material("von_mises", frame)[inside],
+             Catch::Matchers::WithinRel(std::sqrt(3.0) * 7 * eps / (1 + eps), 1e-3));
+  CHECK_THAT(fields.of_material("energy_density", frame)[inside],
+             Catch::Matchers::WithinRel(3 * 7 * eps * eps / 2 / (std::sqrt(3.0) / 2), 1e-3));
   CHECK_THAT(fields.of_material("stretch", frame)[inside], Catch::Matchers::WithinRel(eps, 1e-3));
   double total = 0;
   for (const double e : fields.of_springs("energy", frame)) total += e;
@@ -349,7 +382,8 @@ TEST_CASE("the same picture gives the same PNG bytes, which hold the picture and
   bool same = true;
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
-      for (int c = 0; c < 3; ++c) same = same && back[(static_cast<std::size_t>(y) * image.width + x) * 3 + c] == pixel(image, x, y)[c];
+      for (int c = 0; c < 3; ++c)
+        same = same && back[(static_cast<std::size_t>(y) * image.width + x) * 3 + c] == pixel(image, x, y)[c];
   CHECK(same);
 }
 
@@ -387,9 +421,18 @@ TEST_CASE("impossible sizes and contradictions are refused") {
     return std::string("nothing");
   };
   CHECK(refused([](Show& s) { s.springs = "energy"; }) == "springs");
-  CHECK(refused([](Show& s) { s.low = 2, s.high = 1; }) == "high");
-  CHECK(refused([](Show& s) { s.material = "plain", s.high = 1; }) == "high");
-  CHECK(refused([](Show& s) { s.material = "pressure", s.scale = "sqrt"; }) == "scale");
+  CHECK(refused([](Show& s) {
+          s.low = 2;
+          s.high = 1;
+        }) == "high");
+  CHECK(refused([](Show& s) {
+          s.material = "plain";
+          s.high = 1;
+        }) == "high");
+  CHECK(refused([](Show& s) {
+          s.material = "pressure";
+          s.scale = "sqrt";
+        }) == "scale");
   CHECK(refused([](Show& s) { s.width = 2; }) == "width");
   CHECK(refused([](Show&) {}) == "nothing");
 }

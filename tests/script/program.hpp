@@ -46,7 +46,8 @@ class Workplace {
 
   /// Runs a shell command here; `ricochet` is the program.
   Ended shell(const std::string& command) const {
-    const std::string whole = "cd '" + path.string() + "' && ricochet() { '" + RICOCHET_PROGRAM + "' \"$@\"; } && { " + command + "\n} >out.txt 2>err.txt </dev/null";
+    const std::string whole = "cd '" + path.string() + "' && ricochet() { '" + RICOCHET_PROGRAM + "' \"$@\"; } && { " +
+                              command + "\n} >out.txt 2>err.txt </dev/null";
     const int status = std::system(whole.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read("out.txt"), read("err.txt")};
   }

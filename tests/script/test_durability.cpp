@@ -1,17 +1,18 @@
 // A sweep killed at any moment loses no row that was reported as stored, and doubles none.
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <functional>
-#include <fmt/format.h>
 #include <map>
 #include <random>
 #include <thread>
 
 #include "core/hash.hpp"
 #include "impact/outcome.hpp"
-#include "store/files.hpp"
 #include "script/program.hpp"
+#include "store/files.hpp"
 #include "store/table.hpp"
 
 using namespace ricochet;
@@ -32,12 +33,14 @@ std::string rows_hash(const fs::path& file) {
 }
 
 /// Starts the program, waits, and sends it a signal; the exit status, or minus the signal.
-int run_and_kill(const Workplace& here, const std::vector<std::string>& arguments, const std::function<void()>& wait, int signal) {
+int run_and_kill(const Workplace& here, const std::vector<std::string>& arguments, const std::function<void()>& wait,
+                 int signal) {
   const pid_t child = fork();
   if (child == 0) {
     if (chdir(here.path.c_str()) != 0) _exit(99);
     const int null = open("/dev/null", O_WRONLY);
-    dup2(null, 1), dup2(null, 2);
+    dup2(null, 1);
+    dup2(null, 2);
     std::vector<char*> words{const_cast<char*>(RICOCHET_PROGRAM)};
     for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
     words.push_back(nullptr);
@@ -53,7 +56,8 @@ int run_and_kill(const Workplace& here, const std::vector<std::string>& argument
 
 }  // namespace
 
-TEST_CASE("after 20 kills at random moments and --resume every row is there once, with the bits of an undisturbed run") {
+TEST_CASE(
+    "after 20 kills at random moments and --resume every row is there once, with the bits of an undisturbed run") {
   const Workplace here;
   here.write("s.lua", small_sweep);
   REQUIRE(here.run("s.lua samples=10 --quiet --out calm").status == 0);
@@ -65,8 +69,13 @@ TEST_CASE("after 20 kills at random moments and --resume every row is there once
     const std::chrono::milliseconds after(5 + random() % 300);
     // Every few trials begin anew, so that kills hit young sweeps as well as nearly finished ones.
     const bool anew = trial % 5 == 0;
-    if (anew) stored = 0, fs::remove_all(here.path / "out");
-    const int status = run_and_kill(here, {"run", "s.lua", "samples=10", "--quiet", "--resume", "--batch", "1"}, [&] { std::this_thread::sleep_for(after); }, SIGKILL);
+    if (anew) {
+      stored = 0;
+      fs::remove_all(here.path / "out");
+    }
+    const int status = run_and_kill(
+        here, {"run", "s.lua", "samples=10", "--quiet", "--resume", "--batch", "1"},
+        [&] { std::this_thread::sleep_for(after); }, SIGKILL);
     killed += status == -SIGKILL;
     std::size_t now = 0;
     if (fs::exists(here.path / "out/s/results.h5")) now += read_table(here.path / "out/s/results.h5").rows();
@@ -87,10 +96,14 @@ TEST_CASE("after 20 kills at random moments and --resume every row is there once
 TEST_CASE("^C stores what is done, says how to resume, and exits with 130") {
   const Workplace here;
   here.write("s.lua", small_sweep);
-  const int status = run_and_kill(here, {"run", "s.lua", "samples=300", "--quiet"}, [&] {
-    for (int i = 0; i < 6000 && !fs::exists(here.path / "out/s/parts"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }, SIGINT);
+  const int status = run_and_kill(
+      here, {"run", "s.lua", "samples=300", "--quiet"},
+      [&] {
+        for (int i = 0; i < 6000 && !fs::exists(here.path / "out/s/parts"); ++i)
+          std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      },
+      SIGINT);
   CHECK(status == 130);
   const Table table = read_table(here.path / "out/s/results.h5");
   CHECK(table.rows() > 0);
@@ -114,7 +127,8 @@ TEST_CASE("rows of another version or commit are refused by --resume, and left a
     const std::string before = read_file(results);
     const Ended ended = here.run("s.lua samples=2 --quiet --resume");
     CHECK(ended.status == 4);
-    CHECK_THAT(ended.err, Catch::Matchers::Contains(std::string("was written by ") + what + " older") && Catch::Matchers::Contains("--force"));
+    CHECK_THAT(ended.err, Catch::Matchers::Contains(std::string("was written by ") + what + " older") &&
+                              Catch::Matchers::Contains("--force"));
     CHECK(read_file(results) == before);
   }
 }
@@ -130,13 +144,18 @@ TEST_CASE("threads and batch size do not change a row") {
 }
 
 // 200 trials, some minutes: ricochet_tests "200 trials*".
-TEST_CASE("200 trials of kills, full disks, read-only folders and damaged files lose no stored row and repair nothing in silence", "[.slow]") {
+TEST_CASE(
+    "200 trials of kills, full disks, read-only folders and damaged files lose no stored row and repair nothing in "
+    "silence",
+    "[.slow]") {
   const Workplace here;
   here.write("s.lua", small_sweep);
   REQUIRE(here.run("s.lua samples=40 --quiet --out calm").status == 0);
   const std::string expected = rows_hash(here.path / "calm/s/results.h5");
   const std::vector<std::string> command{"run", "s.lua", "samples=40", "--quiet", "--resume", "--batch", "1"};
-  const bool may_mount = geteuid() == 0 && here.shell("mkdir -p probe && mount -t tmpfs -o size=64k none probe && umount probe").status == 0;
+  const bool may_mount =
+      geteuid() == 0 &&
+      here.shell("mkdir -p probe && mount -t tmpfs -o size=64k none probe && umount probe").status == 0;
   std::mt19937 random(2);
   std::map<std::string, int> counts;
   const auto stored = [&] {
@@ -156,7 +175,8 @@ TEST_CASE("200 trials of kills, full disks, read-only folders and damaged files 
     CHECK(rows_hash(here.path / "out/s/results.h5") == expected);
   };
   const auto killed_at_random = [&](int signal) {
-    return run_and_kill(here, command, [&] { std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 500)); }, signal);
+    return run_and_kill(
+        here, command, [&] { std::this_thread::sleep_for(std::chrono::milliseconds(20 + random() % 500)); }, signal);
   };
   for (int trial = 0; trial < 200; ++trial) {
     fs::remove_all(here.path / "out");
@@ -203,11 +223,15 @@ TEST_CASE("200 trials of kills, full disks, read-only folders and damaged files 
       // Damage to the whole sweep's file, or to a part of one that was killed.
       const bool part = kind < 16;
       const auto first_part = [&] {
-        for (int i = 0; i < 3000 && (!fs::exists(here.path / "out/s/parts") || fs::is_empty(here.path / "out/s/parts")); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        for (int i = 0; i < 3000 && (!fs::exists(here.path / "out/s/parts") || fs::is_empty(here.path / "out/s/parts"));
+             ++i)
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
       };
-      if (part) run_and_kill(here, command, first_part, SIGKILL);
-      else REQUIRE(here.run("s.lua samples=40 --quiet --resume").status == 0);
+      if (part)
+        run_and_kill(here, command, first_part, SIGKILL);
+      else
+        REQUIRE(here.run("s.lua samples=40 --quiet --resume").status == 0);
       std::vector<fs::path> files;
       if (fs::exists(here.path / "out"))
         for (const auto& entry : fs::recursive_directory_iterator(here.path / "out"))
@@ -219,13 +243,16 @@ TEST_CASE("200 trials of kills, full disks, read-only folders and damaged files 
       const fs::path file = files[random() % files.size()];
       const std::string whole = read_file(file);
       std::string damaged = whole;
-      if (trial % 2) damaged.resize(random() % whole.size());
-      else damaged[random() % whole.size()] ^= static_cast<char>(1 << random() % 8);
+      if (trial % 2)
+        damaged.resize(random() % whole.size());
+      else
+        damaged[random() % whole.size()] ^= static_cast<char>(1 << random() % 8);
       write_atomically(file, damaged);
       const Ended refused = here.run("s.lua samples=40 --quiet --resume");
       INFO(file.string() << ": " << refused.err);
       CHECK(refused.status == 4);
-      CHECK_THAT(refused.err, Catch::Matchers::Contains(file.filename().string()) && Catch::Matchers::Contains("restore it from a copy, or remove it"));
+      CHECK_THAT(refused.err, Catch::Matchers::Contains(file.filename().string()) &&
+                                  Catch::Matchers::Contains("restore it from a copy, or remove it"));
       CHECK(read_file(file) == damaged);
       counts[trial % 2 ? "truncated" : "bit flipped"]++;
       write_atomically(file, whole);

@@ -9,7 +9,8 @@ using namespace ricochet::test;
 TEST_CASE("with --force a mistake costs no earlier results, and the next run without one replaces them") {
   const Workplace here;
   std::string text = small_sweep;
-  text.insert(text.find("local rows"), "ricochet.file.write('note.txt', 'hello')\nif p.samples == 3 then error 'three' end\n");
+  text.insert(text.find("local rows"),
+              "ricochet.file.write('note.txt', 'hello')\nif p.samples == 3 then error 'three' end\n");
   REQUIRE(here.script(text, "samples=1").status == 0);
   const std::string before = here.read("out/s/results.h5");
   const Ended mistaken = here.run("s.lua --force samples=3");
@@ -20,17 +21,23 @@ TEST_CASE("with --force a mistake costs no earlier results, and the next run wit
   CHECK((here.read("out/s/results.h5") != before));
   CHECK_FALSE(fs::exists(here.path / "out/s/parts"));
   // What a forced run does not replace was another's.
-  CHECK(here.script("local ricochet = require 'ricochet'\nricochet.file.write('note.txt', 'hello')\n", "--force").status == 0);
+  CHECK(here.script("local ricochet = require 'ricochet'\nricochet.file.write('note.txt', 'hello')\n", "--force")
+            .status == 0);
   CHECK_FALSE(fs::exists(here.path / "out/s/results.h5"));
 }
 
 TEST_CASE("with --force a mistake costs no pictures or recordings, and what the next run does not make again goes") {
   const Workplace here;
-  const std::string text = "local ricochet = require 'ricochet'\nlocal p = ricochet.parameters { stage = 0 }\nricochet.file.write('note.txt', 'hello')\n"
-                           "if p.stage == 1 then error 'one' end\nif p.stage == 3 then\n"
-                           "  ricochet.animate { scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 }, step = 1 }, frames = 5, out = 'film' }\nend\nlocal scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 } }\n"
-                           "ricochet.animate { scene = scene, frames = p.stage == 2 and 3 or 5, size = { 64, 36 }, out = 'film' }\n"
-                           "if p.stage == 0 then ricochet.record { scene = scene, frames = 3 } ricochet.still { scene = scene, size = { 64, 36 } } end\n";
+  const std::string text =
+      "local ricochet = require 'ricochet'\nlocal p = ricochet.parameters { stage = 0 "
+      "}\nricochet.file.write('note.txt', 'hello')\n"
+      "if p.stage == 1 then error 'one' end\nif p.stage == 3 then\n"
+      "  ricochet.animate { scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall "
+      "{ nodes = 150, width = 4 }, step = 1 }, frames = 5, out = 'film' }\nend\nlocal scene = ricochet.scene { "
+      "projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 } }\n"
+      "ricochet.animate { scene = scene, frames = p.stage == 2 and 3 or 5, size = { 64, 36 }, out = 'film' }\n"
+      "if p.stage == 0 then ricochet.record { scene = scene, frames = 3 } ricochet.still { scene = scene, size = { 64, "
+      "36 } } end\n";
   REQUIRE(here.script(text).status == 0);
   const char* products[] = {"out/s/trajectory.h5", "out/s/trajectory.xdmf", "out/s/still.png", "out/s/film/000004.png"};
   for (const char* product : products) CHECK(fs::exists(here.path / product));

@@ -8,7 +8,9 @@ using namespace ricochet::test;
 
 namespace {
 
-const std::string bodies = "local ricochet = require 'ricochet'\nlocal disk, wall = ricochet.disk { nodes = 60 }, ricochet.wall { nodes = 150, width = 4 }\n";
+const std::string bodies =
+    "local ricochet = require 'ricochet'\nlocal disk, wall = ricochet.disk { nodes = 60 }, ricochet.wall { nodes = "
+    "150, width = 4 }\n";
 
 }  // namespace
 
@@ -35,11 +37,15 @@ assert(#rows == 2 and rows[1].psi1 == 0 and rows[2].psi1 == 1)
 
 TEST_CASE("a hole in a sweep's values, and a name that summaries take, are mistakes") {
   const Workplace here;
-  const std::string begin = "local ricochet = require 'ricochet'\nricochet.sweep { name = 'w', over = { ", end = " }, scene = print }\n";
-  CHECK(here.script(begin + "psi1 = { 0, 1, nil, 3 }" + end).first_line() == "error: s.lua:2: sweep: over.psi1 has nothing (nil) at place 3; leave that place out");
-  CHECK(here.script("local v = {} for i = 1, 1100 do v[i] = i end for i = 300, 900 do v[i] = nil end " + begin + "psi1 = v" + end).first_line() ==
-        "error: s.lua:2: sweep: over.psi1 has nothing (nil) at place 300; leave that place out");
-  CHECK(here.script(begin + "count = { 0, 1 }" + end).first_line() == "error: s.lua:2: sweep: over.count: 'count' is a column of summaries; take another name");
+  const std::string begin = "local ricochet = require 'ricochet'\nricochet.sweep { name = 'w', over = { ",
+                    end = " }, scene = print }\n";
+  CHECK(here.script(begin + "psi1 = { 0, 1, nil, 3 }" + end).first_line() ==
+        "error: s.lua:2: sweep: over.psi1 has nothing (nil) at place 3; leave that place out");
+  CHECK(here.script("local v = {} for i = 1, 1100 do v[i] = i end for i = 300, 900 do v[i] = nil end " + begin +
+                    "psi1 = v" + end)
+            .first_line() == "error: s.lua:2: sweep: over.psi1 has nothing (nil) at place 300; leave that place out");
+  CHECK(here.script(begin + "count = { 0, 1 }" + end).first_line() ==
+        "error: s.lua:2: sweep: over.count: 'count' is a column of summaries; take another name");
 }
 
 TEST_CASE("fields that come by a table of defaults are fields, everywhere") {

@@ -1,6 +1,5 @@
 // ricochet.plan and the parts it is made of, through scripts.
 #include <catch2/catch.hpp>
-
 #include <cmath>
 
 #include "program.hpp"
@@ -59,7 +58,8 @@ for _, expected in ipairs { "nodes 400", "nodes 1200", "mass 0.5", "mass 0.25", 
 
 TEST_CASE("a plan reaches the wanted standard error with the samples it says, and its budget adds up") {
   const Workplace here;
-  const Ended ended = here.script(planned(R"(local plan = ricochet.plan { sweep = sweep, standard_error = 0.05, sizes = { 0.7, 1, 1.5 } }
+  const Ended ended = here.script(
+      planned(R"(local plan = ricochet.plan { sweep = sweep, standard_error = 0.05, sizes = { 0.7, 1, 1.5 } }
 assert(plan.samples >= 2 and plan.predicted_seconds > 0 and #plan.points == 3)
 local b = plan.budget
 assert(b.sampling <= 0.05 and b.lattice <= 0.05 and b.step <= 0.05)
@@ -71,7 +71,8 @@ for _, p in ipairs(plan.points) do assert(p.step < 1e-3 and p.sampling > 0) end
 local rows = plan:run()
 assert(#rows == 3 * plan.samples)
 for _, line in ipairs(rows:summary { by = "psi1", of = { "e" } }) do assert(line.failed == 0 and line.e.se < 0.05 * 1.6, line.e.se) end
-)"), "samples=3 --quiet");
+)"),
+      "samples=3 --quiet");
   INFO(ended.out << ended.err);
   CHECK(ended.status == 0);
   CHECK_THAT(ended.out, Catch::Matchers::Contains("cheapest: ") && Catch::Matchers::Contains("s, took "));
@@ -88,10 +89,13 @@ for _, line in ipairs(rows:summary { by = "psi1", of = { "e" } }) do assert(line
 
 TEST_CASE("a plan for the continuum says when the lattice's size puts it out of reach") {
   const Workplace here;
-  const Ended ended = here.script(planned(R"(local plan = ricochet.plan { sweep = sweep, standard_error = 1e-3, sizes = { 0.7, 1 }, pilot = 2, continuum = true }
+  const Ended ended = here.script(
+      planned(
+          R"(local plan = ricochet.plan { sweep = sweep, standard_error = 1e-3, sizes = { 0.7, 1 }, pilot = 2, continuum = true }
 assert(not plan.samples)
 plan:run()
-)"), "samples=2 --quiet");
+)"),
+      "samples=2 --quiet");
   CHECK(ended.status == 1);
   CHECK_THAT(ended.out, Catch::Matchers::Contains("no plan: with "));
   CHECK(ended.first_line().ends_with("run: there is no plan to run: the wanted standard error is out of reach"));
@@ -100,10 +104,15 @@ plan:run()
 TEST_CASE("mistakes in a plan are found before its pilot runs") {
   const Workplace here;
   const auto first_line = [&](const std::string& call) { return here.script(planned(call), "--quiet").first_line(); };
-  CHECK(first_line("ricochet.plan { sweep = sweep, standard_error = 0.1, samples = 'smaple' }") == "error: s.lua:14: plan: the sweep's 'over' has no 'smaple' to count samples by");
-  CHECK(first_line("ricochet.plan { sweep = sweep, standard_error = 0.1, of = 'betta' }") == "error: s.lua:14: plan: an outcome has no 'betta' (did you mean 'beta'?)");
-  CHECK(first_line("ricochet.plan { sweep = sweep, standard_error = 0 }") == "error: s.lua:14: plan: 'standard_error' must be greater than 0, is 0");
-  CHECK(first_line("ricochet.plan { sweep = { 1 }, standard_error = 0.1 }") == "error: s.lua:14: plan: 'sweep' must be a sweep (from ricochet.sweep), is a table");
-  CHECK(first_line("ricochet.plan { sweep = sweep, standard_error = 0.1, sizes = { 0 } }") == "error: s.lua:14: plan: a size is a factor of the nodes, above 0 and at most 16, not 0");
+  CHECK(first_line("ricochet.plan { sweep = sweep, standard_error = 0.1, samples = 'smaple' }") ==
+        "error: s.lua:14: plan: the sweep's 'over' has no 'smaple' to count samples by");
+  CHECK(first_line("ricochet.plan { sweep = sweep, standard_error = 0.1, of = 'betta' }") ==
+        "error: s.lua:14: plan: an outcome has no 'betta' (did you mean 'beta'?)");
+  CHECK(first_line("ricochet.plan { sweep = sweep, standard_error = 0 }") ==
+        "error: s.lua:14: plan: 'standard_error' must be greater than 0, is 0");
+  CHECK(first_line("ricochet.plan { sweep = { 1 }, standard_error = 0.1 }") ==
+        "error: s.lua:14: plan: 'sweep' must be a sweep (from ricochet.sweep), is a table");
+  CHECK(first_line("ricochet.plan { sweep = sweep, standard_error = 0.1, sizes = { 0 } }") ==
+        "error: s.lua:14: plan: a size is a factor of the nodes, above 0 and at most 16, not 0");
   CHECK_FALSE(fs::exists(here.path / "out"));
 }

@@ -1,6 +1,7 @@
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <fmt/format.h>
 #include <set>
 
 #include "force/catalogue.hpp"
@@ -22,12 +23,16 @@ TEST_CASE("a sweep leaves rows, CSV, log and provenance") {
   // Combinations in order, the last name fastest; the sweep's psi1 beside what the impact had.
   CHECK(table.number("sample")->values == std::vector<double>{1, 2, 3, 4, 1, 2, 3, 4, 1, 2, 3, 4});
   CHECK(table.number("over_psi1")->values == std::vector<double>{0, 0, 0, 0, 1, 1, 1, 1, 4, 4, 4, 4});
-  CHECK(std::set<std::string>(table.text("scene_hash")->values.begin(), table.text("scene_hash")->values.end()).size() == 12);
+  CHECK(
+      std::set<std::string>(table.text("scene_hash")->values.begin(), table.text("scene_hash")->values.end()).size() ==
+      12);
   const Provenance provenance = read_provenance(here.path / "out/s/results.h5");
   CHECK(provenance.at("script") == small_sweep);
   CHECK_THAT(provenance.at("required_files"), Catch::Matchers::Contains("ricochet/init.lua"));
-  for (const char* name : {"version", "commit", "compiler", "host", "start", "end", "script_hash"}) CHECK_FALSE(provenance.at(name).empty());
-  CHECK_THAT(here.read("out/s/run.log"), Catch::Matchers::Contains("12 of 12") && Catch::Matchers::Contains("finished  failed"));
+  for (const char* name : {"version", "commit", "compiler", "host", "start", "end", "script_hash"})
+    CHECK_FALSE(provenance.at(name).empty());
+  CHECK_THAT(here.read("out/s/run.log"),
+             Catch::Matchers::Contains("12 of 12") && Catch::Matchers::Contains("finished  failed"));
   const std::string csv_text = here.read("out/s/results.csv");
   CHECK(std::count(csv_text.begin(), csv_text.end(), '\n') == 13);
   CHECK_FALSE(fs::exists(here.path / "out/s/parts"));
@@ -41,9 +46,14 @@ TEST_CASE("ricochet accuracy tells what accuracy costs in a script's first scene
   const Ended ended = here.shell("ricochet accuracy s.lua samples=1");
   INFO(ended.err);
   REQUIRE(ended.status == 0);
-  CHECK_THAT(ended.out, Catch::Matchers::Contains("what accuracy costs: 210 nodes on") && Catch::Matchers::Contains("verlet               error of e falls with order") && Catch::Matchers::Contains("floor "));
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("what accuracy costs: 210 nodes on") &&
+                            Catch::Matchers::Contains("verlet               error of e falls with order") &&
+                            Catch::Matchers::Contains("floor "));
   CHECK(fs::file_size(here.path / "out/s/accuracy.png") > 10000);
-  CHECK_THAT(here.read("out/s/accuracy.csv"), Catch::Matchers::StartsWith("method,step [R/c],theta,status,evaluations,seconds [s],energy_drift,momentum_residual,error_of_e\npefrl,"));
+  CHECK_THAT(
+      here.read("out/s/accuracy.csv"),
+      Catch::Matchers::StartsWith(
+          "method,step [R/c],theta,status,evaluations,seconds [s],energy_drift,momentum_residual,error_of_e\npefrl,"));
   CHECK_FALSE(fs::exists(here.path / "out/s/results.h5"));
   here.write("t.lua", "print(1)");
   CHECK(here.shell("ricochet accuracy t.lua").first_line() == "error: t.lua makes no scene");
@@ -56,7 +66,8 @@ TEST_CASE("a scene that asks for an accuracy says what was chosen, and its rows 
   const Ended ended = here.script(text, "samples=2 --quiet");
   INFO(ended.err);
   CHECK(ended.status == 0);
-  CHECK_THAT(ended.out, Catch::Matchers::Matches("accuracy 1e-05 of e: (verlet|takahashi_imada|multirate_[2358]) with theta [^]*"));
+  CHECK_THAT(ended.out, Catch::Matchers::Matches(
+                            "accuracy 1e-05 of e: (verlet|takahashi_imada|multirate_[2358]) with theta [^]*"));
   const Table table = read_table(here.path / "out/s/results.h5");
   for (const double estimate : table.number("error_estimate")->values) CHECK((estimate > 0 && estimate <= 1e-5));
   CHECK(here.script(text, "samples=2 --quiet --resume").status == 0);  // the same steps again, so the same scenes
@@ -76,7 +87,8 @@ rows[1].x, rows[2].x, rows[3].x = 1, 2, 6
 for _, row in ipairs(rows) do row.g = "all" end
 local line = rows:summary { by = "g", of = { "x" } }[1]
 print(line.x.mean, ("%.6f"):format(line.x.sd), ("%.6f"):format(line.x.se), line.x.count, line.count, line.failed, rows[4].status)
-)", "--quiet");
+)",
+                                  "--quiet");
   INFO(ended.err);
   CHECK_THAT(ended.out, Catch::Matchers::Contains("3.0\t2.645751\t1.527525\t3\t3\t1\tout_of_time"));
 }
@@ -91,7 +103,9 @@ print(p.speed, #p.angles, p.angles[1], p.n, p.rough, p.kind)
 )";
   CHECK(here.script(script).out == "0.1\t2\t0\t3\ttrue\tsoft\n");
   CHECK(here.script(script, "speed=1/4 angles=7 n=5 rough=false kind=hard").out == "0.25\t1\t7.0\t5\tfalse\thard\n");
-  CHECK_THAT(here.script(script, "--help").out, Catch::Matchers::Contains("speed=0.1              [c] impact speed; at least 0") && Catch::Matchers::Contains("angles=0,1"));
+  CHECK_THAT(here.script(script, "--help").out,
+             Catch::Matchers::Contains("speed=0.1              [c] impact speed; at least 0") &&
+                 Catch::Matchers::Contains("angles=0,1"));
   CHECK(here.script(script, "--help").status == 0);
 }
 
@@ -115,7 +129,9 @@ print(row.status, row.e > 0.2 and row.e < 1)
   INFO(ended.err);
   CHECK_THAT(ended.out, Catch::Matchers::EndsWith("finished\ttrue\n"));
   // Every run says what it was computed with.
-  CHECK_THAT(ended.out, Catch::Matchers::StartsWith("scene: pefrl, time step 0.00") && Catch::Matchers::Contains("theta 1.6 and at most") && Catch::Matchers::Contains("frequency bound"));
+  CHECK_THAT(ended.out, Catch::Matchers::StartsWith("scene: pefrl, time step 0.00") &&
+                            Catch::Matchers::Contains("theta 1.6 and at most") &&
+                            Catch::Matchers::Contains("frequency bound"));
 }
 
 TEST_CASE("a scene's text and hash follow its content only") {
@@ -138,19 +154,24 @@ ricochet.record { scene = scene, frames = 4 }
   INFO(ended.err);
   REQUIRE(ended.status == 0);
   std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(here.path / "out/s/frames")) names.insert(entry.path().filename().string());
+  for (const auto& entry : fs::directory_iterator(here.path / "out/s/frames"))
+    names.insert(entry.path().filename().string());
   CHECK(names == std::set<std::string>{"000000.png", "000001.png", "000002.png", "000003.png", "000004.png"});
   const std::string first = here.read("out/s/frames/000002.png");
   CHECK(first.find("ricochet.scene") != std::string::npos);
   CHECK(here.shell("ricochet run s.lua --force").status == 0);
   CHECK(here.read("out/s/frames/000002.png") == first);
   CHECK(fs::file_size(here.path / "out/s/trajectory.h5") > 1000);
-  CHECK_THAT(here.read("out/s/trajectory.xdmf"), Catch::Matchers::Contains("trajectory.h5:/particles/trajectory/position/value|3 0 0:1 1 1:1"));
+  CHECK_THAT(here.read("out/s/trajectory.xdmf"),
+             Catch::Matchers::Contains("trajectory.h5:/particles/trajectory/position/value|3 0 0:1 1 1:1"));
 }
 
 TEST_CASE("a plot leaves its gnuplot script, an SVG and a PNG") {
   const Workplace here;
-  const Ended ended = here.script(std::string(small_sweep) + "ricochet.plot { rows = rows, x = \"psi1\", y = { \"e\", \"mu\" }, name = \"p\", title = \"a \\\"quoted\\\" title\" }\n", "samples=2 --quiet");
+  const Ended ended = here.script(std::string(small_sweep) +
+                                      "ricochet.plot { rows = rows, x = \"psi1\", y = { \"e\", \"mu\" }, name = \"p\", "
+                                      "title = \"a \\\"quoted\\\" title\" }\n",
+                                  "samples=2 --quiet");
   INFO(ended.err);
   REQUIRE(ended.status == 0);
   CHECK(ended.err.empty());
@@ -164,25 +185,40 @@ ricochet.plot { rows = rows, x = "psi1", y = { "e", "mu" }, name = "p", caption 
   theory = { e = { { name = "constant", f = function(x) return 1 end }, { name = "chain", points = { { 0, 0.9 }, { 4, 1.1 } } } }, mu = { { 0, 0 }, { 4, 0.3 } } },
   published = { e = { { name = "somebody 1999", points = { { 1, 0.8 }, { 5, 1.2 } } } } }, yrange = { mu = { -1, 1 } } }
 ricochet.plot { x = "v", y = { "loss" }, name = "alone", log = "xy", xrange = { 0.1, 10 }, theory = { loss = function(v) return v ^ 0.6 end } }
-)", "samples=2 --quiet");
+)",
+                                  "samples=2 --quiet");
   INFO(ended.err);
   REQUIRE(ended.status == 0);
   const std::string drawn = here.read("out/s/p.gp"), alone = here.read("out/s/alone.gp");
   using Catch::Matchers::Contains;
-  CHECK_THAT(drawn, Contains("$data1 << END") && Contains("$theory1_1 << END\n0 1\n") && Contains("$theory1_2 << END\n0 0.9") && Contains("$theory2_1 << END\n0 0\n4 0.2999") && Contains("$published1_1 << END\n1 0.8"));
-  CHECK_THAT(drawn, Contains("title 'constant'") && Contains("title 'chain'") && Contains("title 'somebody 1999'") && Contains("set yrange [-1:1]"));
-  CHECK_THAT(drawn, Contains("'mean and standard error of 6 impacts, 0 failed'") && Contains("set xrange [-0.2"));  // up to the published point at 5, 4 % of 5 beside it
+  CHECK_THAT(drawn, Contains("$data1 << END") && Contains("$theory1_1 << END\n0 1\n") &&
+                        Contains("$theory1_2 << END\n0 0.9") && Contains("$theory2_1 << END\n0 0\n4 0.2999") &&
+                        Contains("$published1_1 << END\n1 0.8"));
+  CHECK_THAT(drawn, Contains("title 'constant'") && Contains("title 'chain'") && Contains("title 'somebody 1999'") &&
+                        Contains("set yrange [-1:1]"));
+  CHECK_THAT(drawn, Contains("'mean and standard error of 6 impacts, 0 failed'") &&
+                        Contains("set xrange [-0.2"));  // up to the published point at 5, 4 % of 5 beside it
   CHECK_THAT(alone, Contains("0.10000000000000001 0.25118864") && !Contains("impacts") && Contains("set logscale xy"));
   for (const char* name : {"p.png", "alone.png", "alone.svg"}) CHECK(fs::file_size(here.path / "out/s" / name) > 500);
   const auto mistake = [&](const std::string& fields) {
-    return here.script("local ricochet = require 'ricochet'\nricochet.plot { x = 'x', y = { 'y' }, name = 'p',\n  " + fields + " }", "--force").first_line();
+    return here
+        .script("local ricochet = require 'ricochet'\nricochet.plot { x = 'x', y = { 'y' }, name = 'p',\n  " + fields +
+                    " }",
+                "--force")
+        .first_line();
   };
-  CHECK(mistake("theory = { y = function(x) return x end }") == "error: s.lua:2: plot: has neither rows nor points; give xrange = { from, to } for the functions");
-  CHECK(mistake("theory = { z = function(x) return x end }") == "error: s.lua:3: plot: 'theory' has a curve for 'z', which is not among 'y'");
-  CHECK(mistake("theory = { y = { { f = function(x) return x end } } }") == "error: s.lua:3: plot: 'theory' of 'y' must be a list of { name =, f = or points = }; entry 1 has no name");
-  CHECK(mistake("theory = { y = { { name = 'a' } } }") == "error: s.lua:3: plot: 'theory' of 'y' needs f = function (x) or points = { {x, y}, ... } for 'a'");
-  CHECK(mistake("published = { y = function(x) return x end }") == "error: s.lua:3: plot: 'published' of 'y' takes points, and 'published' is a function");
-  CHECK(mistake("published = { y = { { 1, 'a' } } }") == "error: s.lua:3: plot: 'published' of 'y' holds a point of 'published' that is not {x, y}");
+  CHECK(mistake("theory = { y = function(x) return x end }") ==
+        "error: s.lua:2: plot: has neither rows nor points; give xrange = { from, to } for the functions");
+  CHECK(mistake("theory = { z = function(x) return x end }") ==
+        "error: s.lua:3: plot: 'theory' has a curve for 'z', which is not among 'y'");
+  CHECK(mistake("theory = { y = { { f = function(x) return x end } } }") ==
+        "error: s.lua:3: plot: 'theory' of 'y' must be a list of { name =, f = or points = }; entry 1 has no name");
+  CHECK(mistake("theory = { y = { { name = 'a' } } }") ==
+        "error: s.lua:3: plot: 'theory' of 'y' needs f = function (x) or points = { {x, y}, ... } for 'a'");
+  CHECK(mistake("published = { y = function(x) return x end }") ==
+        "error: s.lua:3: plot: 'published' of 'y' takes points, and 'published' is a function");
+  CHECK(mistake("published = { y = { { 1, 'a' } } }") ==
+        "error: s.lua:3: plot: 'published' of 'y' holds a point of 'published' that is not {x, y}");
   CHECK(mistake("xrange = { 2, 1 }") == "error: s.lua:3: plot: 'xrange' takes { from, to }");
   CHECK(mistake("yrange = { z = { 1, 2 } }") == "error: s.lua:3: plot: 'yrange' names 'z', which is not among 'y'");
   CHECK(mistake("by = 'x'") == "error: s.lua:3: plot: 'by' groups rows, and there are none");
@@ -191,17 +227,35 @@ ricochet.plot { x = "v", y = { "loss" }, name = "alone", log = "xy", xrange = { 
 TEST_CASE("scripts and examples of the project run short") {
   const Workplace here;
   const std::string root = RICOCHET_SOURCE;
-  for (const std::string command : {"examples/01_drop.lua nodes=60 frames=3", "examples/02_soft_and_hard.lua nodes=60 frames=3", "examples/03_super_rebound.lua nodes=60 samples=3 frames=3",
-                                    "examples/04_waves.lua nodes=600 frames=3", "scripts/elasticity.lua samples=1 height=3", "scripts/benchmark.lua nodes=60 samples=1 psi1=0,1 growth=300,600",
-                                    "scripts/soft_wall.lua --check samples=1", "scripts/soft_wall.lua samples=2 nodes=60 psi1=0,1,3,6", "scripts/hard_wall.lua samples=2 nodes=60 psi1=0,2,4,6",
-                                    "scripts/fixed_normal_speed.lua samples=2 nodes=60 psi1=0,1,3", "scripts/half_size.lua samples=2 nodes=120 psi1=0,1,3,6", "scripts/walton.lua samples=2 nodes=60",
-                                    "scripts/maw.lua samples=2 nodes=60", "scripts/normal_speed.lua samples=1 nodes=60 speed=0.1 --out one", "scripts/normal_speed.lua samples=2 nodes=60 speed=0.05,0.1", "scripts/radiation.lua", "scripts/hertz_benchmarks.lua",
-                                    "scripts/walton.lua --check samples=1", "scripts/normal_speed.lua --check samples=1",
-                                    "scripts/which_effects_matter.lua nodes=60 samples=2 speed=0.1,0.2", "examples/effects/gravity.lua nodes=60 samples=2 speed=0.05,0.1,0.2",
-                                    "examples/effects/drag.lua samples=1 speed=0.1,0.2", "examples/effects/absorbing.lua samples=2 density=20 depth=1.5,2",
-                                    "examples/effects/moving_anchor.lua samples=1 phase=0,90", "examples/effects/damping.lua nodes=100 samples=1 speed=0.04,0.08,0.16",
-                                    "examples/effects/plastic.lua nodes=100 samples=1 speed=0.05,0.1,0.2", "examples/effects/breaking.lua nodes=60 samples=1 speed=0.1,0.3 frames=2",
-                                    "examples/effects/adhesion.lua samples=1 speed=0.05,0.1", "examples/effects/friction.lua nodes=60 samples=1 psi1=1,2",
+  for (const std::string command : {"examples/01_drop.lua nodes=60 frames=3",
+                                    "examples/02_soft_and_hard.lua nodes=60 frames=3",
+                                    "examples/03_super_rebound.lua nodes=60 samples=3 frames=3",
+                                    "examples/04_waves.lua nodes=600 frames=3",
+                                    "scripts/elasticity.lua samples=1 height=3",
+                                    "scripts/benchmark.lua nodes=60 samples=1 psi1=0,1 growth=300,600",
+                                    "scripts/soft_wall.lua --check samples=1",
+                                    "scripts/soft_wall.lua samples=2 nodes=60 psi1=0,1,3,6",
+                                    "scripts/hard_wall.lua samples=2 nodes=60 psi1=0,2,4,6",
+                                    "scripts/fixed_normal_speed.lua samples=2 nodes=60 psi1=0,1,3",
+                                    "scripts/half_size.lua samples=2 nodes=120 psi1=0,1,3,6",
+                                    "scripts/walton.lua samples=2 nodes=60",
+                                    "scripts/maw.lua samples=2 nodes=60",
+                                    "scripts/normal_speed.lua samples=1 nodes=60 speed=0.1 --out one",
+                                    "scripts/normal_speed.lua samples=2 nodes=60 speed=0.05,0.1",
+                                    "scripts/radiation.lua",
+                                    "scripts/hertz_benchmarks.lua",
+                                    "scripts/walton.lua --check samples=1",
+                                    "scripts/normal_speed.lua --check samples=1",
+                                    "scripts/which_effects_matter.lua nodes=60 samples=2 speed=0.1,0.2",
+                                    "examples/effects/gravity.lua nodes=60 samples=2 speed=0.05,0.1,0.2",
+                                    "examples/effects/drag.lua samples=1 speed=0.1,0.2",
+                                    "examples/effects/absorbing.lua samples=2 density=20 depth=1.5,2",
+                                    "examples/effects/moving_anchor.lua samples=1 phase=0,90",
+                                    "examples/effects/damping.lua nodes=100 samples=1 speed=0.04,0.08,0.16",
+                                    "examples/effects/plastic.lua nodes=100 samples=1 speed=0.05,0.1,0.2",
+                                    "examples/effects/breaking.lua nodes=60 samples=1 speed=0.1,0.3 frames=2",
+                                    "examples/effects/adhesion.lua samples=1 speed=0.05,0.1",
+                                    "examples/effects/friction.lua nodes=60 samples=1 psi1=1,2",
                                     "examples/effects/thermal.lua samples=4 ratio=2,4"}) {
     const Ended ended = here.run("--quiet " + root + "/" + command);
     INFO(command << "\n" << ended.err);
@@ -211,53 +265,77 @@ TEST_CASE("scripts and examples of the project run short") {
 
 TEST_CASE("a scene is exported for LAMMPS, and one with effects is not") {
   const Workplace here;
-  const std::string scene = "local ricochet = require 'ricochet'\nlocal d, w = ricochet.disk { nodes = 60 }, ricochet.wall { nodes = 150, width = 4 }\n"
-                            "local given = { projectile = d, target = w, launch = { speed = 0.1 } }\n";
+  const std::string scene =
+      "local ricochet = require 'ricochet'\nlocal d, w = ricochet.disk { nodes = 60 }, ricochet.wall { nodes = 150, "
+      "width = 4 }\n"
+      "local given = { projectile = d, target = w, launch = { speed = 0.1 } }\n";
   const Ended ended = here.script(scene + "ricochet.lammps { scene = ricochet.scene(given), out = 'drop' }\n");
   INFO(ended.err);
   CHECK(ended.status == 0);
   CHECK_THAT(ended.out, Catch::Matchers::Contains("LAMMPS files: out/s/drop.data, beside it .in"));
-  CHECK_THAT(here.read("out/s/drop.in"), Catch::Matchers::Contains("read_data drop.data") && Catch::Matchers::Contains("bond_style class2"));
+  CHECK_THAT(here.read("out/s/drop.in"),
+             Catch::Matchers::Contains("read_data drop.data") && Catch::Matchers::Contains("bond_style class2"));
   CHECK_THAT(here.read("out/s/drop.data"), Catch::Matchers::Contains("210 atoms\n"));
-  const Ended refused = here.script(scene + "given.effects = { ricochet.gravity { g = 1e-5 } }\nricochet.lammps { scene = ricochet.scene(given), out = 'drop' }\n", "--force");
+  const Ended refused = here.script(scene +
+                                        "given.effects = { ricochet.gravity { g = 1e-5 } }\nricochet.lammps { scene = "
+                                        "ricochet.scene(given), out = 'drop' }\n",
+                                    "--force");
   CHECK(refused.status == 1);
-  CHECK_THAT(refused.first_line(), Catch::Matchers::Contains("LAMMPS files hold springs and repulsion only; leave the effects out"));
+  CHECK_THAT(refused.first_line(),
+             Catch::Matchers::Contains("LAMMPS files hold springs and repulsion only; leave the effects out"));
 }
 
 TEST_CASE("every effect has an example of its name") {
-  each_effect_kind([]<class E>(const E&) { CHECK(fs::exists(fmt::format("{}/examples/effects/{}.lua", RICOCHET_SOURCE, E::name))); });
+  each_effect_kind([]<class E>(const E&) {
+    CHECK(fs::exists(fmt::format("{}/examples/effects/{}.lua", RICOCHET_SOURCE, E::name)));
+  });
 }
 
 TEST_CASE("rows can be picked by a column, and a power law is found in them") {
   const Workplace here;
-  here.write("s.lua", "local ricochet = require 'ricochet'\n"
-                      "local rows = ricochet.sweep { name = 's', over = { psi1 = { 0, 1 }, speed = { 0.1, 0.2, 0.3 } }, scene = function(at) return ricochet.scene {\n"
-                      "  projectile = ricochet.disk { nodes = 40 }, target = ricochet.wall { width = 4, depth = 1, nodes = 80, stiffness = 400 }, launch = { speed = at.speed, psi1 = at.psi1 } } end }:run()\n"
-                      "local some = rows:where { psi1 = 1 }\n"
-                      "for _, row in ipairs(some) do assert(row.psi1 == 1); row.cube = 7 * row.speed ^ 3 end\n"
-                      "local law = some:power_law { x = 'speed', y = 'cube' }\n"
-                      "print(#some, ('%.6f %.6f %.1g %d'):format(law.exponent, law.factor, law.se, law.count))\n"
-                      "ricochet.plot { rows = rows, x = 'speed', y = { 'e', 'mu' }, by = 'psi1', log = 'x', name = 'p', theory = { e = function(v) return 1 end } }\n");
+  here.write("s.lua",
+             "local ricochet = require 'ricochet'\n"
+             "local rows = ricochet.sweep { name = 's', over = { psi1 = { 0, 1 }, speed = { 0.1, 0.2, 0.3 } }, scene = "
+             "function(at) return ricochet.scene {\n"
+             "  projectile = ricochet.disk { nodes = 40 }, target = ricochet.wall { width = 4, depth = 1, nodes = 80, "
+             "stiffness = 400 }, launch = { speed = at.speed, psi1 = at.psi1 } } end }:run()\n"
+             "local some = rows:where { psi1 = 1 }\n"
+             "for _, row in ipairs(some) do assert(row.psi1 == 1); row.cube = 7 * row.speed ^ 3 end\n"
+             "local law = some:power_law { x = 'speed', y = 'cube' }\n"
+             "print(#some, ('%.6f %.6f %.1g %d'):format(law.exponent, law.factor, law.se, law.count))\n"
+             "ricochet.plot { rows = rows, x = 'speed', y = { 'e', 'mu' }, by = 'psi1', log = 'x', name = 'p', theory "
+             "= { e = function(v) return 1 end } }\n");
   const Ended ended = here.run("--quiet s.lua");
   INFO(ended.err);
   CHECK(ended.status == 0);
   CHECK_THAT(ended.out, Catch::Matchers::Contains("3\t3.000000 7.000000"));
   CHECK(fs::file_size(here.path / "out/s/p.png") > 500);
   const auto mistake = [&](const std::string& line) {
-    here.write("s.lua", "local ricochet = require 'ricochet'\n"
-                        "local rows = ricochet.sweep { name = 's', over = { psi1 = { 0, 1 } }, scene = function(at) return ricochet.scene {\n"
-                        "  projectile = ricochet.disk { nodes = 40 }, target = ricochet.wall { width = 4, depth = 1, nodes = 80, stiffness = 400 }, launch = { psi1 = at.psi1 } } end }:run()\n" + line);
+    here.write("s.lua",
+               "local ricochet = require 'ricochet'\n"
+               "local rows = ricochet.sweep { name = 's', over = { psi1 = { 0, 1 } }, scene = function(at) return "
+               "ricochet.scene {\n"
+               "  projectile = ricochet.disk { nodes = 40 }, target = ricochet.wall { width = 4, depth = 1, nodes = "
+               "80, stiffness = 400 }, launch = { psi1 = at.psi1 } } end }:run()\n" +
+                   line);
     const Ended failed = here.run("--quiet --force s.lua");
     CHECK(failed.status == 1);
     return failed.err;
   };
   using Catch::Matchers::Contains;
-  CHECK_THAT(mistake("rows:where { psi = 1 }"), Contains("error: s.lua:4: where: the rows have no column 'psi' (did you mean 'psi1' or 'psi2'?)"));
-  CHECK_THAT(mistake("rows:power_law { x = 'speed', y = 'e' }"), Contains("error: s.lua:4: power_law: the rows have no column 'speed'"));
-  CHECK_THAT(mistake("rows:power_law { x = 'psi1', y = 'e' }"), Contains("error: s.lua:4: power_law: a power law needs values above 0, 'psi1' is 0"));
-  CHECK_THAT(mistake("rows:where { psi1 = 1 }:power_law { x = 'psi1', y = 'e' }"), Contains("error: s.lua:4: power_law: a power law needs three rows or more of different 'psi1', there are 1"));
-  CHECK_THAT(mistake("ricochet.plot { rows = rows, x = 'psi1', y = { 'e' }, name = 'p', log = 'x' }"), Contains("error: s.lua:4: plot: 'log' along x needs values above 0, psi1 goes down to 0"));
-  CHECK_THAT(mistake("ricochet.plot { rows = rows, x = 'psi1', y = { 'e' }, name = 'p', theory = { mu = 1 } }"), Contains("error: s.lua:4: plot: 'theory' takes column = function (x), 'mu' is a number"));
+  CHECK_THAT(mistake("rows:where { psi = 1 }"),
+             Contains("error: s.lua:4: where: the rows have no column 'psi' (did you mean 'psi1' or 'psi2'?)"));
+  CHECK_THAT(mistake("rows:power_law { x = 'speed', y = 'e' }"),
+             Contains("error: s.lua:4: power_law: the rows have no column 'speed'"));
+  CHECK_THAT(mistake("rows:power_law { x = 'psi1', y = 'e' }"),
+             Contains("error: s.lua:4: power_law: a power law needs values above 0, 'psi1' is 0"));
+  CHECK_THAT(
+      mistake("rows:where { psi1 = 1 }:power_law { x = 'psi1', y = 'e' }"),
+      Contains("error: s.lua:4: power_law: a power law needs three rows or more of different 'psi1', there are 1"));
+  CHECK_THAT(mistake("ricochet.plot { rows = rows, x = 'psi1', y = { 'e' }, name = 'p', log = 'x' }"),
+             Contains("error: s.lua:4: plot: 'log' along x needs values above 0, psi1 goes down to 0"));
+  CHECK_THAT(mistake("ricochet.plot { rows = rows, x = 'psi1', y = { 'e' }, name = 'p', theory = { mu = 1 } }"),
+             Contains("error: s.lua:4: plot: 'theory' takes column = function (x), 'mu' is a number"));
 }
 
 TEST_CASE("the reference page and the editor stubs in the tree are current") {
@@ -272,19 +350,25 @@ TEST_CASE("the reference page and the editor stubs in the tree are current") {
 
 TEST_CASE("the repl answers and survives mistakes") {
   const Workplace here;
-  const Ended ended = here.shell("printf '1 + 1\\nricochet.disk { nods = 3 }\\nlocal x = 2; print(x)\\n' | ricochet repl");
+  const Ended ended =
+      here.shell("printf '1 + 1\\nricochet.disk { nods = 3 }\\nlocal x = 2; print(x)\\n' | ricochet repl");
   CHECK(ended.status == 0);
-  CHECK_THAT(ended.out, Catch::Matchers::Contains("> 2\n") );
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("> 2\n"));
   CHECK_THAT(ended.err, Catch::Matchers::Contains("did you mean 'nodes'"));
 }
 
 TEST_CASE("./workbench without root or sudo says which packages to install and how") {
   const Workplace here;
   // A machine that has nothing installed, no sudo, and a user that is not root.
-  const Ended ended = here.shell(std::string("mkdir bin; ln -s $(command -v dirname) $(command -v sh) bin/; printf '#!/bin/sh\nexit 1\n' > bin/dpkg-query; "
-                                             "printf '#!/bin/sh\necho 1000\n' > bin/id; chmod +x bin/*; PATH=$PWD/bin sh ") + RICOCHET_SOURCE + "/workbench test");
+  const Ended ended =
+      here.shell(std::string("mkdir bin; ln -s $(command -v dirname) $(command -v sh) bin/; printf '#!/bin/sh\nexit "
+                             "1\n' > bin/dpkg-query; "
+                             "printf '#!/bin/sh\necho 1000\n' > bin/id; chmod +x bin/*; PATH=$PWD/bin sh ") +
+                 RICOCHET_SOURCE + "/workbench test");
   CHECK(ended.status == 4);
-  CHECK_THAT(ended.first_line(), Catch::Matchers::StartsWith("error: workbench: these Debian packages are missing and need root to install: g++ cmake"));
+  CHECK_THAT(ended.first_line(),
+             Catch::Matchers::StartsWith(
+                 "error: workbench: these Debian packages are missing and need root to install: g++ cmake"));
   CHECK_THAT(ended.err, Catch::Matchers::Contains("as root: apt-get install --no-install-recommends g++ cmake"));
 }
 
@@ -292,13 +376,18 @@ TEST_CASE("effects lists the catalogue, and --cost prices it in a script's scene
   const Workplace here;
   const Ended list = here.shell("ricochet effects");
   CHECK(list.status == 0);
-  for (const char* text : {"gravity: ", "ricochet.drag { rate = 0.01 }", "column damping_energy: ", "retardation time of the material [R/c]"}) CHECK_THAT(list.out, Catch::Matchers::Contains(text));
-  here.write("s.lua", "local ricochet = require 'ricochet'\nricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 }, effects = { ricochet.gravity { g = 1e-3 }, "
-                      "ricochet.damping { time = 1e-3 } } }");
+  for (const char* text : {"gravity: ", "ricochet.drag { rate = 0.01 }",
+                           "column damping_energy: ", "retardation time of the material [R/c]"})
+    CHECK_THAT(list.out, Catch::Matchers::Contains(text));
+  here.write("s.lua",
+             "local ricochet = require 'ricochet'\nricochet.scene { projectile = ricochet.disk { nodes = 60 }, target "
+             "= ricochet.wall { nodes = 150, width = 4 }, effects = { ricochet.gravity { g = 1e-3 }, "
+             "ricochet.damping { time = 1e-3 } } }");
   const Ended priced = here.shell("ricochet effects --cost s.lua");
   INFO(priced.err);
   CHECK(priced.status == 0);
-  for (const char* text : {"210 nodes", "\nbare ", "\nabsorbing ", "\nthe scene's own "}) CHECK_THAT(priced.out, Catch::Matchers::Contains(text));
+  for (const char* text : {"210 nodes", "\nbare ", "\nabsorbing ", "\nthe scene's own "})
+    CHECK_THAT(priced.out, Catch::Matchers::Contains(text));
 }
 
 TEST_CASE("relevance compares the same lattices with and without an effect") {

@@ -5,7 +5,6 @@
 #include "core/error.hpp"
 #include "store/files.hpp"
 #include "store/hdf5.hpp"
-#include "store/hdf5.hpp"
 #include "store/table.hpp"
 #include "store/trajectory.hpp"
 
@@ -54,7 +53,8 @@ TEST_CASE("equal tables give equal bytes") {
 }
 
 TEST_CASE("CSV has units in its header, empty cells for undefined numbers, and numbers that read back exactly") {
-  CHECK(csv(example()) == "e,speed [c],status\n0.5,0.1,finished\n1.25,0.3333333333333333,\"a, \"\"quoted\"\" one\"\n,1e-300,\n");
+  CHECK(csv(example()) ==
+        "e,speed [c],status\n0.5,0.1,finished\n1.25,0.3333333333333333,\"a, \"\"quoted\"\" one\"\n,1e-300,\n");
 }
 
 TEST_CASE("a damaged file is refused by name, never repaired in silence") {
@@ -71,7 +71,8 @@ TEST_CASE("a damaged file is refused by name, never repaired in silence") {
     }
     return false;
   };
-  for (std::size_t size : {std::size_t{0}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) CHECK(refused(whole.substr(0, size)));
+  for (std::size_t size : {std::size_t{0}, std::size_t{100}, whole.size() / 2, whole.size() - 1})
+    CHECK(refused(whole.substr(0, size)));
   CHECK(refused(whole + "x"));
   int noticed = 0, flips = 0;
   for (std::size_t at = 0; at < whole.size(); at += 5, ++flips) {
@@ -86,7 +87,8 @@ TEST_CASE("a damaged file is refused by name, never repaired in silence") {
 
 TEST_CASE("writing replaces a file as a whole and leaves nothing beside it") {
   const Folder folder;
-  write_atomically(folder.path / "f", "one"), write_atomically(folder.path / "f", "two");
+  write_atomically(folder.path / "f", "one");
+  write_atomically(folder.path / "f", "two");
   CHECK(read_file(folder.path / "f") == "two");
   CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator{}) == 1);
   CHECK_THROWS_WITH(write_atomically(folder.path / "no" / "f", "x"), Catch::Matchers::Contains("cannot write"));
@@ -99,16 +101,26 @@ Trajectory small_trajectory() {
   FrameMesh mesh;
   mesh.projectile_nodes = 4;
   for (const double y : {1.0, -1.0})
-    for (const auto& p : {Vec2(0, y), Vec2(1, y), Vec2(1, y + 1), Vec2(0, y + 1)}) mesh.rest.push_back(p), mesh.anchored.push_back(y < 0);
+    for (const auto& p : {Vec2(0, y), Vec2(1, y), Vec2(1, y + 1), Vec2(0, y + 1)}) {
+      mesh.rest.push_back(p);
+      mesh.anchored.push_back(y < 0);
+    }
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
   mesh.springs = {{0, 1}, {1, 2}, {2, 3}, {0, 3}, {0, 2}};
-  mesh.length.assign(5, 1.0), mesh.stiffness.assign(5, 10.0);
+  mesh.length.assign(5, 1.0);
+  mesh.stiffness.assign(5, 10.0);
   mesh.rims = {std::vector<int>{0, 1, 2, 3}, std::vector<int>{4, 5, 6, 7}};
   Trajectory trajectory(mesh);
   for (int k : {0, 1}) {
     Frame frame;
-    frame.time = k, frame.step = k, frame.energy.fill(0.5);
-    for (const Vec2& p : mesh.rest) frame.position.push_back(p.cast<float>()), frame.velocity.emplace_back(0, 0), frame.contact_force.emplace_back(0, k);
+    frame.time = k;
+    frame.step = k;
+    frame.energy.fill(0.5);
+    for (const Vec2& p : mesh.rest) {
+      frame.position.push_back(p.cast<float>());
+      frame.velocity.emplace_back(0, 0);
+      frame.contact_force.emplace_back(0, k);
+    }
     frame.elongation.assign(5, 0.25f);
     trajectory.add(frame);
   }
@@ -137,9 +149,22 @@ TEST_CASE("a trajectory reads back as it was written") {
 TEST_CASE("a sealed trajectory whose parts are missing, of another size, or number nothing is refused by its name") {
   const Folder folder;
   const fs::path path = folder.path / "t.h5";
-  const char* sets[] = {"ricochet/launch", "ricochet/bodies", "ricochet/rest", "ricochet/anchored", "ricochet/rest_length", "ricochet/stiffness", "ricochet/projectile_rim", "ricochet/target_rim",
-                        "ricochet/contact_force", "ricochet/elongation", "connectivity/springs", "connectivity/triangles", "particles/trajectory/position/value", "particles/trajectory/velocity/value",
-                        "particles/trajectory/position/step", "observables/total/value"};
+  const char* sets[] = {"ricochet/launch",
+                        "ricochet/bodies",
+                        "ricochet/rest",
+                        "ricochet/anchored",
+                        "ricochet/rest_length",
+                        "ricochet/stiffness",
+                        "ricochet/projectile_rim",
+                        "ricochet/target_rim",
+                        "ricochet/contact_force",
+                        "ricochet/elongation",
+                        "connectivity/springs",
+                        "connectivity/triangles",
+                        "particles/trajectory/position/value",
+                        "particles/trajectory/velocity/value",
+                        "particles/trajectory/position/step",
+                        "observables/total/value"};
   for (const char* set : sets)
     for (const char* harm : {"missing", "shorter", "numbers nothing"}) {
       const std::string name = set;
@@ -150,17 +175,21 @@ TEST_CASE("a sealed trajectory whose parts are missing, of another size, or numb
       const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
       REQUIRE(H5Ldelete(file, set, H5P_DEFAULT) >= 0);
       if (std::string(harm) != "missing") {
-        const std::vector<double> values = std::string(harm) == "shorter" ? std::vector<double>(1, 0.0) : std::vector<double>{0, 1, 2, 99, 3, 1};
+        const std::vector<double> values =
+            std::string(harm) == "shorter" ? std::vector<double>(1, 0.0) : std::vector<double>{0, 1, 2, 99, 3, 1};
         const hsize_t shape[] = {values.size()};
-        const hid_t space = H5Screate_simple(1, shape, nullptr), made = H5Dcreate2(file, set, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+        const hid_t space = H5Screate_simple(1, shape, nullptr),
+                    made = H5Dcreate2(file, set, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
         REQUIRE(H5Dwrite(made, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
-        H5Dclose(made), H5Sclose(space);
+        H5Dclose(made);
+        H5Sclose(space);
       }
       H5Fclose(file);
       const std::string bytes = read_file(path).substr(512);
       write_atomically(path, hdf5::seal_of(bytes) + bytes);
       INFO(set << " " << harm);
       if (name == "ricochet/launch" && std::string(harm) == "shorter") continue;  // it is one number anyway
-      CHECK_THROWS_WITH(read_trajectory(path), Catch::Matchers::Contains("t.h5 is no trajectory that this version can draw"));
+      CHECK_THROWS_WITH(read_trajectory(path),
+                        Catch::Matchers::Contains("t.h5 is no trajectory that this version can draw"));
     }
 }

@@ -18,17 +18,22 @@ namespace {
 
 const double pi = 3.14159265358979323846;
 
-
 SphereImpact equal_spheres(double R, double E, double nu, double rho, double v) {
   const double m = 4.0 / 3 * pi * R * R * R * rho;
   SphereImpact impact;
-  impact.R = impact.R2 = R, impact.E = impact.E2 = E, impact.nu = impact.nu2 = nu, impact.m = impact.m2 = m, impact.v = v;
+  impact.R = impact.R2 = R;
+  impact.E = impact.E2 = E;
+  impact.nu = impact.nu2 = nu;
+  impact.m = impact.m2 = m;
+  impact.v = v;
   return impact;
 }
 
 }  // namespace
 
-TEST_CASE("the constant of Hertz's contact time is 4 sqrt(pi) Gamma(2/5) / (5 Gamma(9/10))") { CHECK_THAT(hertz_time_constant(), WithinAbs(2.9432752, 5e-8)); }
+TEST_CASE("the constant of Hertz's contact time is 4 sqrt(pi) Gamma(2/5) / (5 Gamma(9/10))") {
+  CHECK_THAT(hertz_time_constant(), WithinAbs(2.9432752, 5e-8));
+}
 
 TEST_CASE("Hertz's impact gives Chung and Ooi's benchmarks to their digits") {
   const auto limestone = hertz(equal_spheres(0.01, 20e9, 0.25, 2500, 20));
@@ -40,7 +45,11 @@ TEST_CASE("Hertz's impact gives Chung and Ooi's benchmarks to their digits") {
   CHECK_THAT(glass.h0, WithinAbs(274.1e-6, 0.05e-6));
   CHECK_THAT(glass.t_c, WithinAbs(40.34e-6, 0.005e-6));
   SphereImpact magnesium;
-  magnesium.R = 0.1, magnesium.E = 40e9, magnesium.nu = 0.35, magnesium.m = 4.0 / 3 * pi * 1e-3 * 1800, magnesium.v = 0.2;
+  magnesium.R = 0.1;
+  magnesium.E = 40e9;
+  magnesium.nu = 0.35;
+  magnesium.m = 4.0 / 3 * pi * 1e-3 * 1800;
+  magnesium.v = 0.2;
   const auto alloy = hertz(magnesium);
   CHECK_THAT(alloy.F, WithinAbs(7233, 0.5));
   CHECK_THAT(alloy.h0, WithinAbs(52.12e-6, 0.005e-6));
@@ -56,7 +65,9 @@ TEST_CASE("with (1 - nu) for (1 - nu^2), as printed, Chung and Ooi's force is mi
 
 TEST_CASE("two equal spheres that meet at +-v are one that meets a rigid plane at v") {
   SphereImpact pair = equal_spheres(0.3, 7, 0.2, 2, 0.02), plane = pair;
-  plane.R2 = plane.E2 = plane.m2 = without_bound, plane.nu2 = 0, plane.v = pair.v / 2;
+  plane.R2 = plane.E2 = plane.m2 = without_bound;
+  plane.nu2 = 0;
+  plane.v = pair.v / 2;
   CHECK_THAT(hertz(pair).t_c, WithinRel(hertz(plane).t_c, 1e-14));
   CHECK_THAT(hertz(pair).F, WithinRel(hertz(plane).F, 1e-14));
   CHECK_THAT(hertz(pair).h0, WithinRel(2 * hertz(plane).h0, 1e-14));
@@ -64,7 +75,12 @@ TEST_CASE("two equal spheres that meet at +-v are one that meets a rigid plane a
 
 TEST_CASE("Hertz's force is the slope of kappa h^(5/2)/2, and its circle is that of the overlap") {
   Compression at;
-  at.R = 0.7, at.E = 3, at.nu = 0.3, at.R2 = 2, at.E2 = 11, at.nu2 = 0.1;
+  at.R = 0.7;
+  at.E = 3;
+  at.nu = 0.3;
+  at.R2 = 2;
+  at.E2 = 11;
+  at.nu2 = 0.1;
   for (const double h : {1e-4, 1e-2, 0.1}) {
     at.h = h;
     const auto energy = [&](double x) { return at.kappa() * std::pow(x, 2.5) / 2; };
@@ -103,12 +119,15 @@ TEST_CASE("e falls with eta, and the tensile end of contact is cut off before th
 TEST_CASE("the first order in eta has the constant (4/5) B(3/5, 3/2), the equation's own slope") {
   CHECK_THAT(1 - kuwabara_kono_first_order({0.1}), WithinAbs(0.100890979, 0.51e-9));
   // The error is of second order: C2 s^2, s = eta/1.143.
-  for (const double eta : {1e-3, 1e-2}) CHECK_THAT(kuwabara_kono({eta, "overlap"}).e - kuwabara_kono_first_order({eta}), WithinRel(0.7982666 * std::pow(eta / std::pow(1.25, 0.6), 2), 0.02));
+  for (const double eta : {1e-3, 1e-2})
+    CHECK_THAT(kuwabara_kono({eta, "overlap"}).e - kuwabara_kono_first_order({eta}),
+               WithinRel(0.7982666 * std::pow(eta / std::pow(1.25, 0.6), 2), 0.02));
 }
 
 TEST_CASE("the series' second constant is 0.7982666, three fifths of the first one's square") {
   CHECK_THAT(0.6 * 1.1534489 * 1.1534489, WithinAbs(0.7982666, 1e-7));
-  // What the first term leaves, over s^2, is C2 - C3 s + ...: extrapolated through three s, so that the terms up to s^2 fall out.
+  // What the first term leaves, over s^2, is C2 - C3 s + ...: extrapolated through three s, so that the terms up to s^2
+  // fall out.
   const double scale = std::pow(1.25, 0.6);
   const auto rest = [&](double s) { return (kuwabara_kono({s * scale, "overlap"}).e - 1 + 1.1534489 * s) / (s * s); };
   const double a = 2 * rest(0.02) - rest(0.04), b = 2 * rest(0.01) - rest(0.02);
@@ -118,9 +137,12 @@ TEST_CASE("the series' second constant is 0.7982666, three fifths of the first o
 TEST_CASE("the series' third constant is 0.5229, not 0.4836") {
   const double scale = std::pow(1.25, 0.6);
   CHECK_THAT(1.1534489 / scale, WithinAbs(1.00890979, 1e-7));
-  // What the first two terms leave, over s^3, tends to -C3 with a slope in s. To all digits, as s^3 asks for: C1 is the first order's, C2 = (3/5) C1^2.
+  // What the first two terms leave, over s^3, tends to -C3 with a slope in s. To all digits, as s^3 asks for: C1 is the
+  // first order's, C2 = (3/5) C1^2.
   const double first = 1e3 * (1 - kuwabara_kono_first_order({1e-3 * scale}));
-  const auto rest = [&](double s) { return -(kuwabara_kono({s * scale, "overlap"}).e - 1 + first * s - 0.6 * first * first * s * s) / (s * s * s); };
+  const auto rest = [&](double s) {
+    return -(kuwabara_kono({s * scale, "overlap"}).e - 1 + first * s - 0.6 * first * first * s * s) / (s * s * s);
+  };
   // Three extrapolations in s: what is left is of the order of s^3.
   const auto once = [&](double s) { return 2 * rest(s / 2) - rest(s); };
   const double third = (4 * once(0.02) - once(0.04)) / 3;
@@ -130,9 +152,14 @@ TEST_CASE("the series' third constant is 0.5229, not 0.4836") {
 
 TEST_CASE("eta of a material goes as v^(1/5), and of equal viscous and elastic Poisson ratios as tau") {
   ViscousMaterial material;
-  material.R = 0.01, material.E = 1e9, material.nu = 0.3, material.m = 1e-3, material.v = 1;
+  material.R = 0.01;
+  material.E = 1e9;
+  material.nu = 0.3;
+  material.m = 1e-3;
+  material.v = 1;
   const double tau = 1e-6, G = material.E / (2 * 1.3), K = material.E / (3 * 0.4);
-  material.shear = tau * G, material.bulk = tau * K;
+  material.shear = tau * G;
+  material.bulk = tau * K;
   CHECK_THAT(material.D_viscous(), WithinRel(material.D() / tau, 1e-14));
   const double eta = kuwabara_kono_eta(material);
   CHECK_THAT(eta, WithinRel(2.5 * tau * material.v / material.h0(), 1e-13));  // (5/2) tau kappa (v/(kappa^3 m^2))^{1/5}
@@ -157,7 +184,8 @@ TEST_CASE("the disk's contact stops at the force that its law gives, where its e
   double work = 0, last = 0;
   for (int i = 1; i <= n; ++i) {
     const double F = rebound.F * i / n, delta = disk_on_plane({impact.R, impact.E, impact.nu, F}).delta;
-    work += (F - 0.5 * rebound.F / n) * (delta - last), last = delta;
+    work += (F - 0.5 * rebound.F / n) * (delta - last);
+    last = delta;
   }
   CHECK_THAT(work, WithinRel(0.5 * pi * impact.R * impact.R * impact.rho * impact.v * impact.v, 1e-5));
 }
@@ -175,11 +203,16 @@ TEST_CASE("the disk's dissipation to first order is that of a damped oscillator 
   CHECK_THAT(disk_log_law({1, 1, 0, 1, v, tau0}).e, WithinAbs(std::exp(-damping * pi / frequency), 1e-8));
   CHECK(disk_log_law({1, 1, 0, 1, v, 0}).e == 1);
   // Its force has the same ratio of dissipative to elastic part.
-  CHECK_THAT(disk_force({1, 1, 0, 0.01, 0.3, 0.2}) / disk_force({1, 1, 0, 0.01, 0, 0}), WithinRel(1 + 0.2 * 0.3 / 0.01, 1e-14));
+  CHECK_THAT(disk_force({1, 1, 0, 0.01, 0.3, 0.2}) / disk_force({1, 1, 0, 0.01, 0, 0}),
+             WithinRel(1 + 0.2 * 0.3 / 0.01, 1e-14));
 }
 
 TEST_CASE("the free disk vibrates at the reference frequencies") {
-  const std::vector<std::vector<double>> table{{2.048850, 5.389364}, {1.617558, 3.529116}, {1.387653, 2.511179, 4.520783}, {2.130399, 3.451675}, {2.774004, 4.400757}};
+  const std::vector<std::vector<double>> table{{2.048850, 5.389364},
+                                               {1.617558, 3.529116},
+                                               {1.387653, 2.511179, 4.520783},
+                                               {2.130399, 3.451675},
+                                               {2.774004, 4.400757}};
   for (std::size_t n = 0; n < table.size(); ++n) {
     const Numbers modes = disk_modes({0.3, static_cast<double>(n), static_cast<double>(table[n].size())});
     for (std::size_t i = 0; i < modes.size(); ++i) CHECK_THAT(modes[i], WithinAbs(table[n][i], 0.51e-6));
@@ -200,7 +233,8 @@ TEST_CASE("rods rebound by the ratio of their lengths whatever the speed, and ke
 }
 
 TEST_CASE("two waves in two rods, step by step, leave the ratio of lengths") {
-  // Characteristics on cells of c dt: f runs right, g left, velocity f + g, stress ~ g - f; free ends reflect, the joint is one rod while it is pressed.
+  // Characteristics on cells of c dt: f runs right, g left, velocity f + g, stress ~ g - f; free ends reflect, the
+  // joint is one rod while it is pressed.
   for (const auto& [n, m] : {std::pair{40, 40}, {40, 80}, {40, 120}}) {
     std::vector<double> f(n + m, 0.0), g(n + m, 0.0);
     for (int i = 0; i < n; ++i) f[i] = g[i] = 0.5;
@@ -212,7 +246,10 @@ TEST_CASE("two waves in two rods, step by step, leave the ratio of lengths") {
         g2[i] = i + 1 < n + m ? g[i + 1] : f[n + m - 1];
       }
       together = step < 1 || f[n - 1] - g[n] > 1e-9;  // pressure at the joint
-      if (together) f = f2, g = g2;
+      if (together) {
+        f = f2;
+        g = g2;
+      }
     }
     double v1 = 0, v2 = 0;
     for (int i = 0; i < n + m; ++i) (i < n ? v1 : v2) += (f[i] + g[i]) / (i < n ? n : m);
@@ -226,7 +263,11 @@ TEST_CASE("yield begins at 53 R^3 Y^5 / E*^4, where Hertz's pressure is 1.6 Y") 
   const double energy = 0.5 * point.m * yield.v * yield.v;
   CHECK_THAT(energy * std::pow(point.E_star, 4) / (std::pow(point.R, 3) * std::pow(point.Y, 5)), WithinAbs(53.5, 0.1));
   SphereImpact hertzian;
-  hertzian.R = point.R, hertzian.E = point.E_star, hertzian.nu = 0, hertzian.m = point.m, hertzian.v = yield.v;
+  hertzian.R = point.R;
+  hertzian.E = point.E_star;
+  hertzian.nu = 0;
+  hertzian.m = point.m;
+  hertzian.v = yield.v;
   const auto at = hertz(hertzian);
   CHECK_THAT(1.5 * at.F / (pi * at.a * at.a), WithinRel(1.6 * point.Y, 1e-12));
   CHECK_THAT(at.F, WithinRel(yield.F, 1e-12));
@@ -238,7 +279,8 @@ TEST_CASE("a plastic impact rebounds as v^(-1/4) with what its contact has store
   const double F = pi * rebound.a * rebound.a * rebound.p_d, W = 0.5 * impact.m * impact.v * impact.v;
   CHECK_THAT(rebound.e * rebound.e, WithinRel(0.3 * F * F / (rebound.a * impact.E_star) / W, 1e-12));
   // e = 3.8 (Y/E*)^{1/2} (m v^2/(2 Y R^3))^{-1/8} [Johnson, eq. 11.45], his constant rounded.
-  CHECK_THAT(rebound.e, WithinRel(3.8 * std::sqrt(impact.Y / impact.E_star) * std::pow(W / (impact.Y * 1e-6), -0.125), 0.02));
+  CHECK_THAT(rebound.e,
+             WithinRel(3.8 * std::sqrt(impact.Y / impact.E_star) * std::pow(W / (impact.Y * 1e-6), -0.125), 0.02));
   impact.v *= 16;
   CHECK_THAT(plastic(impact).e, WithinRel(rebound.e / 2, 1e-12));
   impact.v = 1e-6;

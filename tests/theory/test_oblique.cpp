@@ -41,12 +41,14 @@ TEST_CASE("Walton's beta is beta0 at small angles, slides at large ones, and is 
   CHECK_THAT(-walton(impact).B * 5, WithinRel(0.2 * 1.9, 1e-14));  // sliding: the impulse ratio is mu
   impact.psi1 = 1e12;
   CHECK_THAT(walton(impact).beta, WithinAbs(-1, 1e-11));
-  impact.psi1 = 1, impact.mu = 0;
+  impact.psi1 = 1;
+  impact.mu = 0;
   CHECK(walton(impact).beta == -1);
 }
 
 TEST_CASE("Maw's disk rebounds with the reference beta in all three regimes") {
-  const double table[][3] = {{0.25, -0.123, 1}, {1, 0.166, 1}, {2, 0.508, 2}, {2.5, 0.551, 2}, {3.5, 0.490, 2}, {4.5, 0.322, 2}, {6, 0, 3}, {10, -0.40, 3}};
+  const double table[][3] = {{0.25, -0.123, 1}, {1, 0.166, 1},   {2, 0.508, 2}, {2.5, 0.551, 2},
+                             {3.5, 0.490, 2},   {4.5, 0.322, 2}, {6, 0, 3},     {10, -0.40, 3}};
   for (const auto& [x, beta, regime] : table) {
     const auto rebound = maw({x * 0.3, 0.3, 1, 0.3, 3});
     CHECK_THAT(rebound.beta, WithinAbs(beta, 0.00051));
@@ -66,7 +68,10 @@ TEST_CASE("the closed form of Maw's contact equals its integration step by step 
     const auto closed = maw(impact);
     ++regimes[static_cast<int>(closed.regime)];
     const double off = std::abs(closed.psi2 - maw_integrated(impact).psi2) / std::max(1.0, impact.psi1);
-    if (off > 1e-6) UNSCOPED_INFO("psi1 " << impact.psi1 << " mu " << impact.mu << " e " << impact.e << " nu " << impact.nu << " beta_x " << impact.beta_x << " regime " << closed.regime << ": " << closed.psi2 << " off " << off);
+    if (off > 1e-6)
+      UNSCOPED_INFO("psi1 " << impact.psi1 << " mu " << impact.mu << " e " << impact.e << " nu " << impact.nu
+                            << " beta_x " << impact.beta_x << " regime " << closed.regime << ": " << closed.psi2
+                            << " off " << off);
     worst = std::max(worst, off);
   }
   CHECK(worst < 1e-6);
@@ -87,7 +92,8 @@ TEST_CASE("beta is what the corrected formulas of the three regimes say at t1, t
     double beta = 0, printed = 0;
     if (rebound.regime == 1) {
       const double phi = omega * pi / 2 * rebound.t1, rest = impact.mu * b * e * (1 + std::cos(tau(rebound.t1))) * cot;
-      beta = -std::cos(phi) + (std::sin(phi) < 0 ? -1 : 1) * rest, printed = -std::cos(phi) - rest;
+      beta = -std::cos(phi) + (std::sin(phi) < 0 ? -1 : 1) * rest;
+      printed = -std::cos(phi) - rest;
     } else if (rebound.regime == 2) {
       const double phi = omega * pi / 2 * (rebound.t3 - rebound.t2), t2 = tau(rebound.t2), t3 = tau(rebound.t3);
       const double before = rebound.t2 <= 1 ? 1 - std::cos(t2) : 1 - e * std::cos(t2);
@@ -102,7 +108,8 @@ TEST_CASE("beta is what the corrected formulas of the three regimes say at t1, t
     once_more += std::abs(beta - rebound.beta) > 1e-7;
     printed_differs += std::abs(printed - rebound.beta) > 1e-3;
   }
-  INFO("sticks once more after t1 or t3 in " << once_more << " of " << impacts << "; printed formulas differ in " << printed_differs);
+  INFO("sticks once more after t1 or t3 in " << once_more << " of " << impacts << "; printed formulas differ in "
+                                             << printed_differs);
   CHECK(once_more == 0);
   CHECK(printed_differs > impacts / 3);
 }
@@ -139,10 +146,13 @@ TEST_CASE("at the bound that the paper prints beta would jump, and for e^2 < sig
   CHECK(jump(soft, soft.slip_bound()) < 1e-5);
 }
 
-TEST_CASE("an impact straight down has the limit of small angles, one along the surface only slides, one without friction too") {
+TEST_CASE(
+    "an impact straight down has the limit of small angles, one along the surface only slides, one without friction "
+    "too") {
   for (const double e : {0.3, 0.7, 1.0}) {
     const Bilinear straight{0, 0.3, e, 0.2, 3}, nearly{1e-7, 0.3, e, 0.2, 3};
-    CHECK_THAT(maw(straight).beta, WithinAbs(-std::cos(std::sqrt(3 / straight.sigma2()) * std::acos(-1.0) / 2 * (1 + e)), 1e-14));
+    CHECK_THAT(maw(straight).beta,
+               WithinAbs(-std::cos(std::sqrt(3 / straight.sigma2()) * std::acos(-1.0) / 2 * (1 + e)), 1e-14));
     CHECK_THAT(maw(nearly).beta, WithinAbs(maw(straight).beta, 1e-5));
     CHECK_THAT(maw({1e9, 0.3, e, 0.2, 3}).beta, WithinAbs(-1, 1e-8));
     CHECK(maw({2, 0, e, 0.2, 3}).beta == -1);
@@ -158,7 +168,8 @@ TEST_CASE("as e tends to 1, sliding and sticking tend to those of the elastic co
 }
 
 TEST_CASE("Maw's sphere is within 0.1 of finite elements above 2.3 mu, and has the wrong sign below 1.4 mu") {
-  const double elements[][2] = {{0.586, -0.027}, {1.190, -0.213}, {1.915, -0.627}, {2.785, -1.253}, {3.970, -1.720}, {5.758, -1.200}, {9.118, 2.147}};
+  const double elements[][2] = {{0.586, -0.027}, {1.190, -0.213}, {1.915, -0.627}, {2.785, -1.253},
+                                {3.970, -1.720}, {5.758, -1.200}, {9.118, 2.147}};
   for (const auto& [x, y] : elements) {
     const double bilinear = maw({x * 0.3, 0.3, 1, 0.3, 3.5}).psi2 / 0.3;
     if (x >= 2.3) CHECK_THAT(bilinear, WithinAbs(y, 0.1));
@@ -167,12 +178,15 @@ TEST_CASE("Maw's sphere is within 0.1 of finite elements above 2.3 mu, and has t
   }
 }
 
-// 5 mm Al2O3 on glass, 3.9 m/s, mu = 0.092, e = 0.98: v_t'/v_t of the centre, from beta by v_t' = v_t - (v_ct - v_ct') / 3.5. [Kharaz, Gorham & Salman 2001]
+// 5 mm Al2O3 on glass, 3.9 m/s, mu = 0.092, e = 0.98: v_t'/v_t of the centre, from beta by v_t' = v_t - (v_ct - v_ct')
+// / 3.5. [Kharaz, Gorham & Salman 2001]
 TEST_CASE("Maw's sphere follows Kharaz's experiment at six angles") {
-  const double measured[][2] = {{9.84, 0.6755}, {20.2, 0.5988}, {30.4, 0.6903}, {39.5, 0.7743}, {49.6, 0.8476}, {71.1, 0.9366}};
+  const double measured[][2] = {{9.84, 0.6755}, {20.2, 0.5988}, {30.4, 0.6903},
+                                {39.5, 0.7743}, {49.6, 0.8476}, {71.1, 0.9366}};
   for (const auto& [angle, ratio] : measured) {
     const double beta = maw({std::tan(angle * std::numbers::pi / 180), 0.092, 0.98, 0.23, 3.5}).beta;
-    CHECK_THAT(1 - (1 + beta) / 3.5, WithinAbs(ratio, angle < 10 ? 0.03 : 0.007));  // stick at first: the bilinear contact is at its worst
+    CHECK_THAT(1 - (1 + beta) / 3.5,
+               WithinAbs(ratio, angle < 10 ? 0.03 : 0.007));  // stick at first: the bilinear contact is at its worst
   }
 }
 
@@ -221,11 +235,15 @@ TEST_CASE("the spline goes through its points, is exact for cubics and twice dif
   const Numbers x{0, 0.5, 1, 2, 3, 4, 5, 6, 7, 8};
   Numbers y, wild;
   const auto cubic = [](double s) { return 1 + s * (2 - s * (0.3 - 0.02 * s)); };
-  for (std::size_t i = 0; i < x.size(); ++i) y.push_back(cubic(x[i])), wild.push_back(std::cos(7.0 * static_cast<double>(i)));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    y.push_back(cubic(x[i]));
+    wild.push_back(std::cos(7.0 * static_cast<double>(i)));
+  }
   const Numbers at{0.1, 0.7, 3.3, 7.9};
   for (std::size_t i = 0; i < at.size(); ++i) CHECK_THAT(cubic_spline(x, y, at)[i], WithinAbs(cubic(at[i]), 1e-11));
   for (std::size_t i = 0; i < x.size(); ++i) CHECK_THAT(cubic_spline(x, wild, x)[i], WithinAbs(wild[i], 1e-11));
-  // Second differences on either side of every place agree as the step goes down: their jump is of the order of the step.
+  // Second differences on either side of every place agree as the step goes down: their jump is of the order of the
+  // step.
   const double d = 1e-3;
   for (const double s : {0.5, 1.0, 2.0, 2.5, 3.0, 4.0, 4.67, 6.0, 7.0}) {
     const auto second = [&](double c) {
@@ -239,7 +257,12 @@ TEST_CASE("the spline goes through its points, is exact for cubics and twice dif
 }
 
 TEST_CASE("the curve of the tilted surface passes through the chain at each measured angle") {
-  const MeasuredCurve measured{{0, 1, 2, 4, 6, 8}, {0.02, 0.2, 0.28, 0.3, 0.28, 0.25}, {0.74, 0.76, 0.8, 0.81, 0.8, 0.8}, {0.6, 0.55, 0.5, 0.4, 0.3, 0.25}, {0, 1, 2, 4, 6, 8}, 0.26};
+  const MeasuredCurve measured{{0, 1, 2, 4, 6, 8},
+                               {0.02, 0.2, 0.28, 0.3, 0.28, 0.25},
+                               {0.74, 0.76, 0.8, 0.81, 0.8, 0.8},
+                               {0.6, 0.55, 0.5, 0.4, 0.3, 0.25},
+                               {0, 1, 2, 4, 6, 8},
+                               0.26};
   const auto curve = tilted_curve(measured);
   for (std::size_t i = 0; i < measured.psi1.size(); ++i) {
     const auto at = tilted_surface({measured.psi1[i], measured.mu[i], measured.e_alpha[i], measured.offset[i], 0.26});
@@ -252,7 +275,8 @@ TEST_CASE("the curve of the tilted surface passes through the chain at each meas
 TEST_CASE("a fit finds Walton's parameters exactly where there is no scatter") {
   ImpactTable table;
   for (double psi1 = 0; psi1 < 8; psi1 += 0.25) {
-    table.psi1.push_back(psi1), table.e.push_back(0.85);
+    table.psi1.push_back(psi1);
+    table.e.push_back(0.85);
     table.psi2.push_back(walton({psi1, 0.25, 0.85, 0.35, 3}).psi2);
   }
   const auto fit = fit_walton(table);
@@ -277,10 +301,14 @@ TEST_CASE("a fit's standard errors are the deviations of its parameters over man
       table.e.push_back(0.85 + 0.05 * normal(engine));
     }
     const auto fit = fit_walton(table);
-    within_mu += std::abs(fit.mu - 0.25) < fit.mu_se, within_beta0 += std::abs(fit.beta0 - 0.35) < fit.beta0_se, within_e += std::abs(fit.e - 0.85) < fit.e_se;
-    mean_mu += (fit.mu - 0.25) / tables, mean_se += fit.mu_se / tables;
+    within_mu += std::abs(fit.mu - 0.25) < fit.mu_se;
+    within_beta0 += std::abs(fit.beta0 - 0.35) < fit.beta0_se;
+    within_e += std::abs(fit.e - 0.85) < fit.e_se;
+    mean_mu += (fit.mu - 0.25) / tables;
+    mean_se += fit.mu_se / tables;
   }
-  // One deviation holds 0.683 of a normal distribution; 2000 tables leave 0.010 unknown, and the chosen break and Student's t some hundredths.
+  // One deviation holds 0.683 of a normal distribution; 2000 tables leave 0.010 unknown, and the chosen break and
+  // Student's t some hundredths.
   CHECK_THAT(within_mu / tables, WithinAbs(0.683, 0.04));
   CHECK_THAT(within_beta0 / tables, WithinAbs(0.683, 0.04));
   CHECK_THAT(within_e / tables, WithinAbs(0.683, 0.04));

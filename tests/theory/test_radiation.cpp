@@ -16,7 +16,8 @@ TEST_CASE("Miller and Pursey's integrals and shares at nu = 1/4 are the referenc
   CHECK_THAT(s.I1, WithinAbs(0.0369959, 0.51e-7));
   CHECK_THAT(s.I2, WithinAbs(0.00887785, 0.51e-8));
   CHECK_THAT(s.I1 + std::pow(s.zeta, 5) * s.I2, WithinAbs(0.1753879, 0.51e-7));
-  CHECK_THAT(9 * (s.I1 + std::pow(s.zeta, 5) * s.I2), WithinAbs(1.579, 0.00051));  // the paper's 1.579 contains zeta^4 = 9
+  CHECK_THAT(9 * (s.I1 + std::pow(s.zeta, 5) * s.I2),
+             WithinAbs(1.579, 0.00051));  // the paper's 1.579 contains zeta^4 = 9
   CHECK_THAT(100 * s.P, WithinAbs(6.88, 0.0051));
   CHECK_THAT(100 * s.S, WithinAbs(25.75, 0.0051));
   CHECK_THAT(100 * s.rayleigh, WithinAbs(67.36, 0.0051));

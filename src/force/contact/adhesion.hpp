@@ -6,13 +6,15 @@
 
 namespace ricochet {
 
-/// An attractive tail: V = -strength exp(-xi d) for the pairs of the contact, d: distance of a rim node from a rim segment, within the
-/// contact's reach. With xi half of the repulsion's the sum is Morse's potential, of depth strength^2 / (4 V0) at
-/// exp(-xi d) = strength / (2 V0). [Morse 1929, Phys. Rev. 34, 57]
+/// An attractive tail: V = -strength exp(-xi d) for the pairs of the contact, d: distance of a rim node from a rim
+/// segment, within the contact's reach. With xi half of the repulsion's the sum is Morse's potential, of depth
+/// strength^2 / (4 V0) at exp(-xi d) = strength / (2 V0). [Morse 1929, Phys. Rev. 34, 57]
 struct Adhesion {
   static constexpr const char* name = "adhesion";
-  static constexpr const char* doc = "Rims attract each other: -strength exp(-xi d) beside the contact's repulsion. With xi half of the contact's, each pair has Morse's potential, of depth "
-                                     "strength^2 / (4 V0). A projectile that sticks ends out_of_time.";
+  static constexpr const char* doc =
+      "Rims attract each other: -strength exp(-xi d) beside the contact's repulsion. With xi half of the contact's, "
+      "each pair has Morse's potential, of depth "
+      "strength^2 / (4 V0). A projectile that sticks ends out_of_time.";
   static constexpr const char* example = "ricochet.adhesion { strength = 0.5 }";
   static constexpr const char* energy_doc = "energy after: attraction of the rims";
 
@@ -22,7 +24,8 @@ struct Adhesion {
   static const std::vector<Member<Adhesion>>& fields() {
     static const std::vector<Member<Adhesion>> list{
         {{"strength", "number", "m0 c^2", "of the attraction at distance 0", positive}, &Adhesion::strength},
-        {{"xi", "number", "1/R", "inverse range, below that of the contact; xi reach >= 20", positive, "200"}, &Adhesion::xi},
+        {{"xi", "number", "1/R", "inverse range, below that of the contact; xi reach >= 20", positive, "200"},
+         &Adhesion::xi},
     };
     return list;
   }

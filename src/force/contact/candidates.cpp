@@ -14,7 +14,10 @@ struct Box {
 
 Box box_of(const Points& points) {
   Box box{points[0], points[0]};
-  for (const Vec2& p : points) box.low = box.low.cwiseMin(p), box.high = box.high.cwiseMax(p);
+  for (const Vec2& p : points) {
+    box.low = box.low.cwiseMin(p);
+    box.high = box.high.cwiseMax(p);
+  }
   return box;
 }
 
@@ -25,10 +28,14 @@ std::vector<Pair> pairs_within(const Points& nodes, const Points& rim, double di
   std::vector<Pair> pairs;
   for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
     const Vec2& p = nodes[static_cast<std::size_t>(i)];
-    tree.search([&](const Vec2& low, const Vec2& high) { return p.x() >= low.x() - distance && p.x() <= high.x() + distance && p.y() >= low.y() - distance && p.y() <= high.y() + distance; },
-                [&](std::size_t s) {
-                  if (closest(p, tree.from(s), tree.to(s)).distance <= distance) pairs.push_back({i, static_cast<int>(s)});
-                });
+    tree.search(
+        [&](const Vec2& low, const Vec2& high) {
+          return p.x() >= low.x() - distance && p.x() <= high.x() + distance && p.y() >= low.y() - distance &&
+                 p.y() <= high.y() + distance;
+        },
+        [&](std::size_t s) {
+          if (closest(p, tree.from(s), tree.to(s)).distance <= distance) pairs.push_back({i, static_cast<int>(s)});
+        });
   }
   return pairs;
 }

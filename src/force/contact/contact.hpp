@@ -1,5 +1,6 @@
 #pragma once
-// Contact of two bodies in W lanes: per lane a list of candidate pairs with a skin, rebuilt only when a rim has moved too far.
+// Contact of two bodies in W lanes: per lane a list of candidate pairs with a skin, rebuilt only when a rim has moved
+// too far.
 
 #include <algorithm>
 #include <array>
@@ -23,8 +24,8 @@ struct BodyNode {
   int body = 0, node = 0;
 };
 
-/// Nodes of one body against segments of the other, in every lane. `effects` false leaves out what adhesion and friction need, for the
-/// benchmark that shows what that costs a scene without them.
+/// Nodes of one body against segments of the other, in every lane. `effects` false leaves out what adhesion and
+/// friction need, for the benchmark that shows what that costs a scene without them.
 template <int W, bool effects = true>
 class Contact {
   template <int V, bool e>
@@ -32,13 +33,16 @@ class Contact {
 
  public:
   /// `adhesion` and `friction` act beside every lane's repulsion; nullptr: they do not.
-  Contact(const Lattice& projectile, const Lattice& target, const Adhesion* adhesion = nullptr, const Friction* friction = nullptr) : rims_{&projectile.rim, &target.rim}, adhesion_(adhesion) {
+  Contact(const Lattice& projectile, const Lattice& target, const Adhesion* adhesion = nullptr,
+          const Friction* friction = nullptr)
+      : rims_{&projectile.rim, &target.rim}, adhesion_(adhesion) {
     if (friction) grip_.emplace(*friction, projectile, target);
     for (int body : {0, 1}) reference_[body].resize(static_cast<int>(rims_[body]->size()));
     allowance_.setConstant(std::numeric_limits<double>::infinity());
   }
 
-  /// Puts a law into a lane; the next evaluation looks for candidates. No law (nullptr) leaves the lane without contact.
+  /// Puts a law into a lane; the next evaluation looks for candidates. No law (nullptr) leaves the lane without
+  /// contact.
   void set(int lane, const ExponentialRepulsion* law) {
     law_[lane] = law;
     stiffest_[lane] = 0;
@@ -51,11 +55,14 @@ class Contact {
   template <int V>
   void take(int lane, const Contact<V, effects>& from, int from_lane) {
     if (grip()) grip()->take(lane, *from.grip(), from_lane);
-    stiffest_[lane] = from.stiffest_[from_lane], stiffest_node_[lane] = from.stiffest_node_[from_lane];
+    stiffest_[lane] = from.stiffest_[from_lane];
+    stiffest_node_[lane] = from.stiffest_node_[from_lane];
   }
 
-  /// Finds the pairs near these positions, if rims have moved too far since they were last found; each() and apart() need it, evaluations do it.
-  // A list found at the reference positions holds every pair within reach until both rims together have moved `allowance`.
+  /// Finds the pairs near these positions, if rims have moved too far since they were last found; each() and apart()
+  /// need it, evaluations do it.
+  // A list found at the reference positions holds every pair within reach until both rims together have moved
+  // `allowance`.
   void update(const NodeVectors<W>& projectile, const NodeVectors<W>& target) {
     const Lane<W> moved = moved_furthest(0, projectile) + moved_furthest(1, target);
     // Written so that NaN also counts as too far: the impact is then ended by its ledger.
@@ -64,7 +71,8 @@ class Contact {
       if (law_[lane] && !(moved[lane] < allowance_[lane])) rebuild(lane, projectile, target);
   }
 
-  /// Adds the contact forces at the bodies' positions to their `force`; returns the energy of the repulsion in each lane. [m0 c^2]
+  /// Adds the contact forces at the bodies' positions to their `force`; returns the energy of the repulsion in each
+  /// lane. [m0 c^2]
   Lane<W> add_forces(Moving<W>& projectile, Moving<W>& target) {
     update(projectile.position, target.position);
     Lane<W> energy = Lane<W>::Zero();
@@ -75,8 +83,12 @@ class Contact {
       double on_node = 0;
       energy[lane] = each(lane, projectile.position, target.position, [&](const Push& push) {
         const double repulsion = xi * push.energy;
-        on_node = push.node == node ? on_node + repulsion : repulsion, node = push.node;  // pairs of a node stand together
-        if (xi * on_node > stiffest_[lane]) stiffest_[lane] = xi * on_node, stiffest_node_[lane] = {push.direction, push.node};
+        on_node = push.node == node ? on_node + repulsion : repulsion;
+        node = push.node;  // pairs of a node stand together
+        if (xi * on_node > stiffest_[lane]) {
+          stiffest_[lane] = xi * on_node;
+          stiffest_node_[lane] = {push.direction, push.node};
+        }
         push_apart(push, lane, projectile, target);
       });
     }
@@ -84,7 +96,8 @@ class Contact {
     return energy;
   }
 
-  /// The greatest stiffness, xi F and that of friction, that contact put on one node in any evaluation since this was last asked. [m0 c^2/R^2]
+  /// The greatest stiffness, xi F and that of friction, that contact put on one node in any evaluation since this was
+  /// last asked. [m0 c^2/R^2]
   double take_stiffest(int lane) {
     const double stiffest = std::exchange(stiffest_[lane], 0.0);
     return stiffest > 0 && grip() ? stiffest + grip()->stiffness(lane) : stiffest;
@@ -107,15 +120,19 @@ class Contact {
     if (adhesion())
       for (int lane = 0; lane < W; ++lane)
         each(lane, projectile, target, [&](const Push& push) {
-          const NodeVectors<W>&nodes = push.direction == 0 ? projectile : target, &chain = push.direction == 0 ? target : projectile;
-          sum[lane] += adhesion()->energy(closest(nodes.at(push.node, lane), chain.at(push.from, lane), chain.at(push.to, lane)).distance);
+          const NodeVectors<W>&nodes = push.direction == 0 ? projectile : target,
+                &chain = push.direction == 0 ? target : projectile;
+          sum[lane] += adhesion()->energy(
+              closest(nodes.at(push.node, lane), chain.at(push.from, lane), chain.at(push.to, lane)).distance);
         });
     return sum;
   }
 
-  /// Adds the forces of contact, friction included, to a lane of copies of the bodies, after energy() at their positions; nothing else changes.
+  /// Adds the forces of contact, friction included, to a lane of copies of the bodies, after energy() at their
+  /// positions; nothing else changes.
   void add_forces_to_copies(int lane, Moving<W>& projectile, Moving<W>& target) const {
-    each(lane, projectile.position, target.position, [&](const Push& push) { push_apart(push, lane, projectile, target); });
+    each(lane, projectile.position, target.position,
+         [&](const Push& push) { push_apart(push, lane, projectile, target); });
     if (!grip()) return;
     Grip<W> copy = *grip();
     hold(copy, projectile, target);
@@ -124,7 +141,8 @@ class Contact {
   struct FrictionEnergies {
     Lane<W> lost = Lane<W>::Zero(), held = Lane<W>::Zero();
   };
-  /// What friction would have taken if it were evaluated in these places. The bodies are copies: they collect forces that nobody reads.
+  /// What friction would have taken if it were evaluated in these places. The bodies are copies: they collect forces
+  /// that nobody reads.
   FrictionEnergies friction_energies(Moving<W> projectile, Moving<W> target) const {
     if (!grip()) return {};
     Grip<W> copy = *grip();
@@ -153,16 +171,20 @@ class Contact {
       gaps_.resize(pairs.size());
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Ends ends = ends_of(pairs[i], direction);
-        gaps_.px[i] = nodes.x(ends.node)[lane], gaps_.py[i] = nodes.y(ends.node)[lane];
-        gaps_.ax[i] = chain.x(ends.from)[lane], gaps_.ay[i] = chain.y(ends.from)[lane];
-        gaps_.bx[i] = chain.x(ends.to)[lane], gaps_.by[i] = chain.y(ends.to)[lane];
+        gaps_.px[i] = nodes.x(ends.node)[lane];
+        gaps_.py[i] = nodes.y(ends.node)[lane];
+        gaps_.ax[i] = chain.x(ends.from)[lane];
+        gaps_.ay[i] = chain.y(ends.from)[lane];
+        gaps_.bx[i] = chain.x(ends.to)[lane];
+        gaps_.by[i] = chain.y(ends.to)[lane];
       }
       measure(gaps_, *law_[lane], adhesion());
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (gaps_.energy[i] == 0) continue;
         sum += gaps_.energy[i];
         const Ends ends = ends_of(pairs[i], direction);
-        use(Push{direction, ends.node, ends.from, ends.to, gaps_.along[i], Vec2(gaps_.fx[i], gaps_.fy[i]), gaps_.energy[i]});
+        use(Push{direction, ends.node, ends.from, ends.to, gaps_.along[i], Vec2(gaps_.fx[i], gaps_.fy[i]),
+                 gaps_.energy[i]});
       }
     }
     return sum;
@@ -221,7 +243,9 @@ class Contact {
     for (int lane = 0; lane < W; ++lane) {
       if (!law_[lane]) continue;
       grip.begin();
-      each(lane, projectile.position, target.position, [&](const Push& p) { grip.add({p.direction, p.node, p.from, p.to, p.along, law_[lane]->xi * p.energy}); });
+      each(lane, projectile.position, target.position, [&](const Push& p) {
+        grip.add({p.direction, p.node, p.from, p.to, p.along, law_[lane]->xi * p.energy});
+      });
       grip.end(lane, projectile, target);
     }
   }
@@ -232,11 +256,12 @@ class Contact {
 
   Ends ends_of(const Pair& pair, int direction) const {
     const std::vector<int>& chain = *rims_[1 - direction];
-    return {(*rims_[direction])[pair.node], chain[pair.segment], chain[pair.segment + 1 < static_cast<int>(chain.size()) ? pair.segment + 1 : 0]};
+    return {(*rims_[direction])[pair.node], chain[pair.segment],
+            chain[pair.segment + 1 < static_cast<int>(chain.size()) ? pair.segment + 1 : 0]};
   }
 
   std::array<const std::vector<int>*, 2> rims_;
-  std::array<NodeVectors<W>, 2> reference_;              // rim positions when a lane's list was built
+  std::array<NodeVectors<W>, 2> reference_;  // rim positions when a lane's list was built
   Lane<W> allowance_;
   std::array<const ExponentialRepulsion*, W> law_{};
   std::array<std::array<std::vector<Pair>, 2>, W> pairs_;  // [lane][direction]
@@ -244,7 +269,7 @@ class Contact {
   std::array<BodyNode, W> stiffest_node_{};
   const Adhesion* adhesion_;
   std::optional<Grip<W>> grip_;
-  mutable Gaps gaps_;                                    // of the lane at hand; kept for its memory
+  mutable Gaps gaps_;  // of the lane at hand; kept for its memory
 };
 
 }  // namespace ricochet

@@ -9,14 +9,17 @@
 
 namespace ricochet {
 
-/// A sponge along the target's anchored edges: dv/dt = -rate (1 - d/width)^2 v at a distance d < width from the nearest anchor, so
-/// that waves fade before they come back and the target acts as a half-space. The square makes the layer's own reflection small: it
-/// begins without a kink. A wave of speed c_w loses rate/2 of its amplitude in a unit of time where half of its energy moves, so a wave much
-/// shorter than the width comes back with exp(-rate width / (3 c_w)) of it. [here; the profile: e.g. Israeli & Orszag 1981, J. Comput. Phys. 41, 115]
+/// A sponge along the target's anchored edges: dv/dt = -rate (1 - d/width)^2 v at a distance d < width from the nearest
+/// anchor, so that waves fade before they come back and the target acts as a half-space. The square makes the layer's
+/// own reflection small: it begins without a kink. A wave of speed c_w loses rate/2 of its amplitude in a unit of time
+/// where half of its energy moves, so a wave much shorter than the width comes back with exp(-rate width / (3 c_w)) of
+/// it. [here; the profile: e.g. Israeli & Orszag 1981, J. Comput. Phys. 41, 115]
 struct Absorbing {
   static constexpr const char* name = "absorbing";
-  static constexpr const char* doc = "A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. A wave much shorter than the width, "
-                                     "of speed c_w, comes back with exp(-rate width / 3 c_w) of its amplitude.";
+  static constexpr const char* doc =
+      "A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. A wave "
+      "much shorter than the width, "
+      "of speed c_w, comes back with exp(-rate width / 3 c_w) of its amplitude.";
   static constexpr const char* example = "ricochet.absorbing { width = 1, rate = 5 }";
   static constexpr const char* energy_doc = "energy lost in the absorbing layer";
 
@@ -26,7 +29,8 @@ struct Absorbing {
   static const std::vector<Member<Absorbing>>& fields() {
     static const std::vector<Member<Absorbing>> list{
         {{"width", "number", "R", "of the layer, from the anchors inwards", positive}, &Absorbing::width},
-        {{"rate", "number", "c/R", "share of the velocity lost in a unit of time at the anchors", not_negative}, &Absorbing::rate},
+        {{"rate", "number", "c/R", "share of the velocity lost in a unit of time at the anchors", not_negative},
+         &Absorbing::rate},
     };
     return list;
   }
@@ -41,7 +45,9 @@ struct Absorbing {
     for (int i = 0; i < lattice.free; ++i) {
       const Vec2& p = lattice.points[i];
       double nearest = width;
-      for (auto a = std::lower_bound(anchors.begin(), anchors.end(), p.x() - width, [](const Vec2& q, double x) { return q.x() < x; }); a != anchors.end() && a->x() < p.x() + width; ++a)
+      for (auto a = std::lower_bound(anchors.begin(), anchors.end(), p.x() - width,
+                                     [](const Vec2&q, double x) { return q.x() < x; });
+           a != anchors.end() && a->x() < p.x() + width; ++a)
         nearest = std::min(nearest, (*a - p).norm());
       const double inside = 1 - nearest / width;
       list[static_cast<std::size_t>(i)] = rate * inside * inside;

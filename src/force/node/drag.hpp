@@ -11,7 +11,9 @@ namespace ricochet {
 /// dv/dt = -rate v on every free node of a body: Stokes' drag of a medium at rest. Solved exactly, v -> v exp(-rate h).
 struct Drag {
   static constexpr const char* name = "drag";
-  static constexpr const char* doc = "Friction of every node against a medium at rest, in proportion to its velocity, from the first approach of the rims on.";
+  static constexpr const char* doc =
+      "Friction of every node against a medium at rest, in proportion to its velocity, from the first approach of the "
+      "rims on.";
   static constexpr const char* example = "ricochet.drag { rate = 0.01 }";
   static constexpr const char* energy_doc = "energy lost to drag";
 
@@ -21,7 +23,15 @@ struct Drag {
   static const std::vector<Member<Drag>>& fields() {
     static const std::vector<Member<Drag>> list{
         {{"rate", "number", "c/R", "share of the velocity lost in a unit of time", not_negative}, &Drag::rate},
-        {{"on", "string", "", "the bodies it acts on", any_number, "projectile", false, {"projectile", "target", "both"}}, &Drag::on},
+        {{"on",
+          "string",
+          "",
+          "the bodies it acts on",
+          any_number,
+          "projectile",
+          false,
+          {"projectile", "target", "both"}},
+         &Drag::on},
     };
     return list;
   }
@@ -30,7 +40,9 @@ struct Drag {
   double decay(int body) const { return acts_on(on, body) ? rate : 0.0; }
 
   /// Of each free node [c/R].
-  std::vector<double> rates(int body, const Lattice& lattice) const { return std::vector<double>(static_cast<std::size_t>(lattice.free), acts_on(on, body) ? rate : 0.0); }
+  std::vector<double> rates(int body, const Lattice& lattice) const {
+    return std::vector<double>(static_cast<std::size_t>(lattice.free), acts_on(on, body) ? rate : 0.0);
+  }
 };
 
 }  // namespace ricochet

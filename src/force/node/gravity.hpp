@@ -22,7 +22,15 @@ struct Gravity {
   static const std::vector<Member<Gravity>>& fields() {
     static const std::vector<Member<Gravity>> list{
         {{"g", "number", "c^2/R", "acceleration", not_negative}, &Gravity::g},
-        {{"on", "string", "", "the bodies it acts on", any_number, "projectile", false, {"projectile", "target", "both"}}, &Gravity::on},
+        {{"on",
+          "string",
+          "",
+          "the bodies it acts on",
+          any_number,
+          "projectile",
+          false,
+          {"projectile", "target", "both"}},
+         &Gravity::on},
     };
     return list;
   }

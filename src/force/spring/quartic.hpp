@@ -7,14 +7,21 @@ namespace ricochet {
 struct Quartic {
   double quartic, inverse = 1 / quartic;
   template <class Number>
-  Number tension(const Number& x) const { return x * (1.0 + quartic * (x * x)); }
+  Number tension(const Number& x) const {
+    return x * (1.0 + quartic * (x * x));
+  }
   template <class Number>
-  Number energy(const Number& x) const { return (x * x) * (0.5 + (0.25 * quartic) * (x * x)); }
+  Number energy(const Number& x) const {
+    return (x * x) * (0.5 + (0.25 * quartic) * (x * x));
+  }
 
-  /// T = scale() scaled_tension(x): a sweep multiplies the body's stiffness by the scale once, and saves a multiplication a spring.
+  /// T = scale() scaled_tension(x): a sweep multiplies the body's stiffness by the scale once, and saves a
+  /// multiplication a spring.
   double scale() const { return quartic; }
   template <class Number>
-  Number scaled_tension(const Number& x) const { return x * (inverse + x * x); }
+  Number scaled_tension(const Number& x) const {
+    return x * (inverse + x * x);
+  }
 };
 
 }  // namespace ricochet

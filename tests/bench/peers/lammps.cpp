@@ -1,5 +1,8 @@
-// LAMMPS on the same lattices: do both vibrate alike, what does a spring cost in each, what does an impact cost in each at equal accuracy of e.
+// LAMMPS on the same lattices: do both vibrate alike, what does a spring cost in each, what does an impact cost in each
+// at equal accuracy of e.
 // `./workbench bench` runs it with Debian's lammps, one core each, in turn.
+
+#include "impact/lammps.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +18,6 @@
 #include "force/springs.hpp"
 #include "impact/accuracy.hpp"
 #include "impact/batch.hpp"
-#include "impact/lammps.hpp"
 #include "impact/launch.hpp"
 #include "impact/sweep.hpp"
 #include "scenes.hpp"
@@ -45,8 +47,10 @@ double seconds(Work&& work) {
 /// Runs an input script in `folder`; returns its log.
 std::string run_lammps(const std::string& input) {
   write_atomically(folder / "peer.in", input);
-  const std::string command = fmt::format("cd {} && OMP_NUM_THREADS=1 lmp -in peer.in -log peer.log -screen none > lmp.out 2>&1", folder.string());
-  if (std::system(command.c_str()) != 0) throw Error(fmt::format("lmp failed (Debian package lammps; its words: {})", (folder / "lmp.out").string()));
+  const std::string command = fmt::format(
+      "cd {} && OMP_NUM_THREADS=1 lmp -in peer.in -log peer.log -screen none > lmp.out 2>&1", folder.string());
+  if (std::system(command.c_str()) != 0)
+    throw Error(fmt::format("lmp failed (Debian package lammps; its words: {})", (folder / "lmp.out").string()));
   return read_file(folder / "peer.log");
 }
 
@@ -59,18 +63,30 @@ double number_after(const std::string& text, const std::string& mark) {
 /// The input script as exported, for `steps` of `step`; without contact if not wanted.
 std::string script(std::string input, double step, long steps, bool contact) {
   const auto replace_line = [&](const std::string& begin, const std::string& by) {
-    for (std::size_t at; (at = input.find("\n" + begin)) != std::string::npos;) input.replace(at, input.find('\n', at + 1) - at, by.empty() ? "" : "\n" + by + "#");
+    for (std::size_t at; (at = input.find("\n" + begin)) != std::string::npos;)
+      input.replace(at, input.find('\n', at + 1) - at, by.empty() ? "" : "\n" + by + "#");
   };
   replace_line("timestep ", "");
   replace_line("run ", "");
-  if (!contact) replace_line("pair_coeff ", ""), replace_line("neigh_modify ", ""), replace_line("pair_style ", "");
-  if (!contact) input.insert(input.find("\nspecial_bonds"), "\npair_style zero 0.15\n"), input.insert(input.find("\ngroup "), "\npair_coeff * *\n");
-  return input + fmt::format("timestep {:.17g}\nrun {}\nwrite_dump all custom peer.dump id x y modify sort id format float %.17g\n", step, steps);
+  if (!contact) {
+    replace_line("pair_coeff ", "");
+    replace_line("neigh_modify ", "");
+    replace_line("pair_style ", "");
+  }
+  if (!contact) {
+    input.insert(input.find("\nspecial_bonds"), "\npair_style zero 0.15\n");
+    input.insert(input.find("\ngroup "), "\npair_coeff * *\n");
+  }
+  return input +
+         fmt::format(
+             "timestep {:.17g}\nrun {}\nwrite_dump all custom peer.dump id x y modify sort id format float %.17g\n",
+             step, steps);
 }
 
 Scene paper_scene(double psi1) {
   Scene scene;
-  scene.projectile = disk(800, 1e4, 0.03, 1), scene.target = wall(4000, 100, 0.03, 1, 8, 2);
+  scene.projectile = disk(800, 1e4, 0.03, 1);
+  scene.target = wall(4000, 100, 0.03, 1, 8, 2);
   scene.launch.psi1 = psi1;
   return scene;
 }
@@ -80,7 +96,8 @@ void same_vibration() {
   Scene scene = paper_scene(1);
   Body body = *scene.projectile;
   body.numbers.quartic = 100;
-  scene.projectile = std::make_shared<Body>(body), scene.launch.spin = 0.5;
+  scene.projectile = std::make_shared<Body>(body);
+  scene.launch.spin = 0.5;
   const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
   const LammpsFiles files = lammps_files(scene, *p, *t, "vibration");
   write_atomically(folder / "vibration.data", files.data);
@@ -95,7 +112,8 @@ void same_vibration() {
   const Points points = posed(p->points, p->centre(), start.pose);
   for (int i = 0; i < p->nodes(); ++i) {
     moving.position.set(i, 0, points[static_cast<std::size_t>(i)]);
-    moving.velocity.set(i, 0, start.velocity + start.spin * perpendicular(points[static_cast<std::size_t>(i)] - start.pose.centre));
+    moving.velocity.set(
+        i, 0, start.velocity + start.spin * perpendicular(points[static_cast<std::size_t>(i)] - start.pose.centre));
   }
   const auto lane = [](double value) -> Lane<1> { return Lane<1>::Constant(value); };
   kick_and_drift(moving, Lane<1>(lane(h / 2) / p->mass), lane(h));
@@ -113,15 +131,20 @@ void same_vibration() {
     dump >> id >> x >> y;
     furthest = std::max(furthest, (Vec2(x, y) - moving.position.at(i, 0)).norm());
     const Vec2 offset = points[static_cast<std::size_t>(i)] - start.pose.centre;
-    moved = std::max(moved, std::abs((moving.position.at(i, 0) - (start.pose.centre + h * steps * start.velocity)).norm() - offset.norm()));
+    moved = std::max(
+        moved,
+        std::abs((moving.position.at(i, 0) - (start.pose.centre + h * steps * start.velocity)).norm() - offset.norm()));
   }
   // The last line of thermodynamics: step, time, total, kinetic and potential energy.
   std::istringstream last(log.substr(log.rfind("\n", log.find("Loop time") - 2) + 1));
   double step, time, total, kinetic, potential;
   last >> step >> time >> total >> kinetic >> potential;
-  fmt::print("free vibration, {} springs with quartic = 100, spin 0.5 c/R, {} steps of velocity Verlet: radii change by {:.3g} R;\n"
-             "  positions of LAMMPS and Ricochet differ by {:.1e} R at most, energies of the springs by {:.1e} of themselves\n",
-             p->spring.size(), steps, moved, furthest, std::abs(potential * (p->nodes() + t->nodes()) / springs - 1));
+  fmt::print(
+      "free vibration, {} springs with quartic = 100, spin 0.5 c/R, {} steps of velocity Verlet: radii change by "
+      "{:.3g} R;\n"
+      "  positions of LAMMPS and Ricochet differ by {:.1e} R at most, energies of the springs by {:.1e} of "
+      "themselves\n",
+      p->spring.size(), steps, moved, furthest, std::abs(potential * (p->nodes() + t->nodes()) / springs - 1));
 }
 
 void spring_cost() {
@@ -130,26 +153,37 @@ void spring_cost() {
   const LammpsFiles files = lammps_files(scene, *p, *t, "vibration");
   write_atomically(folder / "vibration.data", files.data);
   const double springs = static_cast<double>(p->spring.size() + t->spring.size());
-  std::array<Moving<lanes>, 2> bodies{Moving<lanes>{p.get(), {}, {}, {}, Lane<lanes>::Constant(1e4), {}}, Moving<lanes>{t.get(), {}, {}, {}, Lane<lanes>::Constant(100), {}}};
+  std::array<Moving<lanes>, 2> bodies{Moving<lanes>{p.get(), {}, {}, {}, Lane<lanes>::Constant(1e4), {}},
+                                      Moving<lanes>{t.get(), {}, {}, {}, Lane<lanes>::Constant(100), {}}};
   for (Moving<lanes>& body : bodies) {
     for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(body.lattice->nodes());
     for (int i = 0; i < body.lattice->nodes(); ++i)
-      for (int l = 0; l < lanes; ++l) body.position.set(i, l, body.lattice->points[static_cast<std::size_t>(i)]), body.velocity.set(i, l, i < body.lattice->free ? Vec2(1e-3 * std::sin(i), 0) : Vec2(0, 0));
+      for (int l = 0; l < lanes; ++l) {
+        body.position.set(i, l, body.lattice->points[static_cast<std::size_t>(i)]);
+        body.velocity.set(i, l, i < body.lattice->free ? Vec2(1e-3 * std::sin(i), 0) : Vec2(0, 0));
+      }
   }
   std::vector<double> theirs, ours, ratios;
   constexpr long steps = 1500;
   for (int round = 0; round < 9; ++round) {
-    theirs.push_back(number_after(run_lammps(script(files.input, 2e-3, steps, false)), "Loop time of ") / steps / springs * 1e9);
+    theirs.push_back(number_after(run_lammps(script(files.input, 2e-3, steps, false)), "Loop time of ") / steps /
+                     springs * 1e9);
     ours.push_back(seconds([&] {
                      for (long i = 0; i < steps; ++i)
-                       for (Moving<lanes>& body : bodies) kick_and_drift(body, Lane<lanes>(Lane<lanes>::Constant(1e-3)), Lane<lanes>(Lane<lanes>::Constant(1e-3)));
-                   }) / steps / springs / lanes * 1e9);
+                       for (Moving<lanes>& body : bodies)
+                         kick_and_drift(body, Lane<lanes>(Lane<lanes>::Constant(1e-3)),
+                                        Lane<lanes>(Lane<lanes>::Constant(1e-3)));
+                   }) /
+                   steps / springs / lanes * 1e9);
     ratios.push_back(theirs.back() / ours.back());
   }
-  fmt::print("a spring and force evaluation, whole step, no contact, {:.0f} springs, 9 rounds in turn:\n"
-             "  LAMMPS class2    least {:.2f} ns, median {:.2f} ns\n  Ricochet {} lanes least {:.2f} ns, median {:.2f} ns a lane\n  ratio {:.1f} of the medians, {:.1f} of the least\n",
-             springs, *std::min_element(theirs.begin(), theirs.end()), median(theirs), lanes, *std::min_element(ours.begin(), ours.end()), median(ours), median(theirs) / median(ours),
-             *std::min_element(theirs.begin(), theirs.end()) / *std::min_element(ours.begin(), ours.end()));
+  fmt::print(
+      "a spring and force evaluation, whole step, no contact, {:.0f} springs, 9 rounds in turn:\n"
+      "  LAMMPS class2    least {:.2f} ns, median {:.2f} ns\n  Ricochet {} lanes least {:.2f} ns, median {:.2f} ns a "
+      "lane\n  ratio {:.1f} of the medians, {:.1f} of the least\n",
+      springs, *std::min_element(theirs.begin(), theirs.end()), median(theirs), lanes,
+      *std::min_element(ours.begin(), ours.end()), median(ours), median(theirs) / median(ours),
+      *std::min_element(theirs.begin(), theirs.end()) / *std::min_element(ours.begin(), ours.end()));
 }
 
 void impact_cost() {
@@ -158,7 +192,8 @@ void impact_cost() {
   for (double psi1 : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0}) scenes.push_back(paper_scene(psi1));
   const auto p = build_lattice(*scenes[0].projectile), t = build_lattice(*scenes[0].target);
 
-  // Nodes repel nodes in LAMMPS: the repulsion must reach over the gaps between them, or one rim slips through the other.
+  // Nodes repel nodes in LAMMPS: the repulsion must reach over the gaps between them, or one rim slips through the
+  // other.
   std::vector<LammpsFiles> files;
   std::vector<double> times;
   double omega = 0;
@@ -182,16 +217,21 @@ void impact_cost() {
   };
   std::vector<double> reference, seconds_of_theirs;
   for (std::size_t i = 0; i < scenes.size(); ++i) reference.push_back(e_and_seconds(i, 0.1).first);
-  fmt::print("an impact of one lattice, {} angles, e to {:g} at every angle\n  LAMMPS, velocity Verlet, nodes against nodes, beside its own runs at theta = 0.1:\n", scenes.size(), wanted);
+  fmt::print(
+      "an impact of one lattice, {} angles, e to {:g} at every angle\n  LAMMPS, velocity Verlet, nodes against nodes, "
+      "beside its own runs at theta = 0.1:\n",
+      scenes.size(), wanted);
   double theirs_theta = 0;
   for (double theta : {1.9, 1.6, 1.2, 0.8, 0.5, 0.3}) {
     double worst = 0;
     seconds_of_theirs.clear();
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       const auto [e, took] = e_and_seconds(i, theta);
-      worst = std::max(worst, std::abs(e - reference[i])), seconds_of_theirs.push_back(took);
+      worst = std::max(worst, std::abs(e - reference[i]));
+      seconds_of_theirs.push_back(took);
     }
-    fmt::print("    theta = {:.1f}: greatest error {:.1e}, median {:.2f} s an impact\n", theta, worst, median(seconds_of_theirs));
+    fmt::print("    theta = {:.1f}: greatest error {:.1e}, median {:.2f} s an impact\n", theta, worst,
+               median(seconds_of_theirs));
     if (worst <= wanted) {
       theirs_theta = theta;
       break;
@@ -202,13 +242,17 @@ void impact_cost() {
   std::vector<double> exact;
   for (const Scene& scene : scenes) {
     Scene fine = scene;
-    fine.integration.method = "blanes_moan_srkn6b", fine.integration.theta = 0.5;
+    fine.integration.method = "blanes_moan_srkn6b";
+    fine.integration.theta = 0.5;
     exact.push_back(run_scene(*p, *t, fine, go_on).e);
   }
   // All scenes by one method: the greatest error of e, and seconds an impact, one thread, lattices and launch included.
   const auto error_and_seconds = [&](const std::string& method, double theta) {
     std::vector<Scene> ours = scenes;
-    for (Scene& scene : ours) scene.integration.method = method, scene.integration.theta = theta;
+    for (Scene& scene : ours) {
+      scene.integration.method = method;
+      scene.integration.theta = theta;
+    }
     double worst = 0;
     const double took = seconds([&] {
       run_sweep(ours, std::vector<bool>(ours.size(), true), {1, lanes}, go_on, [&](const auto& done) {
@@ -223,16 +267,25 @@ void impact_cost() {
     std::vector<double> seconds{};
   };
   std::vector<TrialScene> tried;
-  for (const Scene& scene : scenes) tried.push_back({p, t, scene}), tried.back().scene.integration.accuracy = wanted;
+  for (const Scene& scene : scenes) {
+    tried.push_back({p, t, scene});
+    tried.back().scene.integration.accuracy = wanted;
+  }
   const Choice choice = choose_for_accuracy(tried, 1, go_on);
-  std::vector<Way> ways{{"as accuracy chooses, from its estimates", choice.method, choice.theta, error_and_seconds(choice.method, choice.theta).first}};
+  std::vector<Way> ways{{"as accuracy chooses, from its estimates", choice.method, choice.theta,
+                         error_and_seconds(choice.method, choice.theta).first}};
   Way alike{"chosen like theirs, beside own fine runs", "", 0, 0};
   double least = std::numeric_limits<double>::infinity();
   for (const char* method : {"takahashi_imada", "multirate_2", "multirate_3", "multirate_5"})
     for (double share : {0.8, 0.7, 0.6}) {
       const double theta = share * method_named(method).stability_limit;
       const auto [error, took] = error_and_seconds(method, theta);
-      if (error <= wanted && took < least) least = took, alike.method = method, alike.theta = theta, alike.error = error;
+      if (error <= wanted && took < least) {
+        least = took;
+        alike.method = method;
+        alike.theta = theta;
+        alike.error = error;
+      }
     }
   if (!alike.method.empty()) ways.push_back(alike);
   // In turn, so that both meet the machine in the same mood.
@@ -243,9 +296,12 @@ void impact_cost() {
     theirs.push_back(median(each));
     for (Way& way : ways) way.seconds.push_back(error_and_seconds(way.method, way.theta).second);
   }
-  fmt::print("  LAMMPS at theta = {:.1f}: median {:.2f} s an impact\n  Ricochet, one thread, lattices and launch included:\n", theirs_theta, median(theirs));
+  fmt::print(
+      "  LAMMPS at theta = {:.1f}: median {:.2f} s an impact\n  Ricochet, one thread, lattices and launch included:\n",
+      theirs_theta, median(theirs));
   for (const Way& way : ways)
-    fmt::print("    {}: {}, theta {:.2f}, greatest error {:.1e}: median {:.3f} s an impact, ratio {:.1f}\n", way.how, way.method, way.theta, way.error, median(way.seconds), median(theirs) / median(way.seconds));
+    fmt::print("    {}: {}, theta {:.2f}, greatest error {:.1e}: median {:.3f} s an impact, ratio {:.1f}\n", way.how,
+               way.method, way.theta, way.error, median(way.seconds), median(theirs) / median(way.seconds));
 }
 
 }  // namespace
