@@ -6,10 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "body/plan.hpp"
+#include "body/solid.hpp"
+#include "impact/batch.hpp"
 #include "impact/outcome.hpp"
 #include "impact/scene.hpp"
-#include "lattice/lattice.hpp"
-#include "lattice/outline.hpp"
+#include "shape/outline.hpp"
 
 namespace ricochet::test {
 

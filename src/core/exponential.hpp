@@ -8,7 +8,7 @@
 namespace ricochet {
 
 /// exp(x) for x in [-700, 700]; the caller bounds x.
-inline double exponential(double x) {
+[[gnu::always_inline]] inline double exponential(double x) {
   // x = k ln 2 + r, |r| <= ln 2 / 2; ln 2 in two parts, so that k ln2_high is exact (Cody & Waite 1980).
   constexpr double inverse_ln2 = 1.4426950408889634074;
   constexpr double ln2_high = 6.93147180369123816490e-01, ln2_low = 1.90821492927058770002e-10;

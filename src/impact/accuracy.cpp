@@ -8,11 +8,13 @@
 #include <map>
 #include <set>
 
+#include "body/interior.hpp"
 #include "core/error.hpp"
 #include "impact/batch.hpp"
-#include "impact/launch.hpp"
+#include "impact/launch/launch.hpp"
+#include "impact/launch/step.hpp"
 #include "impact/parallel.hpp"
-#include "lattice/outline.hpp"
+#include "shape/outline.hpp"
 
 namespace ricochet {
 
@@ -33,9 +35,10 @@ std::vector<std::string> methods_for(double accuracy) {
   return {"blanes_moan_srkn6b"};
 }
 
-double work_of_step(const Method& method, const Lattice& projectile, const Lattice& target) {
+double work_of_step(const Method& method, const Solids& solids) {
   if (!method.multirate()) return method.evaluations();
-  const double fast = static_cast<double>(projectile.spring.size()), slow = static_cast<double>(target.spring.size());
+  const MultirateRoles roles;
+  const double fast = work_of_sweep(*solids[roles.fast]), slow = work_of_sweep(*solids[roles.slow]);
   return (method.evaluations() * fast + method.slow_evaluations() * slow) / (fast + slow);
 }
 
@@ -112,7 +115,7 @@ class Trials {
       scene.integration.method = method_;
       scene.integration.accuracy = not_given;
       scene.integration.theta = trial.theta;
-      const Outcome outcome = run_scene(*trial.of->projectile, *trial.of->target, scene, stop_);
+      const Outcome outcome = run_scene(trial.of->solids, scene, stop_);
       if (outcome.status == Status::finished) {
         trial.value = value_of(outcome, scene.integration.accuracy_of);
         trial.counts = !std::isnan(trial.value);
@@ -131,7 +134,7 @@ class Trials {
   const std::atomic<bool>& stop_;
 };
 
-struct Candidate {
+struct MethodOption {
   const Method* method;
   double usual;          ///< theta of the default step
   double longest;        ///< theta
@@ -141,17 +144,17 @@ struct Candidate {
   double cost() const { return work / (longest * step_of_theta); }  ///< of a unit of time, at best
 };
 
-Candidate candidate(const std::vector<TrialScene>& scenes, const std::string& name) {
+MethodOption candidate(const std::vector<TrialScene>& scenes, const std::string& name) {
   const Method& method = method_named(name);
-  Candidate c{&method, std::numeric_limits<double>::infinity(), 0, 0, 0};
+  MethodOption c{&method, std::numeric_limits<double>::infinity(), 0, 0, 0};
   for (const TrialScene& trial : scenes) {
     Scene scene = trial.scene;
     scene.integration.method = name;
     scene.integration.accuracy = not_given;
-    const Start start = launch(scene, *trial.projectile, *trial.target);
+    const Start start = launch(scene, trial.solids);
     if (&trial == &scenes.front()) {
       c.step_of_theta = start.step / start.theta;
-      c.work = work_of_step(method, *trial.projectile, *trial.target);
+      c.work = work_of_step(method, trial.solids);
     }
     c.usual = std::min(c.usual, start.theta);  // the default step resolves the contact's onset
   }
@@ -166,8 +169,8 @@ struct Reached {
 };
 
 // Shortens the step of a method until the estimated error is small enough, but not below `shortest`.
-Reached shorten_step(Trials& trials, const Candidate& c, const Integration& asked, double shortest, bool from_longest,
-                     const std::vector<Effect>& effects) {
+Reached shorten_step(Trials& trials, const MethodOption& c, const Integration& asked, double shortest,
+                     bool from_longest, const std::vector<Effect>& effects) {
   const double wanted = asked.accuracy;
   int order = c.method->outcome_order;
   for (const Effect& effect : effects)
@@ -202,35 +205,37 @@ Choice choose_for_accuracy(std::vector<TrialScene> scenes, int threads, const st
   std::vector<std::string> names =
       asked.method == "auto" ? methods_for(asked.accuracy) : std::vector<std::string>{asked.method};
   if (asked.method == "auto") {
-    std::erase_if(names, [&](const std::string& name) { return !scene.conflict_with(method_named(name)).empty(); });
+    const Solids solids = scenes.front().solids;
+    std::erase_if(names,
+                  [&](const std::string& name) { return !conflict_of(scene, method_named(name), solids).empty(); });
     if (names.empty()) names = {"verlet"};  // beside any effect
   }
   const auto passes_by = [&](const TrialScene& trial) {
     Scene plain = trial.scene;
     plain.integration.method = names.back();
     plain.integration.accuracy = not_given;
-    return !launch(plain, *trial.projectile, *trial.target).touches;
+    return !launch(plain, trial.solids).touches;
   };
   const std::vector<TrialScene> all = scenes;
   std::erase_if(scenes, passes_by);
   if (scenes.empty()) {
-    const Candidate any = candidate(all, names.back());
+    const MethodOption any = candidate(all, names.back());
     return {any.method->name, any.usual * any.step_of_theta, any.usual, 0, 0, 0};
   }
-  const Candidate last = candidate(scenes, names.back());
+  const MethodOption last = candidate(scenes, names.back());
   // From the cheapest at its longest step on, each as long as it stays cheaper than the next.
-  std::vector<Candidate> candidates;
+  std::vector<MethodOption> candidates;
   for (const std::string& name : names)
-    if (const Candidate c = candidate(scenes, name); c.cost() < last.cost()) candidates.push_back(c);
+    if (const MethodOption c = candidate(scenes, name); c.cost() < last.cost()) candidates.push_back(c);
   std::sort(candidates.begin(), candidates.end(),
-            [](const Candidate& a, const Candidate& b) { return a.cost() < b.cost(); });
+            [](const MethodOption& a, const MethodOption& b) { return a.cost() < b.cost(); });
   candidates.push_back(last);
   std::vector<const TrialScene*> in_order;
   for (const TrialScene& trial : scenes) in_order.push_back(&trial);
   int trial_count = 0;
   Reached reached;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Candidate& c = candidates[i];
+    const MethodOption& c = candidates[i];
     const double shortest =
         i + 1 < candidates.size() ? c.work / (candidates[i + 1].cost() * c.step_of_theta) : c.usual / most_shortened;
     Trials trials(in_order, c.method->name, threads, stop);
@@ -249,12 +254,10 @@ Choice choose_for_accuracy(std::vector<TrialScene> scenes, int threads, const st
                                                  2.1 * reached.error));
 }
 
-Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target, const Scene& scene,
-                                const std::atomic<bool>& stop) {
-  const auto borrowed = [](const Lattice& lattice) {
-    return std::shared_ptr<const Lattice>(std::shared_ptr<const Lattice>(), &lattice);
-  };
-  return choose_for_accuracy({{borrowed(projectile), borrowed(target), scene}}, 1, stop);
+Choice choose_step_for_accuracy(const Solids& solids, const Scene& scene, const std::atomic<bool>& stop) {
+  std::vector<std::shared_ptr<const Solid>> borrowed;
+  for (const Solid* solid : solids) borrowed.emplace_back(std::shared_ptr<const Solid>(), solid);
+  return choose_for_accuracy({{BuiltSolids(borrowed), scene}}, 1, stop);
 }
 
 namespace {
@@ -266,8 +269,8 @@ std::string kind_of(const Scene& scene) {
   std::string kind = fmt::format("{:.9g}", scene.launch.velocity().norm());
   for (const auto* body : {&scene.projectile, &scene.target}) {
     const BodyNumbers& n = (*body)->numbers;
-    kind += fmt::format(" {} {} {} {} {} {} {} {}", n.nodes, n.placement, n.stiffness, n.quartic, n.mass, n.roughness,
-                        n.prestress, (*body)->anchored.empty());
+    kind += fmt::format(" {} {} {} {} {} {} {} {} {}", (*body)->plane ? "plane" : n.interior, n.nodes, n.placement,
+                        n.stiffness, n.quartic, n.mass, n.roughness, n.prestress, (*body)->anchored.empty());
     // Of an outline and of a stiffness that depends on the place: their extremes tell kinds apart.
     Vec2 low = Vec2::Zero(), high = low;
     for (const Vec2& p : (*body)->outline) {
@@ -306,8 +309,8 @@ std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, con
       plain.integration.accuracy = not_given;
       if (plain.integration.method == "auto") plain.integration.method = "verlet";
       try {
-        tried.push_back({build_lattice(*scenes[i].projectile), build_lattice(*scenes[i].target), scenes[i]});
-        check_start(*tried.back().projectile, *tried.back().target, plain);
+        tried.push_back({BuiltSolids(scenes[i]), scenes[i]});
+        check_start(tried.back().solids, plain);
       } catch (const FieldError& error) {
         throw SceneError(error, i);
       }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "impact/batch.hpp"
 #include "impact/outcome.hpp"
 #include "impact/scene.hpp"
 
@@ -34,11 +35,11 @@ std::vector<std::string> methods_for(double accuracy);
 
 /// Force evaluations a step, in units of one of both bodies: a multirate method evaluates the target's springs less
 /// often.
-double work_of_step(const Method& method, const Lattice& projectile, const Lattice& target);
+double work_of_step(const Method& method, const Solids& solids);
 
-/// A scene to try steps on, with its lattices.
+/// A scene to try steps on, with its solids.
 struct TrialScene {
-  std::shared_ptr<const Lattice> projectile, target;
+  BuiltSolids solids;
   Scene scene;
 };
 
@@ -49,8 +50,7 @@ struct TrialScene {
 Choice choose_for_accuracy(std::vector<TrialScene> scenes, int threads, const std::atomic<bool>& stop);
 
 /// The same for one scene.
-Choice choose_step_for_accuracy(const Lattice& projectile, const Lattice& target, const Scene& scene,
-                                const std::atomic<bool>& stop);
+Choice choose_step_for_accuracy(const Solids& solids, const Scene& scene, const std::atomic<bool>& stop);
 
 /// Scenes with integration.accuracy get the method, theta and error estimate that trials chose; the others stay as they
 /// are. Scenes that differ only in seeds, angle, spin, place of landing and the shape of an outline of equal extent and

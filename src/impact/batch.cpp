@@ -12,7 +12,7 @@ using Clock = std::chrono::steady_clock;
 
 /// What a thread works on.
 struct Work {
-  const Lattice &projectile, &target;
+  const Solids& solids;
   const std::vector<Scene>& scenes;
   Queue& queue;
   const std::atomic<bool>& stop;
@@ -23,7 +23,7 @@ struct Work {
   template <int W>
   Engine<W> engine() const {
     const Scene& any = scenes[queue.first()];
-    return Engine<W>(projectile, target, any.method(), any.effects);
+    return Engine<W>(solids, any.method(), any.effects);
   }
 };
 
@@ -56,7 +56,7 @@ bool drain(Engine<W>& engine, const Work& work, int width) {
     if constexpr (W > 1)
       if (work.queue.left() == 0 && static_cast<int>(busy.size()) <= W / 2) {
         auto narrow = work.engine<W / 2>();
-        for (std::size_t i = 0; i < busy.size(); ++i) narrow.take(static_cast<int>(i), engine, busy[i]);
+        for (std::size_t i = 0; i < busy.size(); ++i) narrow.take(static_cast<int>(i), engine.give(busy[i]));
         return drain(narrow, work, W / 2);
       }
     const int steps = engine.steps_between_looks();
@@ -68,19 +68,29 @@ bool drain(Engine<W>& engine, const Work& work, int width) {
     work.use.steps += steps * W;
     work.use.busy += steps * static_cast<std::int64_t>(busy.size());
     if (work.stop) return false;
-    engine.look([&](int lane, const Outcome& outcome) {
+    for (const auto& [lane, outcome] : engine.look()) {
       work.finished(engine.run(lane).index, outcome, engine.run(lane).seconds);
       engine.clear(lane);
-    });
+    }
   }
 }
 
 }  // namespace
 
-bool run_queue(const Lattice& projectile, const Lattice& target, const std::vector<Scene>& scenes, Queue& queue,
-               int width, const std::atomic<bool>& stop, const Finished& finished, LaneUse& use) {
+BuiltSolids::BuiltSolids(const Scene& scene) {
+  for (const Body* body : scene.bodies()) solids_.push_back(build_solid(*body));
+}
+
+BuiltSolids::operator Solids() const {
+  Solids solids;
+  for (const auto& solid : solids_) solids.push_back(solid.get());
+  return solids;
+}
+
+bool run_queue(const Solids& solids, const std::vector<Scene>& scenes, Queue& queue, int width,
+               const std::atomic<bool>& stop, const Finished& finished, LaneUse& use) {
   std::optional<SceneError> refused;
-  const Work work{projectile, target, scenes, queue, stop, finished, use, refused};
+  const Work work{solids, scenes, queue, stop, finished, use, refused};
   const int used = std::min<int>(width, static_cast<int>(std::min<std::size_t>(queue.left(), lanes)));
   if (used == 0) return true;
   // One impact alone is faster without lanes; from two on, full registers win even if some lanes idle.
@@ -90,9 +100,8 @@ bool run_queue(const Lattice& projectile, const Lattice& target, const std::vect
   return whole;
 }
 
-Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop,
-                  const Observer* observer) {
-  Engine<1> engine(projectile, target, scene.method(), scene.effects);
+Outcome run_scene(const Solids& solids, const Scene& scene, const std::atomic<bool>& stop, const Observer* observer) {
+  Engine<1> engine(solids, scene.method(), scene.effects);
   if (const auto outcome = engine.begin(0, scene, 0)) return *outcome;
   Outcome result;
   bool ended = false;
@@ -107,21 +116,21 @@ Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene&
       watch();
     }
     if (!ended)
-      engine.look([&](int, const Outcome& outcome) {
+      for (const auto& [lane, outcome] : engine.look()) {
         result = outcome;
         ended = true;
-      });
+      }
     if (ended && result.status == Status::not_finite) break;
   }
   return result;
 }
 
-void check_start(const Lattice& projectile, const Lattice& target, const Scene& scene) {
-  Engine<1>(projectile, target, scene.method(), scene.effects).begin(0, scene, 0);
+void check_start(const Solids& solids, const Scene& scene) {
+  Engine<1>(solids, scene.method(), scene.effects).begin(0, scene, 0);
 }
 
-Snapshot run_until(const Lattice& projectile, const Lattice& target, const Scene& scene, double time) {
-  Engine<1> engine(projectile, target, scene.method(), scene.effects);
+Snapshot run_until(const Solids& solids, const Scene& scene, double time) {
+  Engine<1> engine(solids, scene.method(), scene.effects);
   if (engine.begin(0, scene, 0)) throw Error("run_until: the projectile passes by the target");
   while (engine.run(0).time() < time - engine.run(0).start.step / 2) engine.advance_one_step();
   return engine.snapshot(0);

@@ -2,43 +2,31 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "impact/launch/start.hpp"
 #include "impact/outcome.hpp"
 #include "impact/scene.hpp"
+#include "impact/snapshot.hpp"
 
 namespace ricochet {
 
-/// What an observer sees of one impact at the end of a step. Positions [R] and velocities [c] by node of either
-/// lattice.
-struct Snapshot {
-  double time = 0;  ///< since the rims came within reach of each other [R/c]
-  std::int64_t step = 0;
-  Points projectile, target, projectile_velocity, target_velocity;
-  Points projectile_force, target_force;  ///< of contact [m0 c^2/R]
-  Ledger energy;
-  /// [projectile, target][spring] what effects have left of each; empty without effects that change springs.
-  std::array<std::vector<SpringRest<double>>, 2> springs{};
-};
+/// The solids of a scene, built from its bodies.
+class BuiltSolids {
+ public:
+  BuiltSolids() = default;
+  /// Throws FieldError if one cannot be built.
+  explicit BuiltSolids(const Scene& scene);
+  explicit BuiltSolids(std::vector<std::shared_ptr<const Solid>> solids) : solids_(std::move(solids)) {}
+  operator Solids() const;
+  const Solid& operator[](std::size_t body) const { return *solids_[body]; }
+  bool empty() const { return solids_.empty(); }
 
-/// Looks at a single impact without changing a bit of it. `due(time)` is asked at the end of every step whether to look
-/// there.
-struct Observer {
-  double until = 0;  ///< go on up to this time, even past the end of the impact
-  std::function<bool(double)> due;
-  std::function<void(const Snapshot&)> look;
-  bool no_longer = false;  ///< stop at `until`, even if the impact goes on: its outcome is then not_run
+ private:
+  std::vector<std::shared_ptr<const Solid>> solids_;
 };
-
-/// For `due`: true at the steps nearest to first, first + spacing, ... (count of them at most).
-inline std::function<bool(double)> equally_spaced(double first, double spacing, std::int64_t count, double step) {
-  return [=, seen = std::int64_t{0}](double time) mutable {
-    if (seen >= count || time < first + static_cast<double>(seen) * spacing - step / 2) return false;
-    ++seen;
-    return true;
-  };
-}
 
 /// The scenes of one group, handed out one by one to however many threads run them.
 class Queue {
@@ -70,17 +58,17 @@ struct LaneUse {
 /// the next one. The outcome of a scene does not depend on `width`, on its neighbours or on when it starts. Returns
 /// false if `stop` ended it early. Throws SceneError with the scene's place in `scenes` if one cannot start, when those
 /// that were running have ended.
-bool run_queue(const Lattice& projectile, const Lattice& target, const std::vector<Scene>& scenes, Queue& queue,
-               int width, const std::atomic<bool>& stop, const Finished& finished, LaneUse& use);
+bool run_queue(const Solids& solids, const std::vector<Scene>& scenes, Queue& queue, int width,
+               const std::atomic<bool>& stop, const Finished& finished, LaneUse& use);
 
 /// Runs one scene alone, watched.
-Outcome run_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::atomic<bool>& stop,
+Outcome run_scene(const Solids& solids, const Scene& scene, const std::atomic<bool>& stop,
                   const Observer* observer = nullptr);
 
 /// Throws FieldError if the scene cannot start.
-void check_start(const Lattice& projectile, const Lattice& target, const Scene& scene);
+void check_start(const Solids& solids, const Scene& scene);
 
 /// Test hook: runs a scene alone up to `time` and returns the state there, whatever happens in between.
-Snapshot run_until(const Lattice& projectile, const Lattice& target, const Scene& scene, double time);
+Snapshot run_until(const Solids& solids, const Scene& scene, double time);
 
 }  // namespace ricochet

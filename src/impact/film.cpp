@@ -7,8 +7,10 @@
 
 #include "core/error.hpp"
 #include "core/turn.hpp"
+#include "impact/axes.hpp"
 #include "impact/batch.hpp"
-#include "impact/launch.hpp"
+#include "impact/launch/launch.hpp"
+#include "impact/roles.hpp"
 
 namespace ricochet {
 namespace {
@@ -24,46 +26,48 @@ Frame frame_of(const Snapshot& shot) {
   Frame frame;
   frame.time = shot.time;
   frame.step = shot.step;
-  append(frame.position, shot.projectile);
-  append(frame.position, shot.target);
-  append(frame.velocity, shot.projectile_velocity);
-  append(frame.velocity, shot.target_velocity);
-  append(frame.contact_force, shot.projectile_force);
-  append(frame.contact_force, shot.target_force);
-  const Ledger& e = shot.energy;
-  frame.energy = {e.projectile_translation,
-                  e.projectile_rotation,
-                  e.projectile_vibration,
-                  e.target_translation,
-                  e.target_rotation,
-                  e.target_vibration,
-                  e.contact,
-                  e.total()};
+  std::size_t entry = 0;
+  for (std::size_t b = 0; b < shot.bodies.size(); ++b) {
+    append(frame.position, shot.bodies[b].place);
+    append(frame.velocity, shot.bodies[b].velocity);
+    append(frame.contact_force, shot.bodies[b].force);
+    const BodyEnergy& energy = shot.energy.bodies[b];
+    for (const double part : {energy.translation, energy.rotation, energy.vibration}) frame.energy[entry++] = part;
+  }
+  frame.energy[entry++] = shot.energy.contact;
+  frame.energy[entry] = shot.energy.total();
   return frame;
 }
 
-// The projectile's nodes as they were before, when it flew and turned freely.
+// The bodies as they were before, when they flew and turned freely.
 Frame moved_back(const Snapshot& shot, const Start& start, double time) {
   Snapshot earlier = shot;
-  const double c = std::cos(start.spin * time), s = std::sin(start.spin * time);
-  Vec2 centre = Vec2::Zero();
-  for (const Vec2& p : shot.projectile) centre += p / static_cast<double>(shot.projectile.size());
-  for (Vec2& p : earlier.projectile) p = centre + time * start.velocity + turned(p - centre, c, s);
-  for (Vec2& v : earlier.projectile_velocity) v = start.velocity + turned(v - start.velocity, c, s);
+  for (std::size_t b = 0; b < shot.bodies.size(); ++b) {
+    const Vec2 velocity = in_plane(start.bodies[b].velocity);
+    const double spin = start.bodies[b].spin.z();
+    if (velocity == Vec2::Zero() && spin == 0) continue;
+    const Turn turn(spin * time);
+    BodyShot& body = earlier.bodies[b];
+    Vec2 centre = Vec2::Zero();
+    for (const Vec2& p : body.place) centre += p / static_cast<double>(body.place.size());
+    for (Vec2& p : body.place) p = centre + time * velocity + turn(p - centre);
+    for (Vec2& v : body.velocity) v = velocity + turn(v - velocity);
+  }
   earlier.time = time;
   earlier.step = static_cast<std::int64_t>(std::floor(time / start.step));
   return frame_of(earlier);
 }
 
-// Elastic elongations where the past of a spring counts, one after another for both bodies.
-void add_elongations(Frame& frame, const Snapshot& shot, const Lattice& projectile, const Lattice& target) {
-  if (shot.springs[0].empty() && shot.springs[1].empty()) return;
-  for (int b : {0, 1}) {
-    const Lattice& lattice = b == 0 ? projectile : target;
-    const auto& rests = shot.springs[static_cast<std::size_t>(b)];
-    const Points& places = b == 0 ? shot.projectile : shot.target;
-    for (std::size_t s = 0; s < lattice.spring.size(); ++s) {
-      const Spring spring = lattice.spring[s];
+// Elastic elongations where the past of a spring counts, one after another for all bodies.
+void add_elongations(Frame& frame, const Snapshot& shot, const Solids& solids) {
+  if (std::all_of(shot.bodies.begin(), shot.bodies.end(), [](const BodyShot& body) { return body.springs.empty(); }))
+    return;
+  for (std::size_t b = 0; b < solids.size(); ++b) {
+    const Springs* springs = solids[b]->springs();
+    if (!springs) continue;
+    const auto& [places, velocities, forces, rests] = shot.bodies[b];
+    for (std::size_t s = 0; s < springs->list.size(); ++s) {
+      const Spring spring = springs->list[s];
       if (rests.empty())
         frame.elongation.push_back(
             static_cast<float>((places[spring.node] - places[spring.other]).norm() - spring.length));
@@ -74,39 +78,42 @@ void add_elongations(Frame& frame, const Snapshot& shot, const Lattice& projecti
   }
 }
 
+// The body's part of a mesh whose nodes so far are others'.
+void add_body(FrameMesh& mesh, std::size_t b, const Solid& solid, double stiffness) {
+  const int offset = mesh.nodes();
+  for (int i = 0; i < solid.nodes(); ++i) {
+    mesh.rest.push_back(solid.points[static_cast<std::size_t>(i)]);
+    mesh.anchored.push_back(i >= solid.free);
+  }
+  if (const Springs* springs = solid.springs()) {
+    mesh.quartic[b] = springs->law.quartic;
+    each_spring(*springs, solid.free, [&](int i, int, const Spring& spring) {
+      mesh.springs.push_back({i + offset, spring.other + offset});
+      mesh.length.push_back(spring.length);
+      mesh.stiffness.push_back(spring.stiffness * stiffness);
+    });
+  }
+  for (const Triangle& t : solid.cells) mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  for (const int node : surface_nodes(solid.surface)) mesh.rims[b].push_back(node + offset);
+  mesh.mass[b] = solid.mass.each();
+}
+
 }  // namespace
 
-FrameMesh frame_mesh(const Scene& scene, const Lattice& projectile, const Lattice& target) {
+FrameMesh frame_mesh(const Scene& scene, const Solids& solids) {
   FrameMesh mesh;
-  mesh.projectile_nodes = projectile.nodes();
-  mesh.mass = {projectile.mass, target.mass};
-  mesh.quartic = {projectile.quartic, target.quartic};
   const Vec2 velocity = scene.launch.velocity();
-  mesh.psi1 = velocity.y() < 0 ? velocity.x() / -velocity.y() : not_given;
-  int offset = 0;
-  for (int b : {0, 1}) {
-    const Lattice& lattice = b == 0 ? projectile : target;
-    const double stiffness = (b == 0 ? scene.projectile : scene.target)->numbers.stiffness;
-    for (int i = 0; i < lattice.nodes(); ++i) {
-      mesh.rest.push_back(lattice.points[i]);
-      mesh.anchored.push_back(i >= lattice.free);
-      for (int s = lattice.first[i]; s < lattice.first[i + 1]; ++s) {
-        const Spring spring = lattice.spring[s];
-        mesh.springs.push_back({i + offset, spring.other + offset});
-        mesh.length.push_back(spring.length);
-        mesh.stiffness.push_back(spring.stiffness * stiffness);
-      }
-    }
-    for (const Triangle& t : lattice.triangles) mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-    for (const int node : lattice.rim) mesh.rims[static_cast<std::size_t>(b)].push_back(node + offset);
-    offset += lattice.nodes();
+  mesh.psi1 = normal(velocity) < 0 ? tangential(velocity) / -normal(velocity) : not_given;
+  const auto bodies = scene.bodies();
+  for (std::size_t b = 0; b < solids.size(); ++b) {
+    add_body(mesh, b, *solids[b], bodies[b]->numbers.stiffness);
+    if (b == role::projectile) mesh.projectile_nodes = mesh.nodes();
   }
   return mesh;
 }
 
-Course follow_course(const Lattice& projectile, const Lattice& target, const Scene& scene,
-                     const std::atomic<bool>& stop) {
-  const Start start = launch(scene, projectile, target);
+Course follow_course(const Solids& solids, const Scene& scene, const std::atomic<bool>& stop) {
+  const Start start = launch(scene, solids);
   if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to show");
   Course course;
   course.step = start.step;
@@ -126,7 +133,7 @@ Course follow_course(const Lattice& projectile, const Lattice& target, const Sce
   };
   const Observer observer{0, equally_spaced(0, course_spacing, std::numeric_limits<std::int64_t>::max(), start.step),
                           look};
-  course.outcome = run_scene(projectile, target, scene, stop, &observer);
+  course.outcome = run_scene(solids, scene, stop, &observer);
   return course;
 }
 
@@ -150,15 +157,15 @@ std::vector<double> frame_times(const Course& course, double from, double until,
   return times;
 }
 
-bool film_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::vector<double>& times,
+bool film_scene(const Solids& solids, const Scene& scene, const std::vector<double>& times,
                 const std::atomic<bool>& stop, const std::function<void(Frame)>& use) {
-  const Start start = launch(scene, projectile, target);
+  const Start start = launch(scene, solids);
   if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to show");
   std::size_t next = 0;
   const auto is_due = [&](double time) { return next < times.size() && time >= times[next] - start.step / 2; };
   const auto look = [&](const Snapshot& shot) {
     const auto hand_over = [&](Frame frame) {
-      add_elongations(frame, shot, projectile, target);
+      add_elongations(frame, shot, solids);
       use(std::move(frame));
       ++next;
     };
@@ -167,7 +174,7 @@ bool film_scene(const Lattice& projectile, const Lattice& target, const Scene& s
     if (is_due(shot.time)) hand_over(frame_of(shot));
   };
   const Observer observer{times.empty() ? 0 : times.back() + start.step, is_due, look, true};
-  run_scene(projectile, target, scene, stop, &observer);
+  run_scene(solids, scene, stop, &observer);
   return !stop;
 }
 

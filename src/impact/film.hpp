@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "core/frame.hpp"
+#include "impact/launch/start.hpp"
 #include "impact/outcome.hpp"
 #include "impact/scene.hpp"
 
 namespace ricochet {
 
-/// Both lattices of a scene as one mesh.
-FrameMesh frame_mesh(const Scene& scene, const Lattice& projectile, const Lattice& target);
+/// All bodies of a scene as one mesh.
+FrameMesh frame_mesh(const Scene& scene, const Solids& solids);
 
 /// What one has to know of an impact to choose the times of its frames. Times since the rims came within reach. [R/c]
 struct Course {
@@ -23,8 +24,7 @@ struct Course {
 };
 
 /// Runs a scene once without frames. Throws FieldError "scene" if the projectile passes by.
-Course follow_course(const Lattice& projectile, const Lattice& target, const Scene& scene,
-                     const std::atomic<bool>& stop);
+Course follow_course(const Solids& solids, const Scene& scene, const std::atomic<bool>& stop);
 
 /// `count` times from `from` to `until` [R/c]: equally spaced, but `slow_motion` times denser while the bodies touch.
 /// Throws FieldError "frames" if they are closer than a time step.
@@ -33,7 +33,7 @@ std::vector<double> frame_times(const Course& course, double from, double until,
 /// Runs a scene and hands over its frames at rising times, each at the step that ends nearest. Frames before 0 are free
 /// flight. It goes on past the end of the impact if the times do, and ends with the last of them. Returns false if
 /// `stop` ended it.
-bool film_scene(const Lattice& projectile, const Lattice& target, const Scene& scene, const std::vector<double>& times,
+bool film_scene(const Solids& solids, const Scene& scene, const std::vector<double>& times,
                 const std::atomic<bool>& stop, const std::function<void(Frame)>& use);
 
 }  // namespace ricochet

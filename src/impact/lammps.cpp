@@ -7,67 +7,83 @@
 #include <iterator>
 
 #include "core/error.hpp"
-#include "impact/launch.hpp"
+#include "impact/axes.hpp"
+#include "impact/launch/launch.hpp"
+#include "impact/roles.hpp"
 
 namespace ricochet {
 
-LammpsFiles lammps_files(const Scene& scene, const Lattice& projectile, const Lattice& target,
-                         const std::string& name) {
-  if (!scene.effects.empty())
-    throw FieldError("effects", "LAMMPS files hold springs and repulsion only; leave the effects out");
-  const Start start = launch(scene, projectile, target);
-  if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to export");
+namespace {
 
-  Points points = posed(projectile.points, projectile.centre(), start.pose);
-  points.insert(points.end(), target.points.begin(), target.points.end());
-  const int of_projectile = projectile.nodes();
-  std::vector<int> type(points.size(), 1);
-  for (const int node : projectile.rim) type[static_cast<std::size_t>(node)] = 2;
-  for (int i = 0; i < target.nodes(); ++i) type[static_cast<std::size_t>(of_projectile + i)] = i < target.free ? 3 : 5;
-  for (const int node : target.rim)
-    if (node < target.free) type[static_cast<std::size_t>(of_projectile + node)] = 4;
-  double far = 0;
-  for (const Vec2& p : points) far = std::max(far, p.lpNorm<Eigen::Infinity>());
+template <class... Values>
+void add(std::string& text, const char* form, const Values&... values) {
+  fmt::format_to(std::back_inserter(text), fmt::runtime(form), values...);
+}
 
+/// What the data file says of each body, in the order of atoms.
+struct Sections {
   std::string atoms, velocities, coefficients, bonds;
-  const auto add = [](std::string& text, const auto& form, const auto&... values) {
-    fmt::format_to(std::back_inserter(text), fmt::runtime(form), values...);
-  };
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool flies = static_cast<int>(i) < of_projectile;
-    const Vec2& p = points[i];
-    const Vec2 v = flies ? Vec2(start.velocity + start.spin * perpendicular(p - start.pose.centre)) : Vec2(0, 0);
-    add(atoms, "{} {} {} {:.17g} {:.17g} 0\n", i + 1, flies ? 1 : 2, type[i], p.x(), p.y());
-    add(velocities, "{} {:.17g} {:.17g} 0\n", i + 1, v.x(), v.y());
+  std::size_t atom_count = 0, bond_count = 0;
+  double far = 0;  ///< greatest coordinate [R]
+};
+
+// Types of a body's nodes: inside, rim, held.
+std::vector<int> types_of(const Solid& solid, int inside, int rim, int held) {
+  std::vector<int> type(static_cast<std::size_t>(solid.nodes()), inside);
+  for (const int node : surface_nodes(solid.surface)) type[static_cast<std::size_t>(node)] = rim;
+  for (int i = solid.free; i < solid.nodes(); ++i) type[static_cast<std::size_t>(i)] = held;
+  return type;
+}
+
+void add_springs(Sections& sections, const Springs& springs, double stiffness, std::size_t before) {
+  const std::array<double, 3> series = with_spring_law(springs.law, [](const auto& law) { return law.series(); });
+  for (std::size_t s = 0; s < springs.list.size(); ++s) {
+    const Spring spring = springs.list[s];
+    const double ka = spring.stiffness * stiffness;
+    const std::size_t bond = ++sections.bond_count;
+    add(sections.coefficients, "{} {:.17g} {:.17g} {:.17g} {:.17g}\n", bond, spring.length, ka * series[0],
+        ka * series[1], ka * series[2]);
+    add(sections.bonds, "{} {} {} {}\n", bond, bond, before + static_cast<std::size_t>(spring.node) + 1,
+        before + static_cast<std::size_t>(spring.other) + 1);
   }
-  std::size_t bond = 0;
-  for (const auto& [lattice, body, before] :
-       {std::tuple(&projectile, scene.projectile.get(), 0), std::tuple(&target, scene.target.get(), of_projectile)})
-    for (std::size_t s = 0; s < lattice->spring.size(); ++s) {
-      const Spring spring = lattice->spring[s];
-      const double ka = spring.stiffness * body->numbers.stiffness;
-      ++bond;
-      add(coefficients, "{} {:.17g} {:.17g} 0 {:.17g}\n", bond, spring.length, ka / 2, ka * lattice->quartic / 4);
-      add(bonds, "{} {} {} {}\n", bond, bond, before + spring.node + 1, before + spring.other + 1);
-    }
+}
 
-  LammpsFiles files;
-  add(files.data,
+void add_body(Sections& sections, const Solid& solid, const Placement& placement, int molecule,
+              const std::vector<int>& types, double stiffness) {
+  const Points points = placed(solid.points, solid.centre(), placement);
+  const std::size_t before = sections.atom_count;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2& p = points[i];
+    const Vec2 v = in_plane(placement.velocity) + about(placement.spin) * perpendicular(p - in_plane(placement.centre));
+    const std::size_t atom = ++sections.atom_count;
+    add(sections.atoms, "{} {} {} {:.17g} {:.17g} 0\n", atom, molecule, types[i], tangential(p), normal(p));
+    add(sections.velocities, "{} {:.17g} {:.17g} 0\n", atom, tangential(v), normal(v));
+    sections.far = std::max(sections.far, p.lpNorm<Eigen::Infinity>());
+  }
+  add_springs(sections, *solid.springs(), stiffness, before);
+}
+
+std::string data_file(const Sections& s, const std::string& name, double projectile_mass, double target_mass) {
+  std::string data;
+  add(data,
       "{} by ricochet; units R, m0, c\n\n{} atoms\n{} bonds\n5 atom types\n{} bond types\n{} extra bond per atom\n\n",
-      name, points.size(), bond, bond, 0);
+      name, s.atom_count, s.bond_count, s.bond_count, 0);
   // A box with room for the flight: the boundaries are fixed, and an atom beyond them would be lost.
-  add(files.data, "{0:.17g} {1:.17g} xlo xhi\n{0:.17g} {1:.17g} ylo yhi\n-0.5 0.5 zlo zhi\n\n", -3 * far - 1,
-      3 * far + 1);
-  add(files.data, "Masses\n\n1 {0:.17g}\n2 {0:.17g}\n3 {1:.17g}\n4 {1:.17g}\n5 {1:.17g}\n\n", projectile.mass,
-      target.mass);
-  files.data += "Bond Coeffs # class2\n\n" + coefficients + "\nAtoms # bond\n\n" + atoms + "\nVelocities\n\n" +
-                velocities + "\nBonds\n\n" + bonds;
+  add(data, "{0:.17g} {1:.17g} xlo xhi\n{0:.17g} {1:.17g} ylo yhi\n-0.5 0.5 zlo zhi\n\n", -3 * s.far - 1,
+      3 * s.far + 1);
+  add(data, "Masses\n\n1 {0:.17g}\n2 {0:.17g}\n3 {1:.17g}\n4 {1:.17g}\n5 {1:.17g}\n\n", projectile_mass, target_mass);
+  return data + "Bond Coeffs # class2\n\n" + s.coefficients + "\nAtoms # bond\n\n" + s.atoms + "\nVelocities\n\n" +
+         s.velocities + "\nBonds\n\n" + s.bonds;
+}
 
+std::string input_file(const Scene& scene, const Start& start, const std::string& name) {
   const ExponentialRepulsion& contact = start.energy > 0 ? start.contact : scene.contact;
   const double step = start.step;
-  const auto steps = static_cast<std::int64_t>(
-      std::ceil((start.energy > 0 ? 4 / std::max(1e-9, -start.velocity.y()) * contact.reach + 10 : 10) / step));
-  files.input = fmt::format(
+  const auto steps = static_cast<std::int64_t>(std::ceil(
+      (start.energy > 0 ? 4 / std::max(1e-9, -normal(start.bodies[role::projectile].velocity)) * contact.reach + 10
+                        : 10) /
+      step));
+  std::string input = fmt::format(
       "# {0}: an impact of two lattices by LAMMPS; lmp -in {0}.in\n"
       "# Repulsion acts between rim nodes, not between nodes and segments: this is another law of contact than "
       "Ricochet's.\n"
@@ -78,14 +94,30 @@ LammpsFiles lammps_files(const Scene& scene, const Lattice& projectile, const La
       name, contact.reach / 2, contact.reach, contact.V0, 1 / contact.xi);
   for (int a = 1; a <= 5; ++a)
     for (int b = a; b <= 5; ++b)
-      if (a != 2 || b != 4) files.input += fmt::format("neigh_modify exclude type {} {}\n", a, b);
-  files.input += fmt::format(
+      if (a != 2 || b != 4) input += fmt::format("neigh_modify exclude type {} {}\n", a, b);
+  input += fmt::format(
       "group projectile type 1 2\ngroup free type 1 2 3 4\nfix move free nve\n"
       "thermo 1000\nvariable vx equal vcm(projectile,x)\nvariable vy equal vcm(projectile,y)\nthermo_style custom step "
       "time etotal ke pe v_vx v_vy\nthermo_modify format float %.15g\n"
       "timestep {:.17g}\nvariable steps index {}\nrun ${{steps}}\n",
       step, steps);
-  return files;
+  return input;
+}
+
+}  // namespace
+
+LammpsFiles lammps_files(const Scene& scene, const Solids& solids, const std::string& name) {
+  if (!scene.effects.empty())
+    throw FieldError("effects", "LAMMPS files hold springs and repulsion only; leave the effects out");
+  const Solid &projectile = *solids[role::projectile], &target = *solids[role::target];
+  if (!target.springs()) throw FieldError("target", "LAMMPS files hold bodies of springs only, and this one is rigid");
+  const Start start = launch(scene, solids);
+  if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to export");
+  Sections sections;
+  add_body(sections, projectile, start.bodies[role::projectile], 1, types_of(projectile, 1, 2, 5),
+           start.stiffness[role::projectile]);
+  add_body(sections, target, start.bodies[role::target], 2, types_of(target, 3, 4, 5), start.stiffness[role::target]);
+  return {data_file(sections, name, projectile.mass.each(), target.mass.each()), input_file(scene, start, name)};
 }
 
 }  // namespace ricochet

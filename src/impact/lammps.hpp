@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "impact/launch/start.hpp"
 #include "impact/scene.hpp"
 
 namespace ricochet {
@@ -16,6 +17,6 @@ struct LammpsFiles {
 /// Units are R, m0 and c (units lj). Contact is V0 exp(-xi d) between rim *nodes* (pair_style born): LAMMPS knows no
 /// node on a segment, so impacts agree in kind, free vibration in every digit. `name`: of the files, without .data and
 /// in. Throws FieldError if the scene has effects or does not touch.
-LammpsFiles lammps_files(const Scene& scene, const Lattice& projectile, const Lattice& target, const std::string& name);
+LammpsFiles lammps_files(const Scene& scene, const Solids& solids, const std::string& name);
 
 }  // namespace ricochet

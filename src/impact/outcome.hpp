@@ -1,12 +1,11 @@
 #pragma once
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "core/field.hpp"
-#include "force/catalogue.hpp"
 
 namespace ricochet {
 
@@ -19,17 +18,28 @@ inline std::string name_of(Status status) {
   return names[static_cast<int>(status)];
 }
 
-/// Where the energy is. [m0 c^2] Vibration: kinetic energy beside the rigid motion, and spring energy.
+/// Of one body. [m0 c^2] Vibration: kinetic energy beside the rigid motion, and that of its interior.
+struct BodyEnergy {
+  double translation = 0, rotation = 0, vibration = 0;
+};
+
+/// Where the energy is. [m0 c^2]
 struct Ledger {
-  double projectile_translation = 0, projectile_rotation = 0, projectile_vibration = 0;
-  double target_translation = 0, target_rotation = 0, target_vibration = 0;
+  std::vector<BodyEnergy> bodies;  ///< by index
   double contact = 0;
   double effects = 0;  ///< gained in the potentials of effects and lost to those that dissipate, since the start
 
   double total() const {
-    return projectile_translation + projectile_rotation + projectile_vibration + target_translation + target_rotation +
-           target_vibration + contact + effects;
+    double sum = 0;
+    for (const BodyEnergy& body : bodies) {
+      sum += body.translation;
+      sum += body.rotation;
+      sum += body.vibration;
+    }
+    return sum + contact + effects;
   }
+  /// 0 if nothing was taken of it.
+  BodyEnergy of(std::size_t body) const { return body < bodies.size() ? bodies[body] : BodyEnergy{}; }
 };
 
 /// What one impact gave; the quantities named in the paper and the ledger. Undefined ones (beta at psi1 = 0) are NaN.
@@ -50,15 +60,9 @@ struct Outcome {
   double certified = 0, time = undefined, step = undefined, theta = undefined, theta_most = undefined, steps = 0;
   double momentum_residual = undefined, error_estimate = undefined;
 
-  using OfEffects = std::array<double, effect_kinds>;
-  static constexpr OfEffects no_effects() {
-    OfEffects none{};
-    none.fill(undefined);
-    return none;
-  }
-  OfEffects effect_energy =
-      no_effects();  ///< of each kind that the scene names: lost to it, or gained in its potential [m0 c^2]
-  OfEffects effect_count = no_effects();  ///< of each kind that changes springs: how many it changed
+  /// By kind of effect, NaN for those that the scene does not name; empty if it names none. Energy lost to it, or
+  /// gained in its potential [m0 c^2]; how many springs it changed.
+  std::vector<double> effect_energy, effect_count;
 
   static const std::vector<std::pair<Field, std::function<double(const Outcome&)>>>& fields();
 };

@@ -24,6 +24,10 @@ std::string text_of(const std::string& prefix, const Struct& values) {
 
 }  // namespace
 
+std::string body_name(std::size_t body) {
+  return body == 0 ? "projectile" : body == 1 ? "target" : fmt::format("body {}", body + 1);
+}
+
 const std::vector<Member<Launch>>& Launch::fields() {
   static const std::vector<Member<Launch>> list{
       {{"speed", "number", "c", "impact speed |v|; 0.1 unless normal_speed is given", positive, "", true},
@@ -132,7 +136,7 @@ const Method& Scene::method() const {
 
 std::string Scene::conflict_with(const Method& method) const {
   for (const Effect& effect : effects) {
-    const char* name = std::visit([]<class E>(const E&) { return E::name; }, effect);
+    const std::string name = name_of(effect);
     if (is_split(effect) && method.outcome_order > 2)
       return fmt::format("{} of order {} would fall to order {} beside {}; give verlet or leave method out",
                          method.name, method.outcome_order, order_beside(effect), name);

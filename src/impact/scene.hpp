@@ -6,14 +6,17 @@
 #include <memory>
 #include <string>
 
-#include "force/catalogue.hpp"
-#include "force/contact/exponential_repulsion.hpp"
+#include "body/description.hpp"
+#include "contact/exponential_repulsion.hpp"
+#include "effect/catalogue.hpp"
 #include "integrate/method.hpp"
-#include "lattice/lattice.hpp"
 
 namespace ricochet {
 
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
+/// What a scene calls a body.
+std::string body_name(std::size_t body);
 
 /// How the projectile comes in. The normal is +y: it falls along -y and moves along +x. Either `speed` with `psi1` or
 /// `angle`, or `normal_speed` with `tangential_speed`.
@@ -55,6 +58,9 @@ struct Scene {
   std::vector<Effect> effects;  ///< what acts beside springs and contact
   double error_estimate =
       not_given;  ///< of integration.accuracy_of, if its step was chosen for an accuracy; no part of the text
+
+  /// By index, as the engine moves them.
+  std::vector<const Body*> bodies() const { return {projectile.get(), target.get()}; }
 
   /// The method named, or the one that `auto` stands for: verlet beside effects that are split off the step, pefrl
   /// else.

@@ -7,9 +7,8 @@
 #include <mutex>
 
 #include "core/error.hpp"
-#include "force/lane.hpp"
+#include "core/lane.hpp"
 #include "impact/batch.hpp"
-#include "impact/launch.hpp"
 #include "impact/parallel.hpp"
 
 namespace ricochet {
@@ -27,14 +26,14 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
 
-/// Scenes that share lattices. The lattices are built by the first thread that comes and dropped by the last that
+/// Scenes that share solids. The solids are built by the first thread that comes and dropped by the last that
 /// leaves.
 struct Group {
   explicit Group(std::vector<std::size_t> of) : scenes(of), queue(std::move(of)) {}
   std::vector<std::size_t> scenes;
   Queue queue;
   std::once_flag built;
-  std::shared_ptr<const Lattice> projectile, target;
+  BuiltSolids solids;
   int threads = 0;  ///< at work on it
 };
 
@@ -64,8 +63,7 @@ void build(Group& group, const std::vector<Scene>& scenes) {
   std::call_once(group.built, [&] {
     const std::size_t first = group.scenes.front();
     try {
-      group.projectile = build_lattice(*scenes[first].projectile);
-      group.target = build_lattice(*scenes[first].target);
+      group.solids = BuiltSolids(scenes[first]);
     } catch (const FieldError& error) {
       throw SceneError(error, first);
     }
@@ -92,8 +90,7 @@ class Schedule {
   void leave(Group& group) {
     const std::lock_guard lock(mutex_);
     if (--group.threads == 0 && group.queue.left() == 0) {
-      group.projectile.reset();
-      group.target.reset();
+      group.solids = BuiltSolids();
     }
   }
   /// Nothing more is begun.
@@ -141,7 +138,7 @@ bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, 
       while (Group* group = stop ? nullptr : schedule.join()) {
         build(*group, scenes);
         run_queue(
-            *group->projectile, *group->target, scenes, group->queue, width, stop,
+            group->solids, scenes, group->queue, width, stop,
             [&](std::size_t i, const Outcome& outcome, double seconds) {
               results.push_back({i, outcome, seconds});
               if (results.size() >= most_kept || seconds_since(handed_over) > longest_kept) hand_over();
@@ -180,12 +177,11 @@ void check_scenes(const std::vector<Scene>& scenes, const std::vector<bool>& whi
     if (stop) return;
     build(*group, scenes);
     for (const std::size_t i : group->scenes) try {
-        check_start(*group->projectile, *group->target, scenes[i]);
+        check_start(group->solids, scenes[i]);
       } catch (const FieldError& error) {
         throw SceneError(error, i);
       }
-    group->projectile.reset();
-    group->target.reset();
+    group->solids = BuiltSolids();
   });
 }
 

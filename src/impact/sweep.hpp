@@ -29,7 +29,7 @@ struct SweepUse {
   double idle_lanes = 0;    ///< share of the lanes' steps without an impact
 };
 
-/// Runs the scenes whose `todo` is set. Those that share lattices advance together in lanes; threads take such groups
+/// Runs the scenes whose `todo` is set. Those that share solids advance together in lanes; threads take such groups
 /// in turn, and when none is left to begin with, help with the one that has most left. `some_done` is called from one
 /// thread at a time with what has ended since. The outcomes do not depend on the options. Returns false if `stop` ended
 /// it; impacts that were running then are dropped.
@@ -37,7 +37,7 @@ bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, 
                const std::atomic<bool>& stop, const std::function<void(const std::vector<Result>&)>& some_done,
                SweepUse* use = nullptr);
 
-/// Builds the lattices and places the launch of `which` scenes, and runs nothing. Throws SceneError for the first scene
+/// Builds the solids and places the launch of `which` scenes, and runs nothing. Throws SceneError for the first scene
 /// that cannot start.
 void check_scenes(const std::vector<Scene>& scenes, const std::vector<bool>& which, const SweepOptions& options,
                   const std::atomic<bool>& stop);

@@ -50,6 +50,17 @@ struct Method {
   static constexpr double usual_accuracy = 1e-4;
 };
 
+/// Which body a multirate method moves in its inner steps, and which in its outer one.
+struct MultirateRoles {
+  std::size_t fast = 0, slow = 1;
+};
+
+/// The factor by which a body's frequencies count against the stability limit: 1, or more for the slow one of a
+/// multirate method, which follows its interior in long steps.
+inline double slower_by(const Method& method, std::size_t body) {
+  return method.multirate() && body == MultirateRoles{}.slow ? method.stability_limit / method.slow_limit : 1;
+}
+
 std::span<const Method> methods();
 std::vector<std::string> method_names();
 

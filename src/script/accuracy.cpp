@@ -67,10 +67,9 @@ int accuracy_runs(lua_State* L) {
   Session& session = session_of(L);
   const SceneObject& object = scene_at(L, 1);
   const lua_Integer repeats = luaL_checkinteger(L, 3);
-  std::shared_ptr<const Lattice> projectile, target;
+  BuiltSolids solids;
   try {
-    projectile = build_lattice(*object.scene.projectile);
-    target = build_lattice(*object.scene.target);
+    solids = BuiltSolids(object.scene);
   } catch (const FieldError& error) {
     throw_at(session, object.site, error);
   }
@@ -94,7 +93,7 @@ int accuracy_runs(lua_State* L) {
     try {
       for (lua_Integer i = 0; i < repeats; ++i) {
         const auto began = std::chrono::steady_clock::now();
-        outcome = run_scene(*projectile, *target, scene, stop_requested);
+        outcome = run_scene(solids, scene, stop_requested);
         seconds = std::min(seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
       }
     } catch (const FieldError& error) {
@@ -108,7 +107,7 @@ int accuracy_runs(lua_State* L) {
     push_row(L, row_of(scene, outcome, seconds));
     lua_pushstring(L, method.name.c_str());
     lua_setfield(L, -2, "method");
-    lua_pushnumber(L, outcome.steps * work_of_step(method, *projectile, *target));
+    lua_pushnumber(L, outcome.steps * work_of_step(method, solids));
     lua_setfield(L, -2, "evaluations");
     lua_seti(L, rows, k);
   }

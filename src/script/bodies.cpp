@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "body/springs/elasticity.hpp"
 #include "core/hash.hpp"
 #include "core/spelling.hpp"
 #include "impact/batch.hpp"
-#include "lattice/elasticity.hpp"
-#include "lattice/outline.hpp"
 #include "script/objects.hpp"
 #include "script/state.hpp"
+#include "shape/outline.hpp"
 
 namespace ricochet {
 namespace {
@@ -169,11 +169,11 @@ int scene_run(lua_State* L) {
   Outcome outcome;
   try {
     scene = with_chosen_step(session_of(L), scene);
-    const auto projectile = build_lattice(*scene.projectile), target = build_lattice(*scene.target);
+    const BuiltSolids solids(scene);
     if (session_of(L).options.check)
-      check_start(*projectile, *target, scene);
+      check_start(solids, scene);
     else
-      outcome = run_scene(*projectile, *target, scene, stop_requested);
+      outcome = run_scene(solids, scene, stop_requested);
   } catch (const FieldError& error) {
     throw_at(session_of(L), object.site, error);
   }
@@ -283,7 +283,9 @@ int elasticity(lua_State* L) {
   spend(L, work_a_node_stretched * band.numbers.nodes);
   Elasticity result{};
   try {
-    result = stretch_band(*build_lattice(band), band.numbers.stiffness);
+    const auto solid = build_solid(band);
+    if (!solid->springs()) throw FieldError("body", "must be of springs");
+    result = stretch_band(*solid, *solid->springs(), band.numbers.stiffness);
   } catch (const Error& error) {
     throw_at(session_of(L), call_site(L), FieldError("body", error.what()));
   }

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/lane.hpp"
 #include "core/spelling.hpp"
-#include "force/catalogue.hpp"
-#include "force/lane.hpp"
+#include "effect/catalogue.hpp"
 #include "script/render_command.hpp"
 #include "script/specification.hpp"
 #include "script/state.hpp"
@@ -73,7 +73,7 @@ int repl() {
   State state(session);
   state.run_text("rawset(_G, 'ricochet', require 'ricochet')");
   fmt::print("{}\nLua with `ricochet` loaded; end with ^D.\n", version_text().substr(0, version_text().find('\n')));
-  for (std::string line; fmt::print("> "); std::fflush(stdout); std::getline(std::cin, line);) {
+  for (std::string line; fmt::print("> "), std::fflush(stdout), std::getline(std::cin, line);) {
     try {
       state.run_text(line);
     } catch (const Error& error) {

@@ -43,7 +43,7 @@ double number_field(lua_State* L, const char* name, double initial) {
 struct Take {
   Scene scene;
   CallSite site;  ///< of the scene in the script
-  std::shared_ptr<const Lattice> projectile, target;
+  BuiltSolids solids;
   Course course{};
   std::string title{};
 };
@@ -75,7 +75,7 @@ std::vector<Take> takes_of(lua_State* L) {
   std::vector<Take> takes;
   const auto add = [&](int index) {
     const SceneObject& object = scene_at(L, index);
-    takes.push_back({object.scene, object.site, nullptr, nullptr});
+    takes.push_back({object.scene, object.site, BuiltSolids()});
   };
   if (lua_getfield(L, 1, "scene") != LUA_TNIL) add(-1);
   lua_pop(L, 1);
@@ -106,9 +106,8 @@ std::vector<Take> takes_of(lua_State* L) {
   for (Take& take : takes)
     at_scene(session, call, take, [&] {
       take.scene = with_chosen_step(session, take.scene);
-      take.projectile = build_lattice(*take.scene.projectile);
-      take.target = build_lattice(*take.scene.target);
-      if (session.options.check) check_start(*take.projectile, *take.target, take.scene);
+      take.solids = BuiltSolids(take.scene);
+      if (session.options.check) check_start(take.solids, take.scene);
     });
   return takes;
 }
@@ -145,8 +144,7 @@ void follow(lua_State* L, std::vector<Take>& takes) {
   Session& session = session_of(L);
   const CallSite call = call_site(L);
   for (Take& take : takes) {
-    at_scene(session, call, take,
-             [&] { take.course = follow_course(*take.projectile, *take.target, take.scene, stop_requested); });
+    at_scene(session, call, take, [&] { take.course = follow_course(take.solids, take.scene, stop_requested); });
     if (stop_requested) throw Error("interrupted before the first picture", Exit::interrupted);
     const Outcome& outcome = take.course.outcome;
     session.count(outcome.status == Status::finished, name_of(outcome.status) + ": " + outcome.reason);
@@ -157,12 +155,12 @@ void follow(lua_State* L, std::vector<Take>& takes) {
 
 Source source_of(const Take& take, std::vector<double> times) {
   Source source;
-  source.subject = std::make_shared<render::Subject>(frame_mesh(take.scene, *take.projectile, *take.target));
+  source.subject = std::make_shared<render::Subject>(frame_mesh(take.scene, take.solids));
   source.subject->title = take.title;
   source.hash = take.scene.hash();
   source.play = [&take, times = std::move(times)](const std::atomic<bool>& stop,
                                                   const std::function<void(Frame)>& use) {
-    film_scene(*take.projectile, *take.target, take.scene, times, stop, use);
+    film_scene(take.solids, take.scene, times, stop, use);
   };
   return source;
 }
@@ -365,8 +363,8 @@ int record(lua_State* L) {
   const CallSite call = call_site(L);
   at_scene(session, call, take, [&] {
     const auto times = times_of(L, takes, number_field(L, "from", 0), static_cast<int>(number_field(L, "frames", 120)));
-    Trajectory trajectory(frame_mesh(take.scene, *take.projectile, *take.target));
-    if (!film_scene(*take.projectile, *take.target, take.scene, times, stop_requested,
+    Trajectory trajectory(frame_mesh(take.scene, take.solids));
+    if (!film_scene(take.solids, take.scene, times, stop_requested,
                     [&](Frame frame) { trajectory.add(std::move(frame)); }))
       throw Error("interrupted", Exit::interrupted);
     Provenance provenance = session.provenance();
@@ -387,7 +385,7 @@ int lammps(lua_State* L) {
   if (session.options.check) return 0;
   at_scene(session, call_site(L), take, [&] {
     const fs::path data = below_folder(L, text_field(L, "out", "impact") + ".data");
-    const LammpsFiles files = lammps_files(take.scene, *take.projectile, *take.target, data.stem().string());
+    const LammpsFiles files = lammps_files(take.scene, take.solids, data.stem().string());
     spend(L, 2 * work_a_file + static_cast<double>(files.data.size()));  // most of it to write the numbers as text
     session.claim(session.own_folder());
     make_folder(data.parent_path());

@@ -338,7 +338,7 @@ std::string report(const Session& session, const CallSite& site, const std::vect
   const auto text = session.sources.find(site.file);
   std::string result;
   for (const Mistake& mistake : mistakes) {
-    Place place{site.line, 1, 0};
+    SourcePlace place{site.line, 1, 0};
     if (text != session.sources.end()) {
       // A field that is not written there (the table was made elsewhere) is reported at the call.
       for (std::vector<std::string> path = mistake.path; !path.empty(); path.pop_back())

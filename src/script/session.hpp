@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "body/plan.hpp"
 #include "impact/scene.hpp"
-#include "lattice/lattice.hpp"
 #include "store/files.hpp"
 #include "store/table.hpp"
 

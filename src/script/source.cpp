@@ -91,8 +91,8 @@ std::optional<std::size_t> field_in(const std::vector<Token>& tokens, std::size_
 
 }  // namespace
 
-std::optional<Place> find_field(const std::string& source, int line, const std::string& function,
-                                const std::vector<std::string>& path) {
+std::optional<SourcePlace> find_field(const std::string& source, int line, const std::string& function,
+                                      const std::vector<std::string>& path) {
   const std::vector<Token> tokens = tokens_of(source);
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     if (tokens[i].line < line || tokens[i].line > line + 1 || tokens[i].text != function) continue;
@@ -105,7 +105,7 @@ std::optional<Place> find_field(const std::string& source, int line, const std::
       if (!found) break;
       open = *found + 2;
     }
-    if (found) return Place{tokens[*found].line, tokens[*found].column, static_cast<int>(path.back().size())};
+    if (found) return SourcePlace{tokens[*found].line, tokens[*found].column, static_cast<int>(path.back().size())};
   }
   return std::nullopt;
 }
@@ -190,7 +190,7 @@ std::string syntax_hint(const std::string& source, int line, const std::string& 
   return "";
 }
 
-std::string excerpt(const std::string& source, const Place& place) {
+std::string excerpt(const std::string& source, const SourcePlace& place) {
   const std::string text = line_of(source, place.line);
   if (text.empty()) return "";
   std::string result = fmt::format("{:5} | {}\n", place.line, text);

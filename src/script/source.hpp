@@ -7,7 +7,7 @@
 
 namespace ricochet {
 
-struct Place {
+struct SourcePlace {
   int line;    ///< from 1
   int column;  ///< from 1
   int length;  ///< of the name
@@ -15,14 +15,14 @@ struct Place {
 
 /// Finds the field `path` (outermost first) of the table given in the call of `function` that begins at `line`. Nothing
 /// if the table is not written there.
-std::optional<Place> find_field(const std::string& source, int line, const std::string& function,
-                                const std::vector<std::string>& path);
+std::optional<SourcePlace> find_field(const std::string& source, int line, const std::string& function,
+                                      const std::vector<std::string>& path);
 
 /// What a syntax error's message, Lua's own for `line`, leaves unsaid: " (did you mean 'return' for 'retrun' in line
 /// 4?)", " (is a comma missing before it?)", or nothing.
 std::string syntax_hint(const std::string& source, int line, const std::string& message);
 
 /// "   14 |   radus = 0.05,\n      |   ^^^^^\n" for a place; a place of length 0 gives the line alone.
-std::string excerpt(const std::string& source, const Place& place);
+std::string excerpt(const std::string& source, const SourcePlace& place);
 
 }  // namespace ricochet

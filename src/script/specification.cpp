@@ -4,11 +4,11 @@
 
 #include <stdexcept>
 
-#include "force/catalogue.hpp"
-#include "force/contact/exponential_repulsion.hpp"
+#include "body/description.hpp"
+#include "contact/exponential_repulsion.hpp"
+#include "effect/catalogue.hpp"
 #include "impact/outcome.hpp"
 #include "impact/scene.hpp"
-#include "lattice/lattice.hpp"
 #include "render/show.hpp"
 #include "theory/catalogue.hpp"
 

@@ -10,7 +10,7 @@
 #include <map>
 #include <unordered_set>
 
-#include "force/lane.hpp"
+#include "core/lane.hpp"
 #include "impact/sweep.hpp"
 #include "script/objects.hpp"
 #include "script/state.hpp"

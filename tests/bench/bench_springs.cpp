@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "force/springs.hpp"
+#include "body/springs/sweep.hpp"
 #include "scenes.hpp"
 #include "variants.hpp"
 
@@ -16,8 +16,8 @@ namespace {
 
 /// The paper's scene at rest but for a small vibration, so that no operand is special.
 struct PaperBodies {
-  std::shared_ptr<const Lattice> projectile = build_lattice(*disk(800, 1e4, 0.03, 1)),
-                                 target = build_lattice(*wall(4000, 100, 0.03, 1, 8, 2));
+  std::shared_ptr<const Solid> projectile = build_solid(*disk(800, 1e4, 0.03, 1)),
+                               target = build_solid(*wall(4000, 100, 0.03, 1, 8, 2));
   static const PaperBodies& get() {
     static const PaperBodies bodies;
     return bodies;
@@ -25,13 +25,13 @@ struct PaperBodies {
 };
 
 template <int W>
-Moving<W> vibrating(const Lattice& lattice, double stiffness) {
-  Moving<W> body{&lattice, {}, {}, {}, Lane<W>::Constant(stiffness), {}};
+Motion<W> vibrating(const Solid& lattice, double stiffness) {
+  Motion<W> body{&lattice, {}, {}, {}, Lane<W>::Constant(stiffness), {}};
   for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(lattice.nodes());
   for (int i = 0; i < lattice.nodes(); ++i)
     for (int lane = 0; lane < W; ++lane) {
-      body.position.set(i, lane, lattice.points[static_cast<std::size_t>(i)]);
-      if (i < lattice.free) body.velocity.set(i, lane, 1e-3 * Vec2(std::sin(7.0 * i + lane), std::cos(5.0 * i + lane)));
+      body.q.set(i, lane, lattice.points[static_cast<std::size_t>(i)]);
+      if (i < lattice.free) body.v.set(i, lane, 1e-3 * Vec2(std::sin(7.0 * i + lane), std::cos(5.0 * i + lane)));
     }
   return body;
 }
@@ -60,12 +60,12 @@ void bound(benchmark::State& state) {
 /// Two bodies that vibrate, and how many springs they have.
 template <int W>
 struct Pair {
-  Moving<W> projectile, target;
+  Motion<W> projectile, target;
   double springs;
-  Pair(const Lattice& p, const Lattice& t)
+  Pair(const Solid& p, const Solid& t)
       : projectile(vibrating<W>(p, 1e4)),
         target(vibrating<W>(t, 100)),
-        springs(static_cast<double>(p.spring.size() + t.spring.size())) {}
+        springs(static_cast<double>(p.springs()->list.size() + t.springs()->list.size())) {}
 };
 
 template <int W>
@@ -73,7 +73,7 @@ const Lane<W> step = Lane<W>::Constant(1e-3);
 
 /// `way(body, kick, drift)`, after a check that it does what kick_and_drift does.
 template <int W, class Way>
-void sweep(benchmark::State& state, const Lattice& projectile, const Lattice& target, Way&& way) {
+void sweep(benchmark::State& state, const Solid& projectile, const Solid& target, Way&& way) {
   Pair<W> bodies(projectile, target), checked = bodies;
   for (auto* body : {&bodies.projectile, &bodies.target}) {
     way(*body, step<W>, step<W>);
@@ -84,7 +84,7 @@ void sweep(benchmark::State& state, const Lattice& projectile, const Lattice& ta
     kick_and_drift(*body, step<W>, step<W>);
   }
   for (int i = 0; i < target.free; ++i)
-    if (!((bodies.target.position.at(i, 0) - checked.target.position.at(i, 0)).norm() <= 1e-13))
+    if (!((bodies.target.q.at(i, 0) - checked.target.q.at(i, 0)).norm() <= 1e-13))
       return state.SkipWithError("this is another sweep");
   for (auto _ : state) {
     way(bodies.projectile, step<W>, step<W>);
@@ -126,13 +126,13 @@ void displacements(benchmark::State& state) {
   Pair<4> pair(*bodies.projectile, *bodies.target);
   std::array<std::vector<Vec2>, 2> rest;
   for (int b = 0; b < 2; ++b) {
-    Moving<4>& body = b == 0 ? pair.projectile : pair.target;
-    const Lattice& lattice = *body.lattice;
-    for (std::size_t s = 0; s < lattice.spring.size(); ++s)
-      rest[b].push_back(lattice.points[static_cast<std::size_t>(lattice.spring[s].other)] -
-                        lattice.points[static_cast<std::size_t>(lattice.spring[s].node)]);
+    Motion<4>& body = b == 0 ? pair.projectile : pair.target;
+    const Solid& lattice = *body.lattice;
+    for (std::size_t s = 0; s < lattice.springs()->list.size(); ++s)
+      rest[b].push_back(lattice.points[static_cast<std::size_t>(lattice.springs()->list[s].other)] -
+                        lattice.points[static_cast<std::size_t>(lattice.springs()->list[s].node)]);
     for (int i = 0; i < lattice.nodes(); ++i)
-      for (int lane = 0; lane < 4; ++lane) body.position.set(i, lane, Vec2(0, 0));
+      for (int lane = 0; lane < 4; ++lane) body.q.set(i, lane, Vec2(0, 0));
   }
   for (auto _ : state) {
     variants::displacements(pair.projectile, rest[0], step<4>, step<4>);

@@ -93,7 +93,7 @@ int main(int count, char** words) {
   scene.projectile = test::disk(830, 1e4, 0.03, 1);
   scene.target = test::wall(4170, 100, 0.03, 1, 8, 2);
   scene.launch.psi1 = 1;
-  const auto projectile = build_lattice(*scene.projectile), target = build_lattice(*scene.target);
+  const auto projectile = build_solid(*scene.projectile), target = build_solid(*scene.target);
   const std::atomic<bool> stop = false;
   const Course course = follow_course(*projectile, *target, scene, stop);
   render::Show show;

@@ -7,9 +7,9 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "force/contact/candidates.hpp"
-#include "force/springs.hpp"
-#include "impact/launch.hpp"
+#include "body/springs/sweep.hpp"
+#include "contact/candidates.hpp"
+#include "impact/launch/launch.hpp"
 #include "scenes.hpp"
 
 using namespace ricochet;
@@ -26,13 +26,13 @@ double seconds(Work&& work) {
 
 /// Least time of nine sweeps a node and lane, after one that warms up. [ns]
 template <int W>
-double sweep(const Lattice& lattice) {
-  Moving<W> body{&lattice, {}, {}, {}, Lane<W>::Constant(1e4)};
+double sweep(const Solid& lattice) {
+  Motion<W> body{&lattice, {}, {}, {}, Lane<W>::Constant(1e4)};
   for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(lattice.nodes());
   for (int i = 0; i < lattice.nodes(); ++i)
     for (int lane = 0; lane < W; ++lane) {
-      body.position.set(i, lane, lattice.points[static_cast<std::size_t>(i)]);
-      body.velocity.set(i, lane, 1e-4 * Vec2(std::sin(i), std::cos(i)));
+      body.q.set(i, lane, lattice.points[static_cast<std::size_t>(i)]);
+      body.v.set(i, lane, 1e-4 * Vec2(std::sin(i), std::cos(i)));
     }
   const Lane<W> step = Lane<W>::Constant(1e-4);
   const int repeats = std::max(1, 200000 / lattice.nodes());
@@ -58,17 +58,18 @@ int main(int count, char** values) {
     const auto body = [&](const char* placement) {
       return Body{circle(1, 2000), numbers(nodes, 1e4, 0, 1, placement), {}, {}};
     };
-    std::shared_ptr<const Lattice> lattice;
-    const double uniform = seconds([&] { lattice = build_lattice(body("uniform")); });
-    const double poisson = seconds([&] { lattice = build_lattice(body("poisson_disk")); });
+    std::shared_ptr<const Solid> lattice;
+    const double uniform = seconds([&] { lattice = build_solid(body("uniform")); });
+    const double poisson = seconds([&] { lattice = build_solid(body("poisson_disk")); });
     // A disk on its like: where the flight starts, and the search for pairs of a node and a segment.
     Scene scene;
     scene.projectile = scene.target = std::make_shared<Body>(body("poisson_disk"));
     scene.launch.psi1 = 1;
     Start start;
-    const double to_launch = seconds([&] { start = launch(scene, *lattice, *lattice); });
+    const double to_launch = seconds([&] { start = launch(scene, {lattice.get(), lattice.get()}); });
     Points rim;
-    for (const int node : lattice->rim) rim.push_back(lattice->points[static_cast<std::size_t>(node)]);
+    for (const int node : surface_nodes(lattice->surface))
+      rim.push_back(lattice->points[static_cast<std::size_t>(node)]);
     const Points flying = posed(rim, lattice->centre(), start.pose);
     const double to_search = seconds([&] { pairs_within(flying, rim, 1.5 * scene.contact.reach); });
     fmt::print("{:>9} {:>12.3f} {:>14.3f} {:>12.4f} {:>16.4f} {:>26.2f} {:>20.2f}\n", nodes, uniform, poisson,

@@ -8,21 +8,21 @@
 
 #include <numeric>
 
+#include "body/springs/sweep.hpp"
 #include "core/rng.hpp"
-#include "force/springs.hpp"
 
 namespace ricochet::variants {
 
 /// One flat loop over springs that scatters to both ends, then one over nodes that kicks and drifts.
 template <int W>
-void edge_list(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
-  const Lattice& lattice = *body.lattice;
+void edge_list(Motion<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
+  const Solid& lattice = *body.lattice;
   const Quartic law{lattice.quartic};
-  const auto* ends = lattice.spring.ends();
-  const double* length = lattice.spring.length();
+  const auto* ends = lattice.springs()->list.ends();
+  const double* length = lattice.springs()->list.length();
   Lane<W>*position = body.position.data(), *velocity = body.velocity.data(), *force = body.force.data();
   const Lane<W> stiffness = body.stiffness * law.scale();
-  for (std::size_t s = 0, count = lattice.spring.size(); s < count; ++s) {
+  for (std::size_t s = 0, count = lattice.springs()->list.size(); s < count; ++s) {
     const std::size_t i = 2 * static_cast<std::size_t>(ends[s][0]), j = 2 * static_cast<std::size_t>(ends[s][1]);
     const Lane<W> dx = position[j] - position[i], dy = position[j + 1] - position[i + 1];
     const Lane<W> r = (dx * dx + dy * dy).sqrt();
@@ -44,11 +44,11 @@ void edge_list(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
 /// Positions as displacements from rest; the stretch without cancellation, (2 d.u + u^2) / (r + L) with rest vector d.
 /// rest[spring]: d.
 template <int W>
-void displacements(Moving<W>& body, const std::vector<Vec2>& rest, const Lane<W>& kick, const Lane<W>& drift) {
-  const Lattice& lattice = *body.lattice;
+void displacements(Motion<W>& body, const std::vector<Vec2>& rest, const Lane<W>& kick, const Lane<W>& drift) {
+  const Solid& lattice = *body.lattice;
   const Quartic law{lattice.quartic};
-  const auto* ends = lattice.spring.ends();
-  const double* length = lattice.spring.length();
+  const auto* ends = lattice.springs()->list.ends();
+  const double* length = lattice.springs()->list.length();
   Lane<W>*position = body.position.data(), *velocity = body.velocity.data(), *force = body.force.data();
   const Lane<W> stiffness = body.stiffness * law.scale();
   std::size_t s = 0;
@@ -124,14 +124,14 @@ struct Estimate {
 
 /// kick_and_drift by another root, or with the far ends of springs `ahead` of the current one fetched into the cache.
 template <int ahead, class Root, int W>
-void by_node(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
-  const Lattice& lattice = *body.lattice;
+void by_node(Motion<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
+  const Solid& lattice = *body.lattice;
   const Quartic law{lattice.quartic};
-  const auto* ends = lattice.spring.ends();
-  const double* length = lattice.spring.length();
+  const auto* ends = lattice.springs()->list.ends();
+  const double* length = lattice.springs()->list.length();
   Lane<W>*position = body.position.data(), *velocity = body.velocity.data(), *force = body.force.data();
   const Lane<W> stiffness = body.stiffness * law.scale();
-  const std::size_t last = lattice.spring.size() - 1;
+  const std::size_t last = lattice.springs()->list.size() - 1;
   std::size_t s = 0;
   for (int i = 0; i < lattice.free; ++i) {
     Lane<W> xi, yi, fx, fy;
@@ -167,14 +167,14 @@ void by_node(Moving<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
 }
 
 /// The lattice with its free nodes renumbered: `number[old]` is the new one.
-inline Lattice renumbered(const Lattice& lattice, const std::vector<int>& number) {
-  Lattice other = lattice;
+inline Solid renumbered(const Solid& lattice, const std::vector<int>& number) {
+  Solid other = lattice;
   for (int i = 0; i < lattice.nodes(); ++i)
     other.points[static_cast<std::size_t>(number[static_cast<std::size_t>(i)])] =
         lattice.points[static_cast<std::size_t>(i)];
   std::vector<Spring> springs;
-  for (std::size_t s = 0; s < lattice.spring.size(); ++s) {
-    Spring spring = lattice.spring[s];
+  for (std::size_t s = 0; s < lattice.springs()->list.size(); ++s) {
+    Spring spring = lattice.springs()->list[s];
     const int a = number[static_cast<std::size_t>(spring.node)], b = number[static_cast<std::size_t>(spring.other)];
     spring.node = std::min(a, b);
     spring.other = std::max(a, b);
@@ -193,7 +193,7 @@ inline Lattice renumbered(const Lattice& lattice, const std::vector<int>& number
 }
 
 /// Numbers of nodes at random.
-inline std::vector<int> at_random(const Lattice& lattice) {
+inline std::vector<int> at_random(const Solid& lattice) {
   std::vector<int> number(static_cast<std::size_t>(lattice.nodes()));
   std::iota(number.begin(), number.end(), 0);
   Random random(1, 0);
@@ -203,7 +203,7 @@ inline std::vector<int> at_random(const Lattice& lattice) {
 }
 
 /// Numbers of nodes by rows of their height, a tenth of a radius each.
-inline std::vector<int> by_rows(const Lattice& lattice) {
+inline std::vector<int> by_rows(const Solid& lattice) {
   std::vector<int> order(static_cast<std::size_t>(lattice.nodes())), number(order.size());
   std::iota(order.begin(), order.end(), 0);
   const auto place = [&](int i) {

@@ -1,25 +1,25 @@
 #pragma once
 // One impact in the hands of a test, which may change its state and look at it between any two steps.
 
+#include "core/rng.hpp"
 #include "impact/engine.hpp"
 #include "scenes.hpp"
 
 namespace ricochet::test {
 
-using LatticePointer = std::shared_ptr<const Lattice>;
+using SolidPointer = std::shared_ptr<const Solid>;
 
 /// Positions, velocities and energies of one impact, step by step.
 class Alone {
  public:
-  Alone(LatticePointer projectile, LatticePointer target, Scene scene)
-      : projectile_(std::move(projectile)),
-        target_(std::move(target)),
-        scene_(std::move(scene)),
-        engine_(*projectile_, *target_, scene_.method(), scene_.effects) {
+  Alone(BuiltSolids solids, Scene scene)
+      : solids_(std::move(solids)), scene_(std::move(scene)), engine_(solids_, scene_.method(), scene_.effects) {
     if (engine_.begin(0, scene_, 0)) throw Error("the projectile passes by the target");
   }
+  Alone(SolidPointer projectile, SolidPointer target, Scene scene)
+      : Alone(BuiltSolids({std::move(projectile), std::move(target)}), std::move(scene)) {}
   Alone(const Alone&) = delete;
-  explicit Alone(const Scene& scene) : Alone(build_lattice(*scene.projectile), build_lattice(*scene.target), scene) {}
+  explicit Alone(const Scene& scene) : Alone(BuiltSolids(scene), scene) {}
 
   void steps(std::int64_t count) {
     for (std::int64_t i = 0; i < count; ++i) engine_.advance_one_step();
@@ -30,17 +30,14 @@ class Alone {
 
   /// The motion runs backwards from here.
   void reverse() {
-    engine_.change([](Engine<1>::Bodies& bodies) {
-      for (Moving<1>& body : bodies)
-        for (int i = 0; i < body.lattice->free; ++i) {
-          body.velocity.x(i) *= -1;
-          body.velocity.y(i) *= -1;
-        }
+    engine_.change([](Motions<1>& bodies) {
+      for (Motion<1>& body : bodies)
+        for (int c = 0; c < body.solid->free_coordinates(); ++c) body.v[c] *= -1;
     });
   }
 
  private:
-  LatticePointer projectile_, target_;
+  BuiltSolids solids_;
   Scene scene_;
   Engine<1> engine_;
 };
@@ -55,17 +52,17 @@ inline std::unique_ptr<Alone> free_disk(const std::string& method, double theta,
   scene.integration.method = method;
   scene.integration.theta = theta;
   auto alone = std::make_unique<Alone>(scene);
-  alone->engine().change([&](Engine<1>::Bodies& bodies) {
-    for (int i = 0; i < bodies[1].lattice->nodes(); ++i) bodies[1].position.y(i) -= 10;
-    Moving<1>& body = bodies[0];
+  alone->engine().change([&](Motions<1>& bodies) {
+    for (int i = 0; i < bodies[1].solid->nodes(); ++i) bodies[1].q[2 * i + 1] -= 10.0;
+    Motion<1>& body = bodies[0];
     Random random(5, 3);
-    const Vec2 centre = body.lattice->centre();
-    for (int i = 0; i < body.lattice->nodes(); ++i) {
-      body.position.set(i, 0, body.lattice->points[static_cast<std::size_t>(i)] - centre);
+    const Vec2 centre = body.solid->centre();
+    for (int i = 0; i < body.solid->nodes(); ++i) {
+      body.q.set(i, 0, body.solid->points[static_cast<std::size_t>(i)] - centre);
       const double x = random.normal(), y = random.normal();
-      body.velocity.set(i, 0,
-                        velocity + spin * perpendicular(body.lattice->points[static_cast<std::size_t>(i)] - centre) +
-                            vibration * Vec2(x, y));
+      body.v.set(i, 0,
+                 velocity + spin * perpendicular(body.solid->points[static_cast<std::size_t>(i)] - centre) +
+                     vibration * Vec2(x, y));
     }
   });
   return alone;

@@ -6,17 +6,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "body/interior.hpp"
 #include "core/error.hpp"
 #include "core/rng.hpp"
 #include "impact/batch.hpp"
-#include "impact/launch.hpp"
-#include "integrate/step_limit.hpp"
+#include "impact/launch/launch.hpp"
 #include "scenes.hpp"
 
 namespace ricochet::test {
 namespace {
 
-using LatticePointer = std::shared_ptr<const Lattice>;
+using SolidPointer = std::shared_ptr<const Solid>;
 
 const std::atomic<bool> go_on{false};
 
@@ -149,21 +149,21 @@ RandomScene random_scene(std::uint64_t seed) {
 Verdict judged(const RandomScene& random, double steps) {
   Scene scene = random.scene;
   const Method& method = scene.method();
-  LatticePointer projectile, target;
+  SolidPointer projectile, target;
   try {
-    projectile = build_lattice(*scene.projectile);
-    target = build_lattice(*scene.target);
+    projectile = build_solid(*scene.projectile);
+    target = build_solid(*scene.target);
   } catch (const FieldError& error) {
     // Stars and squares may be too rough for their spacing; nothing else is wrong with any of these bodies.
     const bool rough = std::string(error.what()).find("rough rim crosses itself") != std::string::npos;
     return {"refused", rough ? std::nullopt : std::optional(fmt::format("refused: {}: {}", error.field, error.what()))};
   }
   const double own = frequency_bound(*projectile, scene.projectile->numbers.stiffness).omega,
-               other = slower_by(method) * frequency_bound(*target, scene.target->numbers.stiffness).omega;
+               other = slower_by(method, 1) * frequency_bound(*target, scene.target->numbers.stiffness).omega;
   const double limit = method.stability_limit / std::max(own, other);
   Start start;
   try {
-    start = launch(scene, *projectile, *target);
+    start = launch(scene, {projectile.get(), target.get()});
   } catch (const FieldError& error) {
     const std::string text = error.what();
     const double asked = !std::isnan(scene.integration.step) ? scene.integration.step
@@ -181,7 +181,7 @@ Verdict judged(const RandomScene& random, double steps) {
       right = asked * (scene.launch.velocity().norm() + 3 * std::abs(scene.launch.spin)) / kicks >
               std::min(3 / scene.contact.xi, 0.01);
       try {
-        launch(finer, *projectile, *target);
+        launch(finer, {projectile.get(), target.get()});
       } catch (const FieldError&) {
         right = false;
       }
@@ -193,7 +193,7 @@ Verdict judged(const RandomScene& random, double steps) {
   if (ours) scene.integration.time_limit = steps * start.step;
   Outcome o;
   try {
-    o = run_scene(*projectile, *target, scene, go_on);
+    o = run_scene({projectile.get(), target.get()}, scene, go_on);
   } catch (const FieldError& error) {
     return {"refused", fmt::format("refused in the run: {}: {}", error.field, error.what())};
   }
@@ -206,7 +206,7 @@ Verdict judged(const RandomScene& random, double steps) {
     Scene better = scene;
     change(better);
     if (std::isnan(better.integration.time_limit)) better.integration.time_limit = start.time_limit;
-    return run_scene(*projectile, *target, better, go_on);
+    return run_scene({projectile.get(), target.get()}, better, go_on);
   };
   const auto with_step = [&](double step) {
     return again([&](Scene& s) {
@@ -230,8 +230,7 @@ Verdict judged(const RandomScene& random, double steps) {
       // its energy upwards there.
       if (random.flat_rigid && scene.launch.psi1 == 0 && o.e > 1 + 1e-6 + o.energy_drift)
         wrong(fmt::format("e = {:.6g} on a flat rigid wall", o.e));
-      if (o.after.projectile_translation + o.after.projectile_rotation + o.after.target_translation +
-              o.after.target_rotation >
+      if (o.after.of(0).translation + o.after.of(0).rotation + o.after.of(1).translation + o.after.of(1).rotation >
           o.before.total() * (1 + 1e-6 + 2 * o.energy_drift))
         wrong("the flight gained energy");
       break;

@@ -10,6 +10,7 @@
 #include "hard/table.hpp"
 #include "impact/batch.hpp"
 #include "scenes.hpp"
+#include "shape/triangulate.hpp"
 
 using namespace ricochet;
 using namespace ricochet::test;
@@ -20,7 +21,7 @@ const std::atomic<bool> go_on{false};
 
 std::string refusal(const Points& outline, const BodyNumbers& n) {
   try {
-    build_lattice(Body{outline, n, {}, {}});
+    build_solid(Body{outline, n, {}, {}});
   } catch (const Error& error) {
     return error.what();
   }
@@ -83,16 +84,16 @@ TEST_CASE("hard 14: outlines that make no body are refused by name") {
       star.push_back(radius * Vec2(std::cos(angle), std::sin(angle)));
     }
     const char* placement = std::array{"uniform", "poisson_disk", "triangular"}[static_cast<std::size_t>(seed % 3)];
-    std::shared_ptr<const Lattice> lattice;
+    std::shared_ptr<const Solid> lattice;
     try {
-      lattice = build_lattice(Body{star, numbers(150, 1, seed % 2 ? 0.01 : 0, seed, placement), {}, {}});
+      lattice = build_solid(Body{star, numbers(150, 1, seed % 2 ? 0.01 : 0, seed, placement), {}, {}});
     } catch (const Error&) {
       continue;  // too slim a star, or too rough for it
     }
     std::vector<int> springs(static_cast<std::size_t>(lattice->nodes()));
     bool right = true;
-    for (std::size_t s = 0; s < lattice->spring.size(); ++s) {
-      const Spring spring = lattice->spring[s];
+    for (std::size_t s = 0; s < lattice->springs()->list.size(); ++s) {
+      const Spring spring = lattice->springs()->list[s];
       ++springs[static_cast<std::size_t>(spring.node)];
       ++springs[static_cast<std::size_t>(spring.other)];
       right = right && spring.length > 0;
@@ -124,7 +125,7 @@ TEST_CASE("hard 15: near-duplicate nodes and slivers run as usual") {
       scene.projectile = std::make_shared<Body>(Body{outline, numbers(80, 1e4, 0, 1, "uniform"), {}, {}});
       bool fine = false;
       try {
-        const Outcome o = run_scene(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, go_on);
+        const Outcome o = run_scene(BuiltSolids(scene), scene, go_on);
         INFO(name_of(o.status) << " " << o.reason);
         fine = o.status == Status::finished && std::isfinite(o.e);
         CHECK(fine);
@@ -142,8 +143,8 @@ TEST_CASE("hard 15: near-duplicate nodes and slivers run as usual") {
   double flattest = 1;
   for (int seed = 1; seed <= 30; ++seed) {
     const auto lattice =
-        build_lattice(*std::make_shared<Body>(Body{circle(), numbers(800, 1e4, 0.03, seed, "uniform"), {}, {}}));
-    for (const Triangle& t : lattice->triangles) {
+        build_solid(*std::make_shared<Body>(Body{circle(), numbers(800, 1e4, 0.03, seed, "uniform"), {}, {}}));
+    for (const Triangle& t : lattice->cells) {
       const Vec2 u = lattice->points[static_cast<std::size_t>(t[1])] - lattice->points[static_cast<std::size_t>(t[0])],
                  v = lattice->points[static_cast<std::size_t>(t[2])] - lattice->points[static_cast<std::size_t>(t[0])];
       flattest = std::min(flattest, cross(u, v) / std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()}));

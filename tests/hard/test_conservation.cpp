@@ -39,8 +39,7 @@ std::pair<Outcome, double> energy_error(const Scene& scene) {
                             if (first == 0) first = s.energy.total();
                             worst = std::max(worst, std::abs(s.energy.total() / first - 1));
                           }};
-  const Outcome o =
-      run_scene(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, go_on, &observer);
+  const Outcome o = run_scene(BuiltSolids(scene), scene, go_on, &observer);
   return {o, worst};
 }
 
@@ -104,8 +103,8 @@ TEST_CASE("hard 5: a free disk keeps its momentum and angular momentum over 1e5 
       const Snapshot first = alone->now();
       alone->steps(sanitized ? 10000 : 100000);
       const Snapshot last = alone->now();
-      const Momenta before = momenta(first.projectile, first.projectile_velocity),
-                    after = momenta(last.projectile, last.projectile_velocity);
+      const Momenta before = momenta(first.bodies[0].place, first.bodies[0].velocity),
+                    after = momenta(last.bodies[0].place, last.bodies[0].velocity);
       return std::pair((after.linear - before.linear).norm() / before.linear.norm(),
                        std::abs(after.angular / before.angular - 1));
     };
@@ -136,16 +135,15 @@ TEST_CASE("hard 12: angular momentum balances whatever the spin") {
     Momenta first, last;
     bool begun = false;
     const Observer observer{0, equally_spaced(0, 0.2, 1000, 1e-3), [&](const Snapshot& s) {
-                              const Momenta a = momenta(s.projectile, s.projectile_velocity),
-                                            b = momenta(s.target, s.target_velocity);
+                              const Momenta a = momenta(s.bodies[0].place, s.bodies[0].velocity),
+                                            b = momenta(s.bodies[1].place, s.bodies[1].velocity);
                               last = {a.linear + b.linear, a.angular + b.angular};
                               if (!begun) {
                                 first = last;
                                 begun = true;
                               }
                             }};
-    const Outcome o =
-        run_scene(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, go_on, &observer);
+    const Outcome o = run_scene(BuiltSolids(scene), scene, go_on, &observer);
     INFO(spin << " " << name_of(o.status) << " " << o.reason);
     CHECK((o.status == Status::finished ||
            (spin == 5 && !o.reason.empty())));  // a disk flies apart at 5 c/R: its rim is faster than sound

@@ -6,13 +6,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "contact/contacts.hpp"
 #include "core/error.hpp"
 #include "core/rng.hpp"
-#include "force/contact/contact.hpp"
 #include "hard/alone.hpp"
 #include "hard/table.hpp"
 #include "impact/batch.hpp"
-#include "lattice/triangulate.hpp"
+#include "shape/triangulate.hpp"
 
 using namespace ricochet;
 using namespace ricochet::test;
@@ -21,12 +21,10 @@ namespace {
 
 const std::atomic<bool> go_on{false};
 
-Outcome outcome_of(const Scene& scene) {
-  return run_scene(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, go_on);
-}
+Outcome outcome_of(const Scene& scene) { return run_scene(BuiltSolids(scene), scene, go_on); }
 
-Lattice moved(Lattice lattice, const std::function<Vec2(const Vec2&)>& to) {
-  for (Points* points : {&lattice.points, &lattice.smooth_rim})
+Solid moved(Solid lattice, const std::function<Vec2(const Vec2&)>& to) {
+  for (Points* points : {&lattice.points, &lattice.smooth})
     for (Vec2& p : *points) p = to(p);
   return lattice;
 }
@@ -59,10 +57,11 @@ TEST_CASE("hard 7: the mirrored scene has the mirrored outcome, bit for bit") {
         other = scene;
         other.launch.tangential_speed *= -1;
         other.launch.spin *= -1;
-        const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+        const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
         const auto mirror = [](const Vec2& x) { return Vec2(-x.x(), x.y()); };
-        const Outcome a = run_scene(*p, *t, scene, go_on),
-                      b = run_scene(moved(*p, mirror), moved(*t, mirror), other, go_on);
+        const Solid p_mirrored = moved(*p, mirror), t_mirrored = moved(*t, mirror);
+        const Outcome a = run_scene({p.get(), t.get()}, scene, go_on),
+                      b = run_scene({&p_mirrored, &t_mirrored}, other, go_on);
         REQUIRE(a.status == Status::finished);
         Outcome back = b;
         back.psi1 *= -1;
@@ -85,7 +84,7 @@ TEST_CASE("hard 8: a scene turned by 90 degrees has the same outcome, one shifte
   double turned = 0, shifted = 0;
   for (int seed = 1; seed <= 3; ++seed) {
     Scene scene = small_scene(seed, 1, 0);
-    const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+    const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
     Alone straight(p, t, scene);
     const auto count = static_cast<std::int64_t>(8 / straight.step());
     const Snapshot start = straight.now();
@@ -95,26 +94,26 @@ TEST_CASE("hard 8: a scene turned by 90 degrees has the same outcome, one shifte
       for (const Vec2& x : v) sum += x / static_cast<double>(v.size());
       return sum;
     };
-    const Vec2 after = mean(straight.now().projectile_velocity);
+    const Vec2 after = mean(straight.now().bodies[0].velocity);
     REQUIRE(straight.now().energy.contact == 0);
     REQUIRE(after.y() > 0.01);
     const auto with = [&](const std::function<Vec2(const Vec2&)>& place,
                           const std::function<Vec2(const Vec2&)>& direction, double at) {
       Scene other = scene;
       other.launch.at = at;
-      Alone alone(std::make_shared<Lattice>(moved(*p, place)), std::make_shared<Lattice>(moved(*t, place)), other);
-      alone.engine().change([&](Engine<1>::Bodies& bodies) {
+      Alone alone(std::make_shared<Solid>(moved(*p, place)), std::make_shared<Solid>(moved(*t, place)), other);
+      alone.engine().change([&](Motions<1>& bodies) {
         for (int i = 0; i < p->nodes(); ++i) {
-          bodies[0].position.set(i, 0, place(start.projectile[static_cast<std::size_t>(i)]));
-          bodies[0].velocity.set(i, 0, direction(start.projectile_velocity[static_cast<std::size_t>(i)]));
+          bodies[0].q.set(i, 0, place(start.bodies[0].place[static_cast<std::size_t>(i)]));
+          bodies[0].v.set(i, 0, direction(start.bodies[0].velocity[static_cast<std::size_t>(i)]));
         }
         for (int i = 0; i < t->nodes(); ++i) {
-          bodies[1].position.set(i, 0, place(start.target[static_cast<std::size_t>(i)]));
-          bodies[1].velocity.set(i, 0, Vec2(0, 0));
+          bodies[1].q.set(i, 0, place(start.bodies[1].place[static_cast<std::size_t>(i)]));
+          bodies[1].v.set(i, 0, Vec2(0, 0));
         }
       });
       alone.steps(count);
-      return mean(alone.now().projectile_velocity);
+      return mean(alone.now().bodies[0].velocity);
     };
     const auto turn = [](const Vec2& x) { return Vec2(-x.y(), x.x()); };
     const Vec2 aside = with(turn, turn, t->centre().x() - 0.5);
@@ -428,9 +427,9 @@ TEST_CASE(
           scenes.push_back(small_scene(1, psi1));
           scenes.back().integration.method = method;
         }
-        const auto p = build_lattice(*scenes[0].projectile), t = build_lattice(*scenes[0].target);
+        const auto p = build_solid(*scenes[0].projectile), t = build_solid(*scenes[0].target);
         const auto run_all = [&](bool poisoned) {
-          Engine<4> engine(*p, *t, scenes[0].method(), {});
+          Engine<4> engine({p.get(), t.get()}, scenes[0].method(), {});
           std::array<Outcome, 4> outcomes;
           for (int lane = 0; lane < 4; ++lane)
             engine.begin(lane, scenes[static_cast<std::size_t>(lane)], static_cast<std::size_t>(lane));
@@ -438,13 +437,13 @@ TEST_CASE(
           for (int step = 0; !std::all_of(outcomes.begin(), outcomes.end(),
                                           [](const Outcome& o) { return o.status != Status::not_run; });) {
             for (int i = 0; i < engine.steps_between_looks(); ++i, ++step) {
-              if (poisoned && step == 100) engine.state()[static_cast<std::size_t>(body)].position.x(node)[2] = poison;
+              if (poisoned && step == 100) engine.bodies()[static_cast<std::size_t>(body)].q[2 * node][2] = poison;
               engine.advance_one_step();
             }
-            engine.look([&](int lane, const Outcome& o) {
+            for (const auto& [lane, o] : engine.look()) {
               outcomes[static_cast<std::size_t>(lane)] = o;
               engine.clear(lane);
-            });
+            }
           }
           if (poisoned) {
             const Outcome& o = outcomes[2];

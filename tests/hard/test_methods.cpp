@@ -9,6 +9,7 @@
 #include "hard/table.hpp"
 #include "impact/accuracy.hpp"
 #include "impact/batch.hpp"
+#include "impact/launch/launch.hpp"
 #include "integrate/particle.hpp"
 #include "script/program.hpp"
 
@@ -19,11 +20,11 @@ namespace {
 
 const std::atomic<bool> go_on{false};
 
-using Chain = Eigen::Array<long double, 8, 1>;
+using MassChain = Eigen::Array<long double, 8, 1>;
 
 /// The chain of Fermi, Pasta, Ulam and Tsingou, with cubic and quartic terms and fixed ends.
-Chain fput(const Chain& x) {
-  Chain slope = Chain::Zero();
+MassChain fput(const MassChain& x) {
+  MassChain slope = MassChain::Zero();
   for (int i = 0; i <= x.size(); ++i) {
     const long double stretch = (i < x.size() ? x[i] : 0) - (i > 0 ? x[i - 1] : 0);
     const long double tension = stretch + 0.25L * stretch * stretch + 0.3L * stretch * stretch * stretch;
@@ -34,7 +35,7 @@ Chain fput(const Chain& x) {
 }
 
 long double distance(long double a, long double b) { return std::abs(a - b); }
-long double distance(const Chain& a, const Chain& b) { return std::sqrt((a - b).square().sum()); }
+long double distance(const MassChain& a, const MassChain& b) { return std::sqrt((a - b).square().sum()); }
 
 /// Slope of y against x by least squares.
 double slope_of(const std::vector<double>& x, const std::vector<double>& y) {
@@ -91,7 +92,7 @@ double growth(const Method& method, double h) {
 
 std::vector<double> coordinates(const Snapshot& s) {
   std::vector<double> all;
-  for (const Points& points : {s.projectile, s.target})
+  for (const Points& points : {s.bodies[0].place, s.bodies[1].place})
     for (const Vec2& x : points) {
       all.push_back(x.x());
       all.push_back(x.y());
@@ -111,7 +112,7 @@ TEST_CASE(
     "hard 1: every method has its order on an oscillator, a pendulum, an anharmonic well and a chain of Fermi, Pasta, "
     "Ulam and Tsingou") {
   Case of(1, "order of every method: oscillator, pendulum, anharmonic well, FPUT chain, smooth impact");
-  Chain x, v;
+  MassChain x, v;
   for (int i = 0; i < x.size(); ++i) {
     x[i] = 0.6L * std::sin(1.7L * (i + 1));
     v[i] = 0.5L * std::cos(2.3L * i);
@@ -121,7 +122,7 @@ TEST_CASE(
     INFO(m.name);
     const double orders[] = {order_of<long double>(m, oscillator, 1.1, 0.3),
                              order_of<long double>(m, pendulum, 2.4, 0.9),
-                             order_of<long double>(m, anharmonic, 1.1, 0.3), order_of<Chain>(m, fput, x, v)};
+                             order_of<long double>(m, anharmonic, 1.1, 0.3), order_of<MassChain>(m, fput, x, v)};
     for (const double order : orders) {
       // The terms of order 8 of dop853 are so small that those of order 9 hide them until rounding does.
       if (m.name == "dop853") {
@@ -139,11 +140,11 @@ TEST_CASE(
 TEST_CASE("hard 1: every method has its order on a smooth impact") {
   Case of(1, "order of every method: oscillator, pendulum, anharmonic well, FPUT chain, smooth impact");
   Scene scene = small_scene(1, 1, 0);
-  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
   const auto final_state = [&](const char* method, double step) {
     scene.integration.method = method;
     scene.integration.step = step;
-    return coordinates(run_until(*p, *t, scene, 4.8));  // on the way out: contact passed its climax
+    return coordinates(run_until({p.get(), t.get()}, scene, 4.8));  // on the way out: contact passed its climax
   };
   const auto exact = final_state("blanes_moan_srkn14a", 0.0025);
   double worst = 0;
@@ -217,7 +218,7 @@ TEST_CASE("hard 3: wrong steps are refused before the first one, and nothing is 
   scene.projectile = disk(60, 1e4, 0, 1);
   const double limit =
       method_named("pefrl").stability_limit /
-      frequency_bound(*build_lattice(Body{scene.projectile->outline, numbers(60, 1e4, 0, 1, "uniform"), {}, {}}), 1e4)
+      frequency_bound(*build_solid(Body{scene.projectile->outline, numbers(60, 1e4, 0, 1, "uniform"), {}, {}}), 1e4)
           .omega;
   const auto refused = [&](const std::string& step, std::initializer_list<const char*> words) {
     const Ended ended = here.script(script(step), "--quiet");
@@ -272,10 +273,10 @@ TEST_CASE("hard 6: a symmetric method runs back to where it came from") {
 
 TEST_CASE("hard 18: Richardson's estimate of e is within 0.5 to 2 of the true error on smooth scenes") {
   Case of(18, "Richardson's estimate of e");
-  const auto e_of = [](const Lattice& p, const Lattice& t, Scene scene, const std::string& method, double step) {
+  const auto e_of = [](const Solid& p, const Solid& t, Scene scene, const std::string& method, double step) {
     scene.integration.method = method;
     scene.integration.step = step;
-    const Outcome o = run_scene(p, t, scene, go_on);
+    const Outcome o = run_scene({&p, &t}, scene, go_on);
     REQUIRE(o.status == Status::finished);
     return o.e;
   };
@@ -287,13 +288,13 @@ TEST_CASE("hard 18: Richardson's estimate of e is within 0.5 to 2 of the true er
       scene.projectile = disk(60, 1e4, 0, seed);
       scene.target = wall(200, 1e3, 0, seed, 5, 1.5);
       scene.launch.psi1 = 1;
-      const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+      const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
       const Method& m = method_named(method);
       scene.integration.method = method;
-      const double step = launch(scene, *p, *t).step / m.usual * 0.8 * m.stability_limit;
+      const double step = launch(scene, {p.get(), t.get()}).step / m.usual * 0.8 * m.stability_limit;
       scene.integration.method = "pefrl";
       const double coarse = e_of(*p, *t, scene, method, step), fine = e_of(*p, *t, scene, method, step / 2);
-      const double exact = e_of(*p, *t, scene, "blanes_moan_srkn14a", 0.6 * launch(scene, *p, *t).step);
+      const double exact = e_of(*p, *t, scene, "blanes_moan_srkn14a", 0.6 * launch(scene, {p.get(), t.get()}).step);
       const double estimate = richardson(coarse, fine, m.outcome_order), error = std::abs(coarse - exact);
       INFO(method << " seed " << seed << " estimate " << estimate << " true " << error);
       worst = std::max({worst, estimate / error, error / estimate});

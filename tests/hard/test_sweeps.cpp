@@ -7,7 +7,7 @@
 #include <map>
 
 #include "core/hash.hpp"
-#include "force/lane.hpp"
+#include "core/lane.hpp"
 #include "hard/random_scene.hpp"
 #include "hard/table.hpp"
 #include "impact/sweep.hpp"

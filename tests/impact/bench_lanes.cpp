@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 
-#include "force/lane.hpp"
+#include "core/lane.hpp"
 #include "impact/sweep.hpp"
 #include "scenes.hpp"
 

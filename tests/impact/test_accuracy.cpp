@@ -8,7 +8,7 @@
 #include "core/rng.hpp"
 #include "impact/accuracy.hpp"
 #include "impact/batch.hpp"
-#include "impact/launch.hpp"
+#include "impact/launch/launch.hpp"
 #include "scenes.hpp"
 
 using namespace ricochet;
@@ -29,11 +29,11 @@ Scene random_scene(int seed) {
   return scene;
 }
 
-double e_of(const Lattice& p, const Lattice& t, Scene scene, const std::string& method, double step) {
+double e_of(const Solid& p, const Solid& t, Scene scene, const std::string& method, double step) {
   scene.integration.method = method;
   scene.integration.step = step;
   scene.integration.accuracy = not_given;
-  const Outcome o = run_scene(p, t, scene, go_on);
+  const Outcome o = run_scene({&p, &t}, scene, go_on);
   REQUIRE(o.status == Status::finished);
   return o.e;
 }
@@ -45,9 +45,9 @@ TEST_CASE("accuracy is honoured on 20 random scenes: e is within twice the reque
   for (int seed = 1; seed <= 20; ++seed) {
     Scene scene = random_scene(seed);
     scene.integration.accuracy = seed % 3 == 0 ? 1e-3 : seed % 3 == 1 ? 1e-5 : 1e-7;
-    const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
-    const Choice choice = choose_step_for_accuracy(*p, *t, scene, go_on);
-    const double usual = launch(random_scene(seed), *p, *t).step;
+    const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
+    const Choice choice = choose_step_for_accuracy({p.get(), t.get()}, scene, go_on);
+    const double usual = launch(random_scene(seed), {p.get(), t.get()}).step;
     // The reference is checked by itself: another method at another step agrees to a tenth of what is asked, at 1e-7
     // already near the floor that the clamped ends of the contact's segments set.
     const double exact = e_of(*p, *t, scene, "blanes_moan_srkn11b", 0.6 * usual),
@@ -77,12 +77,12 @@ TEST_CASE(
       scene.target = std::make_shared<Body>(soft);
     }
     scene.integration.accuracy = seed % 2 == 0 ? 1e-3 : 5e-3;
-    const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
-    const Choice choice = choose_step_for_accuracy(*p, *t, scene, go_on);
+    const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
+    const Choice choice = choose_step_for_accuracy({p.get(), t.get()}, scene, go_on);
     (method_named(choice.method).multirate() ? multirate : others) += 1;
     Scene plain = scene;
     plain.integration.accuracy = not_given;
-    const double exact = e_of(*p, *t, scene, "blanes_moan_srkn6b", launch(plain, *p, *t).step);
+    const double exact = e_of(*p, *t, scene, "blanes_moan_srkn6b", launch(plain, {p.get(), t.get()}).step);
     const double error = std::abs(e_of(*p, *t, scene, choice.method, choice.step) - exact);
     INFO(fmt::format("scene {} asked {:g} estimated {:.3g} true {:.3g} by {} at {:.4g}", seed,
                      scene.integration.accuracy, choice.error, error, choice.method, choice.step));
@@ -103,12 +103,12 @@ TEST_CASE(
     scene.projectile = disk(60, 1e4, 0, 1);
     scene.target = wall(200, 1e3, 0, 1, 5, 1.5);
     scene.launch.psi1 = 0;
-    const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+    const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
     const Method& m = method_named(method);
     scene.integration.method = method;
-    const double unit = launch(scene, *p, *t).step / m.usual * m.stability_limit;
+    const double unit = launch(scene, {p.get(), t.get()}).step / m.usual * m.stability_limit;
     scene.integration.method = "pefrl";
-    const double exact = e_of(*p, *t, scene, "blanes_moan_srkn14a", 0.3 * launch(scene, *p, *t).step);
+    const double exact = e_of(*p, *t, scene, "blanes_moan_srkn14a", 0.3 * launch(scene, {p.get(), t.get()}).step);
     const double coarse = std::abs(e_of(*p, *t, scene, method, 0.8 * unit) - exact),
                  fine = std::abs(e_of(*p, *t, scene, method, 0.2 * unit) - exact);
     INFO(method << " " << coarse << " " << fine);
@@ -126,10 +126,10 @@ TEST_CASE(
     scene.target = wall(200, 1e3, 0, 1, 5, 1.5);
     scene.launch.psi1 = 0;
     scene.integration.method = method;
-    const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+    const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
     const auto at = [&](double theta) {
       scene.integration.theta = theta;
-      const Outcome o = run_scene(*p, *t, scene, go_on);
+      const Outcome o = run_scene({p.get(), t.get()}, scene, go_on);
       REQUIRE(o.status == Status::finished);
       return o;
     };
@@ -146,8 +146,8 @@ TEST_CASE("an accuracy below the scene's floor is refused with what was reached"
   Scene scene = small_scene(1, 1);
   scene.integration.accuracy = 1e-12;
   scene.integration.method = "verlet";
-  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
-  CHECK_THROWS_WITH(choose_step_for_accuracy(*p, *t, scene, go_on),
+  const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
+  CHECK_THROWS_WITH(choose_step_for_accuracy({p.get(), t.get()}, scene, go_on),
                     Catch::Matchers::Contains("is below what verlet can reach for e here"));
 }
 
@@ -168,8 +168,7 @@ TEST_CASE("scenes of one kind share their trials, and keep the estimate") {
   CHECK(chosen[0].integration.theta == chosen[7].integration.theta);
   CHECK(chosen[0].error_estimate <= 1e-4);
   CHECK(chosen[8].hash() == plain.hash());
-  CHECK(run_scene(*build_lattice(*chosen[0].projectile), *build_lattice(*chosen[0].target), chosen[0], go_on)
-            .error_estimate == chosen[0].error_estimate);
+  CHECK(run_scene(BuiltSolids(chosen[0]), chosen[0], go_on).error_estimate == chosen[0].error_estimate);
 }
 
 TEST_CASE(
@@ -192,8 +191,8 @@ TEST_CASE(
   int missed = 0, underestimated = 0, count = 0;
   double worst = 0;
   for (const Scene& scene : chosen) {
-    const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
-    const Outcome o = run_scene(*p, *t, scene, go_on);
+    const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
+    const Outcome o = run_scene({p.get(), t.get()}, scene, go_on);
     if (o.status == Status::no_contact) continue;
     REQUIRE(o.status == Status::finished);
     Scene fine = scene;
@@ -214,8 +213,8 @@ TEST_CASE(
 TEST_CASE("only one of step, theta and accuracy is given, and theta follows each scene's lattices") {
   Scene scene = small_scene(1, 1), other = small_scene(2, 1);
   scene.integration.theta = other.integration.theta = 1;
-  const Outcome a = run_scene(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, go_on);
-  const Outcome b = run_scene(*build_lattice(*other.projectile), *build_lattice(*other.target), other, go_on);
+  const Outcome a = run_scene(BuiltSolids(scene), scene, go_on);
+  const Outcome b = run_scene(BuiltSolids(other), other, go_on);
   CHECK(a.step != b.step);
   CHECK(a.theta == Catch::Detail::Approx(1).epsilon(1e-14));
   CHECK(b.theta == Catch::Detail::Approx(1).epsilon(1e-14));

@@ -1,10 +1,10 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "body/springs/sweep.hpp"
 #include "core/error.hpp"
-#include "force/springs.hpp"
 #include "impact/lammps.hpp"
-#include "impact/launch.hpp"
+#include "impact/launch/launch.hpp"
 #include "scenes.hpp"
 
 using namespace ricochet;
@@ -35,14 +35,14 @@ TEST_CASE("a LAMMPS data file holds the nodes as launched, and bonds of class2 w
     target.node_stiffness.push_back(target.numbers.stiffness * (1 + 0.5 * std::sin(static_cast<double>(i))));
   scene.target = std::make_shared<Body>(target);
   scene.launch.spin = 0.01;
-  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
-  const LammpsFiles files = lammps_files(scene, *p, *t, "s");
-  const Start start = launch(scene, *p, *t);
+  const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
+  const LammpsFiles files = lammps_files(scene, {p.get(), t.get()}, "s");
+  const Start start = launch(scene, {p.get(), t.get()});
 
   const auto atoms = section(files.data, "Atoms"), bonds = section(files.data, "Bonds"),
              coefficients = section(files.data, "Bond Coeffs"), velocities = section(files.data, "Velocities");
   REQUIRE(static_cast<int>(atoms.size()) == p->nodes() + t->nodes());
-  REQUIRE(bonds.size() == p->spring.size() + t->spring.size());
+  REQUIRE(bonds.size() == p->springs()->list.size() + t->springs()->list.size());
   REQUIRE(coefficients.size() == bonds.size());
   CHECK_THAT(files.data, Catch::Matchers::Contains(std::to_string(atoms.size()) + " atoms\n" +
                                                    std::to_string(bonds.size()) + " bonds\n5 atom types\n"));
@@ -58,8 +58,8 @@ TEST_CASE("a LAMMPS data file holds the nodes as launched, and bonds of class2 w
     } else
       CHECK((velocities[i][1] == 0 && velocities[i][2] == 0));
   }
-  CHECK((centre - start.pose.centre).norm() < 1e-13);
-  CHECK((velocity - start.velocity).norm() < 1e-13);
+  CHECK((centre - in_plane(start.bodies[0].centre)).norm() < 1e-13);
+  CHECK((velocity - in_plane(start.bodies[0].velocity)).norm() < 1e-13);
   CHECK(anchored == t->nodes() - t->free);
 
   // Both energies where the nodes have been shaken.
@@ -78,15 +78,14 @@ TEST_CASE("a LAMMPS data file holds the nodes as launched, and bonds of class2 w
   }
   double ours = 0;
   for (int body : {0, 1}) {
-    const Lattice& lattice = body == 0 ? *p : *t;
-    Moving<1> moving{
-        &lattice, {}, {}, {}, Lane<1>::Constant((body == 0 ? scene.projectile : scene.target)->numbers.stiffness)};
-    for (auto* values : {&moving.position, &moving.velocity, &moving.force}) values->resize(lattice.nodes());
+    const Solid& lattice = body == 0 ? *p : *t;
+    Motion<1> moving = at_rest<1>(lattice);
+    moving.stiffness.setConstant((body == 0 ? scene.projectile : scene.target)->numbers.stiffness);
     for (int i = 0; i < lattice.nodes(); ++i) {
       const std::size_t atom = static_cast<std::size_t>(i + (body == 0 ? 0 : p->nodes()));
-      moving.position.set(i, 0, Vec2(Vec2(atoms[atom][3], atoms[atom][4]) + shaken(atom)));
+      moving.q.set(i, 0, Vec2(Vec2(atoms[atom][3], atoms[atom][4]) + shaken(atom)));
     }
-    ours += spring_energy(moving)[0];
+    ours += interior_energy(moving)[0];
   }
   CAPTURE(theirs - ours, ours);
   CHECK(theirs == Catch::Detail::Approx(ours).epsilon(1e-12));
@@ -94,11 +93,11 @@ TEST_CASE("a LAMMPS data file holds the nodes as launched, and bonds of class2 w
 
 TEST_CASE("LAMMPS files of effects, or of bodies that pass by each other, are refused") {
   Scene scene = small_scene(1, 0);
-  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
   scene.effects = {Gravity{0.01, "both"}};
-  CHECK_THROWS_AS(lammps_files(scene, *p, *t, "s"), FieldError);
+  CHECK_THROWS_AS(lammps_files(scene, {p.get(), t.get()}, "s"), FieldError);
   scene.effects.clear();
   scene.launch.psi1 = not_given;
   scene.launch.angle = 90;
-  CHECK_THROWS_AS(lammps_files(scene, *p, *t, "s"), FieldError);
+  CHECK_THROWS_AS(lammps_files(scene, {p.get(), t.get()}, "s"), FieldError);
 }

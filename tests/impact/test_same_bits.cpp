@@ -8,9 +8,10 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
-#include "force/lane.hpp"
+#include "core/lane.hpp"
 #include "impact/batch.hpp"
-#include "impact/launch.hpp"
+#include "impact/launch/launch.hpp"
+#include "impact/launch/step.hpp"
 #include "impact/sweep.hpp"
 #include "scenes.hpp"
 
@@ -81,8 +82,7 @@ TEST_CASE("the outcomes have the same bits for 1, 2, 4 threads, for every batch 
   const std::vector<Scene> list = scenes();
   std::string alone;
   const std::atomic<bool> go_on{false};
-  for (const Scene& scene : list)
-    alone += exact_text(run_scene(*build_lattice(*scene.projectile), *build_lattice(*scene.target), scene, go_on));
+  for (const Scene& scene : list) alone += exact_text(run_scene(BuiltSolids(scene), scene, go_on));
   const std::string expected = hash_text(alone);
   for (int threads : {1, 2, 4})
     for (int batch = 1; batch <= lanes; ++batch) {
@@ -110,16 +110,16 @@ TEST_CASE("the lanes may narrow as the contact of an impact beside effects ends"
   scene.target = wall(150, 400, 0.03, 1);
   scene.launch.speed = 0.2;
   scene.effects = {Drag{0.02, "both"}};
-  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
   const std::atomic<bool> go_on{false};
-  const Start start = launch(scene, *p, *t);
+  const Start start = launch(scene, {p.get(), t.get()});
   double contact_end = 0;
   Observer observer;
   observer.due = [](double) { return true; };
   observer.look = [&](const Snapshot& shot) {
     if (shot.energy.contact > touch_share * start.energy) contact_end = shot.time;
   };
-  REQUIRE(run_scene(*p, *t, scene, go_on, &observer).status == Status::finished);
+  REQUIRE(run_scene({p.get(), t.get()}, scene, go_on, &observer).status == Status::finished);
   // A step with which the contact ends a few steps after, at, or before a look, where the neighbour's time limit makes
   // the lanes narrow.
   const double looks = std::ceil(contact_end / start.step / evaluations_between_looks);
@@ -134,7 +134,7 @@ TEST_CASE("the lanes may narrow as the contact of an impact beside effects ends"
       for (const Result& r : results) outcomes[r.index] = r.outcome;
     });
     CHECK(outcomes[1].status == Status::out_of_time);
-    same += exact_text(outcomes[0]) == exact_text(run_scene(*p, *t, scene, go_on));
+    same += exact_text(outcomes[0]) == exact_text(run_scene({p.get(), t.get()}, scene, go_on));
   }
   CHECK(same == moments);
 }
@@ -167,11 +167,12 @@ TEST_CASE(
 
 TEST_CASE("an observer does not change a bit") {
   const Scene scene = small_scene(2, 1);
-  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
   const std::atomic<bool> go_on{false};
   int looks = 0;
   const Observer observer{0, [](double) { return true; }, [&](const Snapshot&) { ++looks; }};
-  CHECK(exact_text(run_scene(*p, *t, scene, go_on, &observer)) == exact_text(run_scene(*p, *t, scene, go_on)));
+  CHECK(exact_text(run_scene({p.get(), t.get()}, scene, go_on, &observer)) ==
+        exact_text(run_scene({p.get(), t.get()}, scene, go_on)));
   CHECK(looks > 100);
 }
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "body/interior.hpp"
 #include "core/error.hpp"
 #include "integrate/particle.hpp"
-#include "integrate/step_limit.hpp"
 #include "scenes.hpp"
 
 using namespace ricochet;
@@ -179,11 +179,11 @@ TEST_CASE("an unknown method is refused with the nearest name") {
 TEST_CASE("the frequency bound is above the highest frequency, and at most 30 percent above") {
   for (int seed = 1; seed <= 4; ++seed) {
     const auto body = seed % 2 ? disk(120, 1e4, 0.03, seed) : wall(150, 300, 0.03, seed);
-    const auto lattice = build_lattice(*body);
+    const auto lattice = build_solid(*body);
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(2 * lattice->free, 2 * lattice->free);
     for (int i = 0; i < lattice->free; ++i)
-      for (int s = lattice->first[i]; s < lattice->first[i + 1]; ++s) {
-        const int j = lattice->spring[s].other;
+      for (int s = lattice->springs()->first[i]; s < lattice->springs()->first[i + 1]; ++s) {
+        const int j = lattice->springs()->list[s].other;
         const Vec2 n = (lattice->points[j] - lattice->points[i]).normalized();
         const Eigen::Matrix2d k = body->numbers.stiffness * n * n.transpose();
         K.block<2, 2>(2 * i, 2 * i) += k;

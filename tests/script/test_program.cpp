@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "force/catalogue.hpp"
+#include "effect/catalogue.hpp"
 #include "script/program.hpp"
 #include "script/specification.hpp"
 #include "store/table.hpp"

@@ -14,11 +14,11 @@
 #include <limits>
 #include <sstream>
 
+#include "body/springs/sweep.hpp"
 #include "core/error.hpp"
-#include "force/springs.hpp"
 #include "impact/accuracy.hpp"
 #include "impact/batch.hpp"
-#include "impact/launch.hpp"
+#include "impact/launch/launch.hpp"
 #include "impact/sweep.hpp"
 #include "scenes.hpp"
 #include "store/files.hpp"
@@ -98,7 +98,7 @@ void same_vibration() {
   body.numbers.quartic = 100;
   scene.projectile = std::make_shared<Body>(body);
   scene.launch.spin = 0.5;
-  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
   const LammpsFiles files = lammps_files(scene, *p, *t, "vibration");
   write_atomically(folder / "vibration.data", files.data);
   const double h = 2e-3;
@@ -106,20 +106,20 @@ void same_vibration() {
   const std::string log = run_lammps(script(files.input, h, steps, false));
 
   // Velocity Verlet by the engine's own sweep: half a kick, then drift and kick in turn.
-  const Start start = launch(scene, *p, *t);
-  Moving<1> moving{p.get(), {}, {}, {}, Lane<1>::Constant(1e4)};
+  const Start start = launch(scene, {p.get(), t.get()});
+  Motion<1> moving{p.get(), {}, {}, {}, Lane<1>::Constant(1e4)};
   for (auto* values : {&moving.position, &moving.velocity, &moving.force}) values->resize(p->nodes());
   const Points points = posed(p->points, p->centre(), start.pose);
   for (int i = 0; i < p->nodes(); ++i) {
-    moving.position.set(i, 0, points[static_cast<std::size_t>(i)]);
-    moving.velocity.set(
-        i, 0, start.velocity + start.spin * perpendicular(points[static_cast<std::size_t>(i)] - start.pose.centre));
+    moving.q.set(i, 0, points[static_cast<std::size_t>(i)]);
+    moving.v.set(i, 0,
+                 start.velocity + start.spin * perpendicular(points[static_cast<std::size_t>(i)] - start.pose.centre));
   }
   const auto lane = [](double value) -> Lane<1> { return Lane<1>::Constant(value); };
-  kick_and_drift(moving, Lane<1>(lane(h / 2) / p->mass), lane(h));
-  for (long i = 1; i < steps; ++i) kick_and_drift(moving, Lane<1>(lane(h) / p->mass), lane(h));
+  kick_and_drift(moving, Lane<1>(lane(h / 2) / p->mass.each()), lane(h));
+  for (long i = 1; i < steps; ++i) kick_and_drift(moving, Lane<1>(lane(h) / p->mass.each()), lane(h));
   const double springs = spring_energy(moving)[0];
-  kick_and_drift(moving, Lane<1>(lane(h / 2) / p->mass), lane(0));
+  kick_and_drift(moving, Lane<1>(lane(h / 2) / p->mass.each()), lane(0));
 
   std::ifstream dump(folder / "peer.dump");
   std::string line;
@@ -129,11 +129,10 @@ void same_vibration() {
     long id;
     double x, y;
     dump >> id >> x >> y;
-    furthest = std::max(furthest, (Vec2(x, y) - moving.position.at(i, 0)).norm());
+    furthest = std::max(furthest, (Vec2(x, y) - moving.q.at(i, 0)).norm());
     const Vec2 offset = points[static_cast<std::size_t>(i)] - start.pose.centre;
     moved = std::max(
-        moved,
-        std::abs((moving.position.at(i, 0) - (start.pose.centre + h * steps * start.velocity)).norm() - offset.norm()));
+        moved, std::abs((moving.q.at(i, 0) - (start.pose.centre + h * steps * start.velocity)).norm() - offset.norm()));
   }
   // The last line of thermodynamics: step, time, total, kinetic and potential energy.
   std::istringstream last(log.substr(log.rfind("\n", log.find("Loop time") - 2) + 1));
@@ -144,23 +143,23 @@ void same_vibration() {
       "{:.3g} R;\n"
       "  positions of LAMMPS and Ricochet differ by {:.1e} R at most, energies of the springs by {:.1e} of "
       "themselves\n",
-      p->spring.size(), steps, moved, furthest, std::abs(potential * (p->nodes() + t->nodes()) / springs - 1));
+      p->springs()->list.size(), steps, moved, furthest, std::abs(potential * (p->nodes() + t->nodes()) / springs - 1));
 }
 
 void spring_cost() {
   const Scene scene = paper_scene(1);
-  const auto p = build_lattice(*scene.projectile), t = build_lattice(*scene.target);
+  const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
   const LammpsFiles files = lammps_files(scene, *p, *t, "vibration");
   write_atomically(folder / "vibration.data", files.data);
-  const double springs = static_cast<double>(p->spring.size() + t->spring.size());
-  std::array<Moving<lanes>, 2> bodies{Moving<lanes>{p.get(), {}, {}, {}, Lane<lanes>::Constant(1e4), {}},
-                                      Moving<lanes>{t.get(), {}, {}, {}, Lane<lanes>::Constant(100), {}}};
-  for (Moving<lanes>& body : bodies) {
-    for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(body.lattice->nodes());
-    for (int i = 0; i < body.lattice->nodes(); ++i)
+  const double springs = static_cast<double>(p->springs()->list.size() + t->springs()->list.size());
+  std::array<Motion<lanes>, 2> bodies{Motion<lanes>{p.get(), {}, {}, {}, Lane<lanes>::Constant(1e4), {}},
+                                      Motion<lanes>{t.get(), {}, {}, {}, Lane<lanes>::Constant(100), {}}};
+  for (Motion<lanes>& body : bodies) {
+    for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(body.solid->nodes());
+    for (int i = 0; i < body.solid->nodes(); ++i)
       for (int l = 0; l < lanes; ++l) {
-        body.position.set(i, l, body.lattice->points[static_cast<std::size_t>(i)]);
-        body.velocity.set(i, l, i < body.lattice->free ? Vec2(1e-3 * std::sin(i), 0) : Vec2(0, 0));
+        body.q.set(i, l, body.solid->points[static_cast<std::size_t>(i)]);
+        body.v.set(i, l, i < body.solid->free ? Vec2(1e-3 * std::sin(i), 0) : Vec2(0, 0));
       }
   }
   std::vector<double> theirs, ours, ratios;
@@ -170,7 +169,7 @@ void spring_cost() {
                      springs * 1e9);
     ours.push_back(seconds([&] {
                      for (long i = 0; i < steps; ++i)
-                       for (Moving<lanes>& body : bodies)
+                       for (Motion<lanes>& body : bodies)
                          kick_and_drift(body, Lane<lanes>(Lane<lanes>::Constant(1e-3)),
                                         Lane<lanes>(Lane<lanes>::Constant(1e-3)));
                    }) /
@@ -190,7 +189,7 @@ void impact_cost() {
   constexpr double wanted = 1e-3;
   std::vector<Scene> scenes;
   for (double psi1 : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0}) scenes.push_back(paper_scene(psi1));
-  const auto p = build_lattice(*scenes[0].projectile), t = build_lattice(*scenes[0].target);
+  const auto p = build_solid(*scenes[0].projectile), t = build_solid(*scenes[0].target);
 
   // Nodes repel nodes in LAMMPS: the repulsion must reach over the gaps between them, or one rim slips through the
   // other.
@@ -202,8 +201,8 @@ void impact_cost() {
     Scene stronger = scene;
     stronger.contact.V0 *= std::exp(scene.contact.xi * 0.03);
     files.back().input = lammps_files(stronger, *p, *t, "vibration").input;
-    times.push_back(1.2 * run_scene(*p, *t, scene, go_on).time);
-    const Start start = launch(scene, *p, *t);
+    times.push_back(1.2 * run_scene({p.get(), t.get()}, scene, go_on).time);
+    const Start start = launch(scene, {p.get(), t.get()});
     omega = start.theta / start.step;
   }
   const auto e_and_seconds = [&](std::size_t i, double theta) {
@@ -244,7 +243,7 @@ void impact_cost() {
     Scene fine = scene;
     fine.integration.method = "blanes_moan_srkn6b";
     fine.integration.theta = 0.5;
-    exact.push_back(run_scene(*p, *t, fine, go_on).e);
+    exact.push_back(run_scene({p.get(), t.get()}, fine, go_on).e);
   }
   // All scenes by one method: the greatest error of e, and seconds an impact, one thread, lattices and launch included.
   const auto error_and_seconds = [&](const std::string& method, double theta) {

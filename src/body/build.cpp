@@ -1,0 +1,42 @@
+// From a description to a solid. Apart from solid.cpp, so that a program that makes its solids itself needs no CGAL.
+
+#include "body/springs/build.hpp"
+
+#include "body/plan.hpp"
+#include "body/solid.hpp"
+#include "shape/triangulate.hpp"
+
+namespace ricochet {
+namespace {
+
+std::shared_ptr<const Solid> build_plane(const Plane& plane) {
+  auto solid = std::make_shared<Solid>();
+  solid->surface = plane;
+  solid->interior = Rigid{};
+  return solid;
+}
+
+// The rim alone, all of it held.
+std::shared_ptr<const Solid> build_rigid(const NodePlan& plan, const std::vector<Triangle>& triangles) {
+  auto solid = std::make_shared<Solid>();
+  solid->points = plan.points;
+  solid->smooth = plan.smooth_rim;
+  Mesh<2> rim;
+  for (int i = 0; i < plan.rim; ++i) rim.node.push_back(i);
+  rim.cell = ring(plan.rim);
+  solid->surface = std::move(rim);
+  solid->cells = triangles;
+  solid->interior = Rigid{};
+  return solid;
+}
+
+}  // namespace
+
+std::shared_ptr<const Solid> build_solid(const Body& body) {
+  if (body.plane) return build_plane(*body.plane);
+  const NodePlan plan = plan_nodes(body.outline, body.numbers, body.anchored);
+  const std::vector<Triangle> triangles = triangulate(plan.points, plan.rim);
+  return body.rigid() ? build_rigid(plan, triangles) : build_lattice(body, plan, triangles);
+}
+
+}  // namespace ricochet

@@ -1,0 +1,47 @@
+#pragma once
+// A body as a script describes it: plain data, from which a Solid is built.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/field.hpp"
+#include "core/vec2.hpp"
+#include "material/spring_law.hpp"
+#include "shape/surface.hpp"
+
+namespace ricochet {
+
+/// The numbers that describe a body in a closed outline. Units: R, m0, c.
+struct BodyNumbers : SpringLawNumbers {
+  int nodes = 800;
+  std::string placement = "uniform";
+  std::int64_t seed = 1;
+  double stiffness = 1e4;
+  double mass = 1;
+  double roughness = 0;
+  double prestress = 0;
+  std::string interior = "springs";
+
+  static const std::vector<Member<BodyNumbers>>& fields();
+  bool rigid() const { return interior == "rigid"; }
+};
+
+/// `anchored` and `node_stiffness` hold what the script's functions said of each planned node, evaluated once; empty
+/// where no function was given.
+struct Body {
+  Points outline;  ///< simple, counter-clockwise
+  BodyNumbers numbers;
+  std::vector<bool> anchored;          ///< [plan node]
+  std::vector<double> node_stiffness;  ///< [plan node], in m0 c^2 / R^2
+  std::optional<Plane> plane{};        ///< a rigid half-space instead of all this
+
+  bool rigid() const { return plane || numbers.rigid(); }
+
+  /// Everything that fixes the body except its stiffness number, which only scales it: bodies of equal geometry share
+  /// one solid.
+  std::string geometry_text() const;
+};
+
+}  // namespace ricochet

@@ -1,0 +1,92 @@
+#pragma once
+// What holds a body together, seen from outside: springs, or nothing inside that moves. A further interior is one more
+// type in Interior (body/solid.hpp) and one more answer to each of these questions. The choice is made once a sweep.
+
+#include <limits>
+
+#include "body/motion.hpp"
+#include "body/springs/bound.hpp"
+#include "body/springs/sweep.hpp"
+
+namespace ricochet {
+
+/// v += kick F/m, x += drift v of all that moves; F: of the interior, and what `f` holds, which this empties.
+template <int W>
+void kick_and_drift(Motion<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
+  if (const Springs* springs = body.solid->springs()) kick_and_drift<2>(body, *springs, kick, drift);
+}
+
+/// Potential energy of the interior, above that at rest. [m0 c^2]
+template <int W>
+Lane<W> interior_energy(const Motion<W>& body) {
+  const Springs* springs = body.solid->springs();
+  return springs ? spring_energy<2>(body, *springs) : Lane<W>(Lane<W>::Zero());
+}
+
+/// Energy that the interior holds at rest, by prestress. [R^2, per unit of the body's stiffness]
+inline double rest_energy(const Solid& solid) { return solid.springs() ? solid.springs()->rest_energy : 0; }
+
+/// No vibration of the body at rest is faster.
+inline FrequencyBound frequency_bound(const Solid& solid, double stiffness) {
+  return solid.springs() ? frequency_bound(solid, *solid.springs(), stiffness) : FrequencyBound{};
+}
+
+/// The same as the body is deformed now, in W lanes. rest(s, x): what is left of spring s at a stretch x.
+template <int W, class Rest>
+SquaredBounds<W> squared_frequency_bound(const Motion<W>& body, Rest&& rest) {
+  const Springs* springs = body.solid->springs();
+  return springs ? squared_frequency_bound(body, *springs, rest) : SquaredBounds<W>{};
+}
+template <int W>
+SquaredBounds<W> squared_frequency_bound(const Motion<W>& body) {
+  const Springs* springs = body.solid->springs();
+  return springs ? squared_frequency_bound(body, *springs) : SquaredBounds<W>{};
+}
+
+/// Forces of the interior alone. [m0 c^2/R]
+template <int W>
+Coordinates<W> interior_forces(const Motion<W>& body) {
+  Coordinates<W> force;
+  force.resize(body.solid->coordinates());
+  if (const Springs* springs = body.solid->springs()) add_spring_forces<2>(body, *springs, force);
+  return force;
+}
+
+/// K w: K the second derivatives of the interior's energy where the body is, w along its coordinates.
+template <int W>
+Coordinates<W> stiffness_times(const Motion<W>& body, const Coordinates<W>& w) {
+  Coordinates<W> product;
+  product.resize(body.solid->coordinates());
+  if (const Springs* springs = body.solid->springs()) add_stiffness_times<2>(body, *springs, w, product);
+  return product;
+}
+
+/// Mean stiffness of what a node hangs on, relative to the body's stiffness; infinite in a rigid body.
+inline double mean_stiffness(const Solid& solid) {
+  const Springs* springs = solid.springs();
+  if (!springs) return std::numeric_limits<double>::infinity();
+  double mean = 0;
+  const SpringList& list = springs->list;
+  for (std::size_t s = 0; s < list.size(); ++s) mean += list[s].stiffness / static_cast<double>(list.size());
+  return mean;
+}
+
+/// How many evaluations of single springs (or whatever the interior is made of) a sweep takes.
+inline double work_of_sweep(const Solid& solid) {
+  return solid.springs() ? static_cast<double>(solid.springs()->list.size()) : 0;
+}
+
+/// Calls `use(i, j)` for every two nodes that the interior joins.
+template <class Use>
+void each_joint(const Solid& solid, Use&& use) {
+  if (const Springs* springs = solid.springs())
+    each_spring(*springs, solid.free, [&](int i, int, const Spring& spring) { use(i, spring.other); });
+}
+
+/// Pushes a node of one lane: f += J^T F, which for nodes is the force itself.
+template <int W>
+void push_node(Motion<W>& body, int lane, int node, const Vec2& force) {
+  body.f.add(node, lane, force);
+}
+
+}  // namespace ricochet

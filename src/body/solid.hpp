@@ -1,0 +1,81 @@
+#pragma once
+// What is built from a body's description: shared by the lanes, immutable. It holds nothing of one body's fate
+// (stiffness, pose, name), so that equal bodies share it.
+
+#include <array>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "body/description.hpp"
+#include "body/springs/springs.hpp"
+#include "shape/surface.hpp"
+
+namespace ricochet {
+
+using Triangle = std::array<int, 3>;  ///< node numbers, counter-clockwise
+
+/// The interior of a body that nothing moves inside of.
+struct Rigid {};
+
+/// What holds a body together. Who visits it: body/interior.hpp.
+using Interior = std::variant<Springs, Rigid>;
+
+/// Of the nodes. [m0]
+class Masses {
+ public:
+  explicit Masses(double each = 1) : each_(each) {}
+  /// Every node has its own.
+  explicit Masses(std::vector<double> of) : of_(std::move(of)) {
+    for (const double m : of_) inverse_.push_back(1 / m);
+  }
+
+  bool uniform() const { return of_.empty(); }
+  double each() const { return each_; }  ///< if uniform
+  double operator[](int node) const { return uniform() ? each_ : of_[static_cast<std::size_t>(node)]; }
+  const std::vector<double>& of() const { return of_; }            ///< [node]; empty if uniform
+  const std::vector<double>& inverse() const { return inverse_; }  ///< [node]; empty if uniform
+  double lightest() const;
+
+ private:
+  double each_ = 1;
+  std::vector<double> of_, inverse_;
+};
+
+/// Free nodes come first, then the held ones: loops over what moves never meet an anchor.
+struct Solid {
+  int dim = 2;
+  Points points;                ///< [node] rest positions [R]
+  int free = 0;                 ///< how many nodes move
+  Masses mass;                  ///< of the nodes
+  std::vector<Triangle> cells;  ///< what has a volume, and is drawn
+  Surface surface = Mesh<2>{};  ///< what contact meets
+  Points smooth;                ///< [surface node] where it lay before roughness
+  Interior interior = Springs{};
+
+  int nodes() const { return static_cast<int>(points.size()); }
+  int free_coordinates() const { return dim * free; }
+  int coordinates() const { return dim * nodes(); }
+  /// A body that is held somewhere has no rigid motion.
+  bool anchored() const { return free < nodes() || std::holds_alternative<Rigid>(interior); }
+  double total_mass() const;
+  Vec2 centre() const;     ///< of mass; of a plane, the point of it nearest to the origin
+  double inertia() const;  ///< moment of inertia about the centre, at rest [m0 R^2]
+  /// Spin of an angular momentum, at rest.
+  template <class Number>
+  Number spin_of(const Number& momentum) const {
+    return momentum / inertia();
+  }
+  const Springs* springs() const { return std::get_if<Springs>(&interior); }
+};
+
+/// Rest places of the surface's nodes, in their order.
+Points surface_points(const Solid& solid);
+
+/// The longest cell of the surface at rest. [R]
+double longest_cell(const Solid& solid);
+
+/// A pure function of the description.
+std::shared_ptr<const Solid> build_solid(const Body& body);
+
+}  // namespace ricochet

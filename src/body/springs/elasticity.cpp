@@ -1,0 +1,137 @@
+#include "body/springs/elasticity.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "body/springs/tangent.hpp"
+#include "core/error.hpp"
+
+namespace ricochet {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+constexpr double strain = 1e-3;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Slope of the least-squares line of v against u.
+double slope(const std::vector<double>& u, const std::vector<double>& v) {
+  double mean_u = 0, mean_v = 0, uu = 0, uv = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    mean_u += u[i];
+    mean_v += v[i];
+  }
+  mean_u /= static_cast<double>(u.size());
+  mean_v /= static_cast<double>(u.size());
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    uu += (u[i] - mean_u) * (u[i] - mean_u);
+    uv += (u[i] - mean_u) * (v[i] - mean_v);
+  }
+  return uv / uu;
+}
+
+struct Extent {
+  Vec2 low, high;
+  double width() const { return high.x() - low.x(); }
+  double height() const { return high.y() - low.y(); }
+};
+
+Extent extent_of(const Points& points) {
+  Extent extent{points[0], points[0]};
+  for (const Vec2& p : points) {
+    extent.low = extent.low.cwiseMin(p);
+    extent.high = extent.high.cwiseMax(p);
+  }
+  return extent;
+}
+
+/// Degrees of freedom: x of every node, y of those between the grips; one x is held so that the band cannot slide away.
+struct Grips {
+  std::vector<int> column;   ///< [coordinate] of the unknown, -1 where it is held
+  std::vector<double> held;  ///< [coordinate] displacement where it is
+  std::vector<bool> upper;   ///< [node] in the upper grip
+  int unknowns = 0;
+};
+
+Grips grip(const Solid& band, const Extent& extent) {
+  const double grip = std::sqrt(extent.width() * extent.height() / band.nodes());  // one spacing
+  Grips g{std::vector<int>(at(band.coordinates()), -1), std::vector<double>(at(band.coordinates()), 0.0),
+          std::vector<bool>(at(band.nodes()), false)};
+  int gripped = 0;
+  for (int i = 0; i < band.nodes(); ++i) {
+    const double y = band.points[at(i)].y();
+    const bool in_lower = y < extent.low.y() + grip / 2;
+    const bool in_upper = y > extent.high.y() - grip / 2;
+    g.upper[at(i)] = in_upper;
+    if (in_lower || in_upper) {
+      g.held[at(2 * i + 1)] = strain * (y - extent.low.y());
+      if (gripped++ > 0) g.column[at(2 * i)] = g.unknowns++;  // the first gripped node is the one held along x
+    } else {
+      g.column[at(2 * i)] = g.unknowns++;
+      g.column[at(2 * i + 1)] = g.unknowns++;
+    }
+  }
+  return g;
+}
+
+/// [coordinate] displacements in equilibrium.
+std::vector<double> equilibrium(const Solid& band, const Springs& springs, double stiffness, const Grips& g) {
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(g.unknowns);
+  each_spring(springs, band.nodes(), [&](int i, int, const Spring& spring) {
+    const Eigen::Matrix2d k = stiffness * tangent_block(band, springs, spring);
+    const int dof[4] = {2 * i, 2 * i + 1, 2 * spring.other, 2 * spring.other + 1};
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b) {
+        const double value = (a / 2 == b / 2 ? 1 : -1) * k(a % 2, b % 2);
+        const int row = g.column[at(dof[a])], column = g.column[at(dof[b])];
+        if (row < 0) continue;
+        if (column >= 0)
+          entries.emplace_back(row, column, value);
+        else
+          load[row] -= value * g.held[at(dof[b])];
+      }
+  });
+  Matrix system(g.unknowns, g.unknowns);
+  system.setFromTriplets(entries.begin(), entries.end());
+  Eigen::SimplicialLDLT<Matrix> factors(system);
+  if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 0)
+    throw Error("elasticity: the band is not rigid (a node hangs loose)");
+  const Eigen::VectorXd solution = factors.solve(load);
+  std::vector<double> displacement = g.held;
+  for (std::size_t c = 0; c < displacement.size(); ++c)
+    if (g.column[c] >= 0) displacement[c] = solution[g.column[c]];
+  return displacement;
+}
+
+}  // namespace
+
+Elasticity stretch_band(const Solid& band, const Springs& springs, double stiffness) {
+  const Extent extent = extent_of(band.points);
+  const Grips g = grip(band, extent);
+  const std::vector<double> u = equilibrium(band, springs, stiffness, g);
+  const auto displacement = [&](int i) { return Vec2(u[at(2 * i)], u[at(2 * i + 1)]); };
+  double force = 0;
+  each_spring(springs, band.nodes(), [&](int i, int, const Spring& spring) {
+    const int j = spring.other;
+    const double pull = (stiffness * tangent_block(band, springs, spring) * (displacement(j) - displacement(i))).y();
+    if (g.upper[at(i)]) force -= pull;
+    if (g.upper[at(j)]) force += pull;
+  });
+  std::vector<double> x, y, ux, uy;
+  for (int i = 0; i < band.nodes(); ++i) {
+    const Vec2& p = band.points[at(i)];
+    if (std::abs(p.y() - (extent.low.y() + extent.high.y()) / 2) > extent.height() / 4) continue;
+    x.push_back(p.x());
+    y.push_back(p.y());
+    ux.push_back(displacement(i).x());
+    uy.push_back(displacement(i).y());
+  }
+  if (x.size() < 10) throw Error("elasticity: the middle half of the band has fewer than 10 nodes");
+  const double middle_strain = slope(y, uy);
+  return {force / extent.width() / middle_strain, -slope(x, ux) / middle_strain};
+}
+
+}  // namespace ricochet

@@ -1,0 +1,245 @@
+#pragma once
+// The contact of two bodies in W lanes. It answers for itself: what it pushes, what energy it holds, whether it is
+// apart.
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "contact/candidates.hpp"
+#include "contact/gaps.hpp"
+#include "contact/grip.hpp"
+#include "contact/push.hpp"
+#include "shape/closest.hpp"
+
+namespace ricochet {
+
+/// A node of one of the bodies, by index.
+struct BodyNode {
+  int body = 0, node = 0;
+};
+
+/// What acts between surfaces beside the repulsion, in all lanes.
+struct ContactLaws {
+  std::vector<PairForce> forces;
+  std::optional<GripLaw> grip;
+  double skin = 0.5;  ///< how far beyond the reach candidates are kept, over the reach; changes no bit
+};
+
+/// Nodes of the first body against cells of the second and, where the lane's law is two-sided, the other way round.
+template <int W>
+class Pair {
+ public:
+  Pair(int first, int second, const Solid& of_first, const Solid& of_second, const ContactLaws& laws)
+      : body_{first, second}, solid_{&of_first, &of_second}, laws_(laws) {
+    if (laws.grip) grip_.emplace(*laws.grip, of_first, of_second);
+    allowance_.setConstant(std::numeric_limits<double>::infinity());
+  }
+
+  int body(int side) const { return body_[side]; }
+  bool holds(int body) const { return body == body_[0] || body == body_[1]; }
+
+  /// Puts a law into a lane; the next evaluation looks for candidates. No law (nullptr) leaves the lane without
+  /// contact.
+  void set(int lane, const ExponentialRepulsion* law) {
+    law_[lane] = law;
+    stiffest_[lane] = 0;
+    allowance_[lane] = law ? -1.0 : std::numeric_limits<double>::infinity();
+    for (auto& candidates : candidates_[lane]) candidates.clear();
+    if (grip_) grip_->clear(lane);
+  }
+  const ExponentialRepulsion* law(int lane) const { return law_[lane]; }
+
+  /// Passes on what is remembered of an impact, after set().
+  void carry(int lane, Carrier& carrier) {
+    if (grip_) grip_->carry(lane, carrier);
+    carrier.pass(stiffest_[lane]);
+    carrier.pass_whole(stiffest_node_[lane].body);
+    carrier.pass_whole(stiffest_node_[lane].node);
+  }
+
+  /// The candidates of a lane hold every node and cell within reach until both surfaces together have moved so far.
+  const Lane<W>& allowance() const { return allowance_; }
+  void take_off(int lane, double moved) { allowance_[lane] -= moved; }
+  void rebuild(int lane, const PlacedSurface& first, const PlacedSurface& second) {
+    const double reach = law_[lane]->reach, skin = laws_.skin * reach;
+    const double gap = box_distance(first, second) - reach;
+    for (auto& candidates : candidates_[lane]) candidates.clear();
+    allowance_[lane] = gap > skin ? gap : skin;
+    if (gap > skin) return;
+    candidates_[lane][0] = candidates_within(first.points(), second, reach + skin);
+    if (law_[lane]->two_sided() && !first.plane())
+      candidates_[lane][1] = candidates_within(second.points(), first, reach + skin);
+  }
+
+  /// Adds the contact's forces at the bodies' places, whose candidates are known, to their `f`; returns the energy of
+  /// the repulsion in each lane. [m0 c^2]
+  Lane<W> push(Motions<W>& bodies) {
+    Lane<W> energy = Lane<W>::Zero();
+    for (int lane = 0; lane < W; ++lane) {
+      if (candidates_[lane][0].empty() && candidates_[lane][1].empty()) continue;
+      const double xi = law_[lane]->xi;
+      int node = -1;
+      double on_node = 0;
+      energy[lane] = each(lane, bodies, [&](const Push& push) {
+        const double repulsion = xi * push.energy;
+        on_node = push.node == node ? on_node + repulsion : repulsion;
+        node = push.node;  // cells of a node stand together
+        if (xi * on_node > stiffest_[lane]) {
+          stiffest_[lane] = xi * on_node;
+          stiffest_node_[lane] = {body_[push.side], push.node};
+        }
+        push_apart(push, lane, bodies);
+      });
+    }
+    if (grip_) hold(*grip_, bodies);
+    return energy;
+  }
+
+  /// The greatest stiffness, xi F and that of friction, that contact put on one node in any evaluation since this was
+  /// last asked. [m0 c^2/R^2]
+  double take_stiffest(int lane) {
+    const double stiffest = std::exchange(stiffest_[lane], 0.0);
+    return stiffest > 0 && grip_ ? stiffest + grip_->stiffness(lane) : stiffest;
+  }
+  /// Which node that was.
+  BodyNode stiffest_node(int lane) const { return stiffest_node_[lane]; }
+
+  /// Energy of the repulsion in each lane. [m0 c^2]
+  Lane<W> energy(const Motions<W>& bodies) const {
+    Lane<W> sum = Lane<W>::Zero();
+    for (int lane = 0; lane < W; ++lane) sum[lane] = each(lane, bodies, [](const Push&) {});
+    return sum;
+  }
+
+  /// Energy of a pair force beside it. [m0 c^2]
+  Lane<W> energy_of(std::size_t force, const Motions<W>& bodies) const {
+    Lane<W> sum = Lane<W>::Zero();
+    std::visit(
+        [&](const auto& law) {
+          for (int lane = 0; lane < W; ++lane)
+            each(lane, bodies, [&](const Push& push) { sum[lane] += law.energy(distance(push, lane, bodies)); });
+        },
+        laws_.forces[force]);
+    return sum;
+  }
+
+  /// Adds the forces of contact, friction included, to a lane of copies of the bodies; nothing else changes.
+  void push_copies(int lane, Motions<W>& copies) const {
+    each(lane, copies, [&](const Push& push) { push_apart(push, lane, copies); });
+    if (!grip_) return;
+    Grip<W> grip = *grip_;
+    hold(grip, copies);
+  }
+
+  struct GripEnergies {
+    Lane<W> lost = Lane<W>::Zero(), held = Lane<W>::Zero();
+  };
+  /// What friction would have taken if it were evaluated in these places. The bodies are copies: they collect forces
+  /// that nobody reads.
+  GripEnergies grip_energies(Motions<W>& copies) const {
+    if (!grip_) return {};
+    Grip<W> grip = *grip_;
+    hold(grip, copies);
+    return {grip.lost(), grip.held()};
+  }
+
+  /// Calls `use(push)` for every node and cell of a lane within reach, in a fixed order; returns their energy.
+  template <class Use>
+  double each(int lane, const Motions<W>& bodies, Use&& use) const {
+    if (!law_[lane]) return 0;
+    double sum = 0;
+    for (int side = 0; side < 2; ++side) {
+      const std::vector<Candidate>& candidates = candidates_[lane][side];
+      if (candidates.empty()) continue;
+      const auto* mesh = std::get_if<Mesh<2>>(&solid_[1 - side]->surface);
+      gather(side, lane, candidates, bodies, mesh);
+      measure(gaps_, *law_[lane], laws_.forces, std::get_if<Plane>(&solid_[1 - side]->surface));
+      const std::vector<int>& nodes = surface_nodes(solid_[side]->surface);
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (gaps_.energy[i] == 0) continue;
+        sum += gaps_.energy[i];
+        const int node = nodes[static_cast<std::size_t>(candidates[i].node)];
+        use(Push{side, node, mesh == nullptr, mesh ? ends_of(*mesh, candidates[i].cell) : std::array{-1, -1},
+                 gaps_.along[i], Vec2(gaps_.fx[i], gaps_.fy[i]), gaps_.energy[i]});
+      }
+    }
+    return sum;
+  }
+
+  /// True if no node of the lane is within reach of a cell.
+  bool apart(int lane, const Motions<W>& bodies) const {
+    bool any = false;
+    each(lane, bodies, [&](const Push&) { any = true; });
+    return !any;
+  }
+
+ private:
+  static std::array<int, 2> ends_of(const Mesh<2>& mesh, int cell) {
+    const auto& [a, b] = mesh.cell[static_cast<std::size_t>(cell)];
+    return {mesh.node[static_cast<std::size_t>(a)], mesh.node[static_cast<std::size_t>(b)]};
+  }
+
+  // Places of the candidates' nodes and of their cells' ends.
+  void gather(int side, int lane, const std::vector<Candidate>& candidates, const Motions<W>& bodies,
+              const Mesh<2>* mesh) const {
+    const Coordinates<W>& nodes = bodies[static_cast<std::size_t>(body_[side])].q;
+    const Coordinates<W>& cells = bodies[static_cast<std::size_t>(body_[1 - side])].q;
+    const auto& own = std::get<Mesh<2>>(solid_[side]->surface);
+    gaps_.resize(candidates.size());
+    gaps_.weight.clear();
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const int node = own.node[static_cast<std::size_t>(candidates[i].node)];
+      gaps_.px[i] = nodes[2 * node][lane];
+      gaps_.py[i] = nodes[2 * node + 1][lane];
+      if (!own.weight.empty()) gaps_.weight.push_back(own.weight[static_cast<std::size_t>(candidates[i].node)]);
+      if (!mesh) continue;
+      const auto [a, b] = ends_of(*mesh, candidates[i].cell);
+      gaps_.ax[i] = cells[2 * a][lane];
+      gaps_.ay[i] = cells[2 * a + 1][lane];
+      gaps_.bx[i] = cells[2 * b][lane];
+      gaps_.by[i] = cells[2 * b + 1][lane];
+    }
+  }
+
+  void push_apart(const Push& push, int lane, Motions<W>& bodies) const {
+    push.each_force([&](int side, int node, const Vec2& force) {
+      push_node(bodies[static_cast<std::size_t>(body_[side])], lane, node, force);
+    });
+  }
+
+  double distance(const Push& push, int lane, const Motions<W>& bodies) const {
+    const Coordinates<W>& nodes = bodies[static_cast<std::size_t>(body_[push.side])].q;
+    const Coordinates<W>& cells = bodies[static_cast<std::size_t>(body_[1 - push.side])].q;
+    const Vec2 place = nodes.at(push.node, lane);
+    if (const auto* plane = std::get_if<Plane>(&solid_[1 - push.side]->surface))
+      return plane->normal.dot(in_space(place)) - plane->offset;
+    return closest(place, cells.at(push.cell[0], lane), cells.at(push.cell[1], lane)).distance;
+  }
+
+  // Friction at the bodies' places.
+  void hold(Grip<W>& grip, Motions<W>& bodies) const {
+    for (int lane = 0; lane < W; ++lane) {
+      if (!law_[lane]) continue;
+      grip.begin();
+      each(lane, bodies, [&](const Push& push) { grip.add({push, law_[lane]->xi * push.energy}); });
+      grip.end(lane, {&bodies[static_cast<std::size_t>(body_[0])], &bodies[static_cast<std::size_t>(body_[1])]});
+    }
+  }
+
+  std::array<int, 2> body_;
+  std::array<const Solid*, 2> solid_;
+  ContactLaws laws_;
+  Lane<W> allowance_;
+  std::array<const ExponentialRepulsion*, W> law_{};
+  std::array<std::array<std::vector<Candidate>, 2>, W> candidates_;  // [lane][side]
+  Lane<W> stiffest_ = Lane<W>::Zero();
+  std::array<BodyNode, W> stiffest_node_{};
+  std::optional<Grip<W>> grip_;
+  mutable Gaps gaps_;  // of the lane at hand; kept for its memory
+};
+
+}  // namespace ricochet

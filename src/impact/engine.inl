@@ -1,0 +1,105 @@
+// The members of Engine<W>, compiled once a width: engine_1.cpp, engine_2.cpp, engine_4.cpp.
+
+#include "impact/engine.hpp"
+#include "impact/launch/launch.hpp"
+#include "impact/launch/step.hpp"
+
+namespace ricochet {
+
+template <int W>
+Engine<W>::Engine(const Solids& solids, const Method& method, const std::vector<Effect>& effects)
+    : state_(solids, method, effects), moving_(state_), watch_(state_) {}
+
+template <int W>
+std::optional<Outcome> Engine<W>::begin(int lane, const Scene& scene, std::size_t index) {
+  const Start start = launch(scene, state_.solids);
+  if (!start.touches) return passes_by();
+  begin(lane, scene, index, start);
+  return std::nullopt;
+}
+
+template <int W>
+void Engine<W>::begin(int lane, const Scene& scene, std::size_t index, const Start& start) {
+  state_.place(lane, start, scene.effects);
+  watch_.begin(lane, scene, index, start);
+  moving_.begin(lane);
+}
+
+template <int W>
+void Engine<W>::advance_one_step(bool seen) {
+  const std::vector<Lane<W>> contact_before = state_.contact_energy;
+  moving_.advance_one_step(seen);
+  watch_.count_step(contact_before);
+}
+
+template <int W>
+std::vector<typename Engine<W>::Ended> Engine<W>::look() {
+  moving_.go_to_step_end();
+  return watch_.look();
+}
+
+template <int W>
+Snapshot Engine<W>::snapshot(int lane) {
+  moving_.go_to_step_end();
+  const RigidMotions<W> motions = rigid_motions(state_.end);
+  const Energies<W> energies(state_, state_.end, motions);
+  Snapshot shot;
+  shot.time = run(lane).time();
+  shot.step = run(lane).steps;
+  shot.energy = energies.ledger(lane, run(lane).effects_before);
+  Motions<W> pushed = state_.end;
+  state_.contacts.push_copies(lane, pushed);
+  for (std::size_t b = 0; b < pushed.size(); ++b) {
+    const Motion<W>& body = state_.end[b];
+    BodyShot& seen = shot.bodies.emplace_back();
+    for (int i = 0; i < body.solid->nodes(); ++i) {
+      seen.place.push_back(body.q.at(i, lane));
+      seen.velocity.push_back(body.v.at(i, lane));
+      seen.force.push_back(pushed[b].f.at(i, lane));
+    }
+    const Springs* springs = body.solid->springs();
+    if (!springs || !state_.effects.changes_springs(static_cast<int>(b))) continue;
+    each_spring<2>(body, *springs,
+                   [&](const auto&, int, int s, const Spring& spring, const Place<W, 2>&, const Lane<W>& r) {
+                     const auto rest = state_.effects.rest(static_cast<int>(b), s, Lane<W>(r - spring.length));
+                     seen.springs.push_back({rest.elastic[lane], rest.share[lane]});
+                   });
+  }
+  return shot;
+}
+
+template <int W>
+void Engine<W>::clear(int lane) {
+  watch_.clear(lane);
+  state_.clear(lane);
+}
+
+template <int W>
+Handover Engine<W>::give(int lane) {
+  Handover impact{run(lane), {}, state_.effects.anchor_course(lane)};
+  state_.carry(lane, impact.carrier);
+  return impact;
+}
+
+template <int W>
+void Engine<W>::take(int lane, Handover&& impact) {
+  impact.carrier.turn_round();
+  watch_.run(lane) = std::move(impact.run);
+  state_.set_laws(lane, run(lane).start);
+  state_.effects.set_anchor_course(lane, impact.course);
+  state_.carry(lane, impact.carrier);
+}
+
+template <int W>
+int Engine<W>::steps_between_looks() const {
+  return std::max(1, evaluations_between_looks / method().evaluations());
+}
+
+template <int W>
+void Engine<W>::change(const std::function<void(Motions<W>&)>& by) {
+  moving_.go_to_step_end();
+  by(state_.end);
+  moving_.resume_from_end();
+}
+
+}  // namespace ricochet

@@ -1,0 +1,3 @@
+#include "impact/engine.inl"
+
+template class ricochet::Engine<2>;

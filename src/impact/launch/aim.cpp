@@ -1,0 +1,190 @@
+#include "impact/launch/aim.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+
+namespace ricochet {
+namespace {
+
+// Of a flight towards the target: each closes most of the gap unless the flight is almost parallel to the surface.
+constexpr int most_advances = 100000;
+
+struct Circle {
+  Vec2 centre;
+  double radius;
+};
+
+Circle circle_around(const Points& points) {
+  Vec2 low = points[0], high = points[0];
+  for (const Vec2& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return {(low + high) / 2, (high - low).norm() / 2};
+}
+
+Points shifted(Points points, const Vec2& by) {
+  for (Vec2& p : points) p += by;
+  return points;
+}
+
+double farthest_apart(const Points& a, const Points& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
+  return largest;
+}
+
+}  // namespace
+
+Flight::Flight(const Solid& projectile, const Solid& target, const Vec2& shift)
+    : projectile_(projectile),
+      target_(target),
+      shift_(shift),
+      centre_(projectile.centre()),
+      rim_(surface_points(projectile)),
+      placed_target_(target.surface, shifted(surface_points(target), shift)) {
+  for (const Vec2& p : rim_) radius_ = std::max(radius_, (p - centre_).norm());
+}
+
+double Flight::fastest(const Placement& placement) const {
+  return in_plane(placement.velocity).stableNorm() + std::abs(placement.spin.z()) * radius_;
+}
+
+double Flight::resting_lift(double at) const {
+  Points smooth = projectile_.smooth;
+  for (Vec2& p : smooth) p.x() += at - centre_.x();
+  const PlacedSurface above(projectile_.surface, smooth), below(target_.surface, target_.smooth);
+  double lift = not_given;
+  const auto consider = [&](double x) {
+    const double bottom = above.height(x, false), top = below.height(x, true);
+    if (!std::isnan(bottom) && !std::isnan(top) && !(top - bottom <= lift)) lift = top - bottom;
+  };
+  for (const Vec2& p : smooth) consider(p.x());
+  for (const Vec2& p : target_.smooth) consider(p.x());
+  return lift;
+}
+
+double Flight::usual_height(double reach) const {
+  // A shifted target's displacement is included.
+  return reach + farthest_apart(rim_, projectile_.smooth) + farthest_apart(placed_target_.points(), target_.smooth);
+}
+
+double Flight::distance(const Placement& placement) const {
+  return distance_of(PlacedSurface(projectile_.surface, placed(rim_, centre_, placement)), placed_target_);
+}
+
+bool Flight::gone_past(const Placement& placement, double reach) const {
+  const Vec2 velocity = in_plane(placement.velocity), centre = in_plane(placement.centre);
+  if (const Plane* plane = placed_target_.plane())
+    return in_plane(plane->normal).dot(velocity) >= 0 &&
+           in_plane(plane->normal).dot(centre) - plane->offset > radius_ + reach;
+  const Circle around = circle_around(placed_target_.points());
+  const Vec2 offset = centre - around.centre;
+  return offset.dot(velocity) >= 0 && offset.norm() > around.radius + (radius_ + reach);
+}
+
+bool Flight::advance(Placement& placement, double reach) const {
+  const double fastest_node = fastest(placement);
+  double apart = distance(placement);
+  for (int advance = 0; apart > reach; ++advance) {
+    if (advance == most_advances)
+      throw FieldError("launch",
+                       fmt::format("the flight is too shallow to find the first touch (normal speed {:g} of {:g} c)",
+                                   -placement.velocity.y(), in_plane(placement.velocity).stableNorm()));
+    placement = flown(placement, std::max(apart - reach, 1e-3 * reach) / fastest_node);
+    if (gone_past(placement, reach)) return false;
+    apart = distance(placement);
+  }
+  return true;
+}
+
+double Flight::closest_approach(Placement placement, double enough) const {
+  const double fastest_node = fastest(placement);
+  double least = std::numeric_limits<double>::infinity();
+  for (int advance = 0; advance < most_advances; ++advance) {
+    const double apart = distance(placement);
+    least = std::min(least, apart);
+    if (least <= enough || gone_past(placement, 0)) break;
+    placement = flown(placement, std::max(apart - enough, 0.05 * enough) / fastest_node);
+  }
+  return least;
+}
+
+namespace {
+
+/// The launch along the line of flight, by its height above touching.
+class Line {
+ public:
+  Line(const Scene& scene, const Start& start, const Flight& flight, double lift, const Vec2& centre)
+      : scene_(scene), start_(start), flight_(flight), lift_(lift), centre_(centre) {}
+
+  Placement at(double above) const {
+    Placement placement = start_.bodies.front();
+    const Vec3& v = placement.velocity;
+    const double ahead = -v.y() > 0 ? above / -v.y() : 0.0;
+    placement.centre = Vec3(scene_.launch.at - v.x() * ahead, centre_.y() + lift_ + above, 0);
+    return placement;
+  }
+  double distance(double above) const { return flight_.distance(at(above)); }
+  bool too_near(double apart) const {
+    return scene_.contact.V0 * std::exp(-scene_.contact.xi * apart) > touch_share * energy();
+  }
+  // How far apart the surfaces must be.
+  double needed() const { return std::log(scene_.contact.V0 / (touch_share * energy())) / scene_.contact.xi; }
+
+ private:
+  double energy() const { return std::max(start_.energy, 1e-300); }
+
+  const Scene& scene_;
+  const Start& start_;
+  const Flight& flight_;
+  double lift_;
+  Vec2 centre_;
+};
+
+// A height that works, found as if none were given, and the least one below it.
+double least_height(const Line& line, double low, double high) {
+  const auto works = [&](double above) { return !line.too_near(line.distance(above)); };
+  while (!works(high) && high < 1e3) {
+    low = high;
+    high *= 2;
+  }
+  while (high - low > 1e-3 * high) {
+    const double middle = (low + high) / 2;
+    (works(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+}  // namespace
+
+std::optional<Placement> upstream(const Scene& scene, const Start& start, const Flight& flight, double lift,
+                                  const Vec2& centre) {
+  const Line line(scene, start, flight, lift, centre);
+  const double reach = start.contact.reach, usual = flight.usual_height(reach);
+  const bool given = !std::isnan(scene.launch.height);
+  const double height = given ? scene.launch.height : usual;
+  if (start.bodies.front().velocity.y() == 0 && !given) return std::nullopt;
+  double above = height, distance = line.distance(above);
+  // Where the outlines slope, a height is less of a distance: go higher until the rims are apart.
+  for (double higher = 2 * height; !given && distance < reach && higher < 1e3 * height; higher *= 2) {
+    above = higher;
+    distance = line.distance(above);
+  }
+  if (line.too_near(distance))
+    throw FieldError("height", fmt::format("the bodies overlap at the start (rims {:.3g} R apart, {:.3g} R needed); "
+                                           "raise launch.height to {:.3g} or more, or leave it out",
+                                           distance, line.needed(), 1.01 * least_height(line, height, usual)));
+  return line.at(above);
+}
+
+double closest_approach(const Start& start, const Solids& solids, double enough) {
+  return Flight(*solids[0], *solids[1], Vec2::Zero()).closest_approach(start.bodies[0], enough);
+}
+
+}  // namespace ricochet

@@ -1,0 +1,108 @@
+#include "impact/launch/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "impact/launch/step.hpp"
+
+namespace ricochet {
+namespace {
+
+// Which field the user chose the step by, if any.
+const char* given_step(const Integration& wanted) {
+  return !std::isnan(wanted.step) ? "step" : !std::isnan(wanted.theta) ? "theta" : nullptr;
+}
+
+}  // namespace
+
+void check_bodies(const Solids& solids) {
+  const Solid& projectile = *solids.front();
+  if (std::holds_alternative<Rigid>(projectile.interior))
+    throw FieldError("projectile",
+                     "a projectile must be free, and this body is rigid and held; take springs, or make "
+                     "it the target");
+  if (projectile.anchored()) throw FieldError("projectile", "a projectile must be free, this body has anchored nodes");
+}
+
+void check_contact(const ExponentialRepulsion& contact) {
+  const double ranges = contact.xi * contact.reach;
+  if (ranges < 20)
+    throw FieldError(
+        "contact", fmt::format("xi reach = {:g} cuts the repulsion at more than exp(-20); raise reach to {:g} or more",
+                               ranges, 20 / contact.xi));
+  if (ranges > 700)
+    throw FieldError(
+        "contact",
+        fmt::format("xi reach = {:g} is beyond exp(-700), the smallest number there is; lower reach to {:g} or less",
+                    ranges, 700 / contact.xi));
+}
+
+void check_effects(const Scene& scene, const Solids& solids) {
+  if (const std::string conflict = conflict_of(scene.effects); !conflict.empty()) throw FieldError("effects", conflict);
+  if (const std::string conflict = conflict_with(scene.effects, solids, scene.contact); !conflict.empty())
+    throw FieldError("effects", conflict);
+}
+
+void check_contact_is_seen(const Scene& scene, double step, double fastest, double radius) {
+  const Integration& wanted = scene.integration;
+  const char* given = given_step(wanted);
+  if (!given || fastest == 0) return;
+  const Method& method = scene.method();
+  const double furthest = std::min(10 * onset_share * contact_kicks(method) / scene.contact.xi,
+                                   radius * method.evaluations() / evaluations_between_looks);
+  if (step * fastest <= furthest) return;
+  const double unit = std::isnan(wanted.step) ? wanted.theta / step : 1;
+  throw FieldError(given,
+                   fmt::format("the projectile would move by {:.2g} R in a step of {:.3g} R/c and might pass the "
+                               "contact unseen, whose repulsion grows e-fold in {:.2g} R; give {:.3g} or less",
+                               step * fastest, step, 1 / scene.contact.xi, 0.99 * furthest / fastest * unit));
+}
+
+namespace {
+
+// t + step = t within the time limit.
+[[noreturn]] void refuse_lost_step(const Scene& scene, const Start& start, const char* given, const char* speed) {
+  const bool limited = !std::isnan(scene.integration.time_limit);
+  if (!given && !limited && start.step < 1e-12)
+    throw FieldError("projectile",
+                     fmt::format("the bodies are so stiff that a time step of {:.3g} R/c is lost in rounding at the "
+                                 "time limit of {:.3g} R/c; take softer or heavier bodies",
+                                 start.step, start.time_limit));
+  const std::string remedy = given     ? std::string("a longer ") + given
+                             : limited ? "a shorter time_limit"
+                                       : "a lower speed";
+  throw FieldError(
+      given     ? given
+      : limited ? "time_limit"
+                : speed,
+      fmt::format(
+          "a time step of {:.3g} R/c is lost in rounding at the time limit of {:.3g} R/c: t + step = t; give {}",
+          start.step, start.time_limit, remedy));
+}
+
+}  // namespace
+
+void check_progress(const Scene& scene, const Start& start, double fastest, double size) {
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  const Integration& wanted = scene.integration;
+  const char* given = given_step(wanted);
+  const char* speed = std::isnan(scene.launch.normal_speed) ? "speed" : "normal_speed";
+  if (start.time_limit + start.step == start.time_limit) refuse_lost_step(scene, start, given, speed);
+  // The last digits of what a step adds to a place are lost; few enough that the impact does not notice.
+  const double least = 1e3 * rounding * size;
+  if (!(fastest > 0 && start.step * fastest < least)) return;
+  const std::string remedy = !given ? fmt::format("a speed of {:.2g} c", least / start.step)
+                             : given[0] == 's'
+                                 ? fmt::format("a step of {:.2g}", least / fastest)
+                                 : fmt::format("a theta of {:.2g}", least / fastest / start.step * wanted.theta);
+  throw FieldError(
+      given ? given : speed,
+      fmt::format(
+          "in a step of {:.3g} R/c the projectile would move by {:.2g} R, which is lost in rounding; give {} or more",
+          start.step, start.step * fastest, remedy));
+}
+
+}  // namespace ricochet

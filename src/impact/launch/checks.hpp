@@ -1,0 +1,25 @@
+#pragma once
+// What must hold before an impact can start. Each check throws a FieldError that names the field and the remedy.
+
+#include "impact/launch/start.hpp"
+#include "impact/scene.hpp"
+
+namespace ricochet {
+
+/// The bodies can play their parts.
+void check_bodies(const Solids& solids);
+
+/// The repulsion is cut neither where it shows nor beyond the smallest number.
+void check_contact(const ExponentialRepulsion& contact);
+
+/// The effects can stand together, on these bodies, beside this contact.
+void check_effects(const Scene& scene, const Solids& solids);
+
+/// A given step may be ten times coarser than the contact's onset asks for: the ledger tells what that costs. A coarser
+/// one may jump over the contact unseen, or through a body between two looks. `radius`: of the projectile.
+void check_contact_is_seen(const Scene& scene, double step, double fastest, double radius);
+
+/// Time and places must move on in numbers of 53 bits. `size`: of the places [R].
+void check_progress(const Scene& scene, const Start& start, double fastest, double size);
+
+}  // namespace ricochet

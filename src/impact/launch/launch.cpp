@@ -1,0 +1,83 @@
+#include "impact/launch/launch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "body/interior.hpp"
+#include "core/error.hpp"
+#include "impact/launch/aim.hpp"
+#include "impact/launch/checks.hpp"
+#include "impact/launch/step.hpp"
+
+namespace ricochet {
+namespace {
+
+Start bodies_at_launch(const Scene& scene, const Solids& solids) {
+  Start start;
+  for (const Solid* solid : solids) start.bodies.push_back(placed_at_rest(*solid));
+  for (const Body* body : scene.bodies()) start.stiffness.push_back(body->numbers.stiffness);
+  start.bodies[0].velocity = in_space(scene.launch.velocity());
+  start.bodies[0].spin = about_z(scene.launch.spin);
+  return start;
+}
+
+// Energy at launch, and whether it is too little to cross a cell: that of the relative motion, in the frame where it is
+// least; an anchored target is infinitely heavy.
+void take_energy(Start& start, const Scene& scene, const Solids& solids) {
+  const Solid &projectile = *solids[0], &target = *solids[1];
+  const Placement& flies = start.bodies[0];
+  const double mass = projectile.total_mass();
+  const double reduced = target.anchored() ? mass : mass * target.total_mass() / (mass + target.total_mass());
+  const double spin = flies.spin.z(), speed2 = in_plane(flies.velocity).squaredNorm();
+  const double rotation = projectile.inertia() * spin * spin / 2;
+  start.energy = mass * speed2 / 2 + rotation;
+  // Attraction lowers the wall that V0 is, and other effects bring energy beside that of the launch: no claim then.
+  const bool more_energy = std::any_of(scene.effects.begin(), scene.effects.end(),
+                                       [](const Effect& effect) {
+                                         return std::visit([]<class E>(const E&) { return BringsEnergy<E>; }, effect);
+                                       }) ||
+                           rest_energy(projectile) > 0 || rest_energy(target) > 0;
+  start.certified = reduced * speed2 / 2 + rotation < scene.contact.V0 && !more_energy;
+}
+
+// What is cut off must not show: at 0.1 c a reach of 0.1 R is far enough, below about 1e-4 c it is not.
+ExponentialRepulsion widened(ExponentialRepulsion contact, double energy) {
+  constexpr double cut_share = touch_share / 100;
+  if (energy > 0) contact.reach = std::max(contact.reach, std::log(contact.V0 / (cut_share * energy)) / contact.xi);
+  return contact;
+}
+
+}  // namespace
+
+Start launch(const Scene& scene, const Solids& solids) {
+  check_bodies(solids);
+  check_contact(scene.contact);
+  check_effects(scene, solids);
+  Start start = bodies_at_launch(scene, solids);
+  const Solid &projectile = *solids[0], &target = *solids[1];
+  const Flight flight(projectile, target, displacement_at_start(scene.effects));
+  const double fastest = flight.fastest(start.bodies[0]);
+  const auto [step, theta] = choose_step(scene, solids, fastest);
+  start.step = step;
+  start.theta = theta;
+  const double normal_speed = -start.bodies[0].velocity.y();
+  start.time_limit =
+      !std::isnan(scene.integration.time_limit) ? scene.integration.time_limit : 100 + 2 / std::max(normal_speed, 1e-9);
+  const Vec2 centre = projectile.centre();
+  check_progress(scene, start, fastest, std::max(centre.norm(), flight.radius()));
+  check_contact_is_seen(scene, step, fastest, flight.radius());
+  take_energy(start, scene, solids);
+  const double lift = flight.resting_lift(scene.launch.at);
+  if (std::isnan(lift))
+    throw FieldError("at", fmt::format("a projectile at x = {} passes beside the target", scene.launch.at));
+  start.overlap_height = centre.y() + lift - target.centre().y();
+  start.contact = widened(scene.contact, start.energy);
+  const auto placement = upstream(scene, start, flight, lift, centre);
+  if (placement) start.bodies[0] = *placement;
+  start.touches = placement && flight.advance(start.bodies[0], start.contact.reach);
+  return start;
+}
+
+}  // namespace ricochet

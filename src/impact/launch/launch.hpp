@@ -1,0 +1,15 @@
+#pragma once
+// From an aimed scene to the start of its impact. Here the first body is the projectile, the second the target.
+
+#include "impact/launch/start.hpp"
+#include "impact/scene.hpp"
+
+namespace ricochet {
+
+/// Places the projectile upstream of where it is to land, and skips the free flight up to the first approach within
+/// reach: a conservative advancement over the rigid surfaces, which cannot step over a touch even with spin. Throws
+/// FieldError if the bodies overlap at the start, or a given time step exceeds the stability limit or what resolves the
+/// contact.
+Start launch(const Scene& scene, const Solids& solids);
+
+}  // namespace ricochet

@@ -1,0 +1,72 @@
+#include "impact/launch/step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "body/interior.hpp"
+#include "core/error.hpp"
+
+namespace ricochet {
+namespace {
+
+/// The vibration that a step must follow.
+struct Fastest {
+  double omega = 0, slower = 1;  ///< the bound of its frequency times `slower`
+  std::size_t body = 0;
+  int node = 0;
+};
+
+Fastest fastest_vibration(const Scene& scene, const Solids& solids) {
+  Fastest fastest;
+  const auto bodies = scene.bodies();
+  for (std::size_t b = 0; b < solids.size(); ++b) {
+    const FrequencyBound bound = frequency_bound(*solids[b], bodies[b]->numbers.stiffness);
+    if (!std::isfinite(bound.omega))
+      throw FieldError(
+          body_name(b),
+          "its stiffness over its mass gives frequencies beyond every number; take a softer or heavier body");
+    const double slower = slower_by(scene.method(), b);
+    if (bound.omega * slower > fastest.omega) fastest = {bound.omega * slower, slower, b, bound.node};
+  }
+  return fastest;
+}
+
+[[noreturn]] void refuse(const Method& method, const Step& step, const Fastest& fastest, bool by_step) {
+  const double unit = by_step ? 1 / fastest.omega : 1;
+  const std::string field = by_step ? "step" : "theta";
+  throw FieldError(
+      field, fmt::format("{:.6g} is unstable: {} needs a {} below {:.4g} here (node {} of the {} vibrates at up to "
+                         "{:.4g} c/R); {:.3g} works",
+                         by_step ? step.step : step.theta, method.name, field, method.stability_limit * unit,
+                         fastest.node, body_name(fastest.body), fastest.omega / fastest.slower, method.usual * unit));
+}
+
+}  // namespace
+
+std::string conflict_of(const Scene& scene, const Method& method, const Solids& solids) {
+  if (method.multirate() && solids.size() != 2)
+    return fmt::format("{} moves two bodies, and these are {}; give another method or leave it out", method.name,
+                       solids.size());
+  return scene.conflict_with(method);
+}
+
+Step choose_step(const Scene& scene, const Solids& solids, double fastest_node) {
+  const Method& method = scene.method();
+  if (const std::string conflict = conflict_of(scene, method, solids); !conflict.empty())
+    throw FieldError("method", conflict);
+  const Fastest fastest = fastest_vibration(scene, solids);
+  const Integration& wanted = scene.integration;
+  const double onset = onset_share * contact_kicks(method) / (scene.contact.xi * fastest_node);
+  const bool by_step = !std::isnan(wanted.step);
+  Step step{};
+  step.step = by_step                     ? wanted.step
+              : !std::isnan(wanted.theta) ? wanted.theta / fastest.omega
+                                          : std::min(method.usual / fastest.omega, onset);
+  step.theta = step.step * fastest.omega;
+  if (!(step.theta <= method.stability_limit)) refuse(method, step, fastest, by_step);
+  return step;
+}
+
+}  // namespace ricochet

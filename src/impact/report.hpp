@@ -1,0 +1,22 @@
+#pragma once
+// From what was followed of a run to its outcome.
+
+#include "effect/acting.hpp"
+#include "impact/watch/endings.hpp"
+#include "impact/watch/run.hpp"
+
+namespace ricochet {
+
+/// What a state says of one lane when its run ends.
+struct LastFacts {
+  std::vector<Flying> bodies;  ///< by index: at parting, what acted on since taken back
+  Ledger ledger;
+  std::vector<double> effect_energy, effect_count;  ///< as in Outcome
+};
+
+Outcome report(const Run& run, const Ending& ending, const Solids& solids, const LastFacts& facts);
+
+/// Of a scene in which the bodies pass by each other.
+Outcome passes_by();
+
+}  // namespace ricochet

@@ -1,0 +1,54 @@
+#pragma once
+// How the projectile lies on the target, read from what pushes it.
+
+#include <optional>
+#include <vector>
+
+#include "contact/contacts.hpp"
+#include "impact/axes.hpp"
+#include "impact/watch/run.hpp"
+
+namespace ricochet {
+
+/// A place where the projectile is pushed, and how strongly.
+struct PushedPlace {
+  Vec2 place;    ///< [R]
+  double force;  ///< [m0 c^2/R]
+};
+
+/// Ends of a contact along the surface, from every push in it: those with more than 1 % of the strongest. The
+/// projectile moves along +x.
+struct ContactEnds {
+  Vec2 trailing, leading;  ///< [R]
+};
+inline ContactEnds contact_ends(const std::vector<PushedPlace>& pushes, double strongest) {
+  std::optional<Vec2> a, b;
+  for (const PushedPlace& p : pushes) {
+    if (p.force < 0.01 * strongest) continue;
+    if (!a || tangential(p.place) < tangential(*a)) a = p.place;
+    if (!b || tangential(p.place) > tangential(*b)) b = p.place;
+  }
+  return {*a, *b};
+}
+
+/// Takes the contact's shape if there is one now. `centre`: of the projectile, along the surface.
+template <int W>
+void measure_contact(const Pair<W>& pair, int lane, const Motions<W>& bodies, double centre, double overlap, Run& run) {
+  std::vector<PushedPlace> pushes;
+  double strongest = 0;
+  const Motion<W>& first = bodies[static_cast<std::size_t>(pair.body(0))];
+  pair.each(lane, bodies, [&](const Push& push) {
+    pushes.push_back({first.q.at(push.first_bodys_node(), lane), push.force.norm()});
+    strongest = std::max(strongest, pushes.back().force);
+  });
+  if (strongest * run.start.contact.reach < run.threshold) return;  // between two touches
+  const auto [a, b] = contact_ends(pushes, strongest);
+  Indentation& i = run.indentation;
+  i.seen = true;
+  i.depth = overlap;
+  i.length = tangential(b) - tangential(a);
+  i.centre_offset = std::abs(centre - tangential(a));
+  i.tan_alpha = i.length > 0 ? (normal(b) - normal(a)) / i.length : Outcome::undefined;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,33 @@
+#pragma once
+// Closed outlines: simple polygons, their points in order, counter-clockwise, the last joined to the first.
+
+#include "core/rng.hpp"
+#include "core/vec2.hpp"
+#include "shape/cell_tree.hpp"
+
+namespace ricochet {
+
+/// Signed area: positive if the points run counter-clockwise. [unit of length squared]
+double signed_area(const Points& outline);
+
+/// True if no two edges of the closed polygon cross, touch or overlap except neighbours in their common corner.
+bool is_simple(const Points& outline);
+
+/// Even-odd rule, over all chains of a surface; points on it may fall on either side.
+bool inside(const CellTree& surface, const Vec2& point);
+
+/// True if two surfaces have area in common: an edge of one meets one of the other, or a chain lies inside the other.
+bool outlines_overlap(const CellTree& a, const CellTree& b);
+
+/// Points along the outline, `spacing` apart as nearly as an even division allows. Corners (a turn of more than 30
+/// degrees) keep their place; between corners, and around an outline that has none, the points are evenly spaced by arc
+/// length.
+Points resample(const Points& outline, double spacing);
+
+/// Outward unit normal at each point of a counter-clockwise outline: the direction of the mean of both edges' normals.
+Points outward_normals(const Points& outline);
+
+/// Extent of the outline along the unit vector `direction`: the largest direction . point.
+double support(const Points& outline, const Vec2& direction);
+
+}  // namespace ricochet

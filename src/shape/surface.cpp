@@ -1,0 +1,32 @@
+#include "shape/surface.hpp"
+
+namespace ricochet {
+
+Cells<2> ring(int count) {
+  Cells<2> cells;
+  for (int k = 0; k < count; ++k) cells.push_back({k, k + 1 < count ? k + 1 : 0});
+  return cells;
+}
+
+std::vector<Chain> chains_of(const Cells<2>& cells) {
+  std::vector<Chain> chains;
+  int end = -1;
+  for (const auto& [from, to] : cells) {
+    if (from != end || chains.back().closed) chains.push_back({{from}, false});
+    Chain& chain = chains.back();
+    if (to == chain.node.front())
+      chain.closed = true;
+    else
+      chain.node.push_back(to);
+    end = to;
+  }
+  return chains;
+}
+
+const std::vector<int>& surface_nodes(const Surface& surface) {
+  static const std::vector<int> none;
+  const auto* mesh = std::get_if<Mesh<2>>(&surface);
+  return mesh ? mesh->node : none;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,47 @@
+#pragma once
+// What a body shows to others: cells that join nodes, or a plane. It need be no ring: chains may be several, closed or
+// open, so a body may have holes, or end at an axis of symmetry.
+
+#include <array>
+#include <variant>
+#include <vector>
+
+#include "core/vec2.hpp"
+#include "core/vec3.hpp"
+
+namespace ricochet {
+
+/// A cell joins D nodes: a segment in the plane. By their places in Mesh::node.
+template <int D>
+using Cells = std::vector<std::array<int, D>>;
+
+/// Cells stand where neighbours in number are neighbours in space: along the chains. Their inside lies to the left.
+template <int D>
+struct Mesh {
+  std::vector<int> node;       ///< [surface node] its number in the body
+  Cells<D> cell;               ///< [cell]
+  std::vector<double> weight;  ///< [surface node] by which its repulsion counts; empty: 1
+};
+
+/// A half-space whose inside is normal . x <= offset, of unit normal.
+struct Plane {
+  Vec3 normal{0, 1, 0};
+  double offset = 0;  ///< [R]
+};
+
+using Surface = std::variant<Mesh<2>, Plane>;
+
+/// The closed chain of `count` surface nodes, in their order.
+Cells<2> ring(int count);
+
+/// A run of cells each of which begins where the one before ended.
+struct Chain {
+  std::vector<int> node;  ///< places in Mesh::node, each once
+  bool closed = false;
+};
+std::vector<Chain> chains_of(const Cells<2>& cells);
+
+/// The nodes of a surface, by their numbers in the body; none of a plane.
+const std::vector<int>& surface_nodes(const Surface& surface);
+
+}  // namespace ricochet

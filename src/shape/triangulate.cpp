@@ -1,0 +1,74 @@
+#include "shape/triangulate.hpp"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace ricochet {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
+using Face =
+    CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
+using Structure = CGAL::Triangulation_data_structure_2<Vertex, Face>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
+
+constexpr int unseen = 0, outside = 1, inside = 2;
+
+// Faces joined to the infinite one without crossing a rim edge lie outside; all others lie inside a simple outline.
+void mark_outside(Triangulation& triangulation) {
+  std::vector<Triangulation::Face_handle> stack{triangulation.infinite_face()};
+  while (!stack.empty()) {
+    const auto face = stack.back();
+    stack.pop_back();
+    if (face->info() == outside) continue;
+    face->info() = outside;
+    for (int side = 0; side < 3; ++side)
+      if (!face->is_constrained(side) && face->neighbor(side)->info() != outside) stack.push_back(face->neighbor(side));
+  }
+}
+
+}  // namespace
+
+std::vector<Triangle> triangulate(const Points& points, int rim) {
+  std::vector<std::pair<Kernel::Point_2, int>> vertices;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    vertices.emplace_back(Kernel::Point_2(points[i].x(), points[i].y()), static_cast<int>(i));
+  Triangulation triangulation;
+  triangulation.insert(vertices.begin(), vertices.end());
+  if (triangulation.number_of_vertices() != points.size()) {
+    std::sort(vertices.begin(), vertices.end());
+    const auto twin = std::adjacent_find(vertices.begin(), vertices.end(),
+                                         [](const auto& a, const auto& b) { return a.first == b.first; });
+    throw Error(fmt::format("two nodes coincide at ({}, {})", twin->first.x(), twin->first.y()));
+  }
+  std::vector<Triangulation::Vertex_handle> handles(points.size());
+  for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v)
+    handles[static_cast<std::size_t>(v->info())] = v;
+  for (int i = 0; i < rim; ++i) {
+    const auto here = handles[static_cast<std::size_t>(i)], next = handles[static_cast<std::size_t>((i + 1) % rim)];
+    triangulation.insert_constraint(here, next);
+  }
+  for (auto face : triangulation.all_face_handles()) face->info() = unseen;
+  mark_outside(triangulation);
+
+  std::vector<Triangle> triangles;
+  for (const auto face : triangulation.finite_face_handles()) {
+    if (face->info() == outside) continue;
+    face->info() = inside;
+    triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+  }
+  return triangles;
+}
+
+}  // namespace ricochet
