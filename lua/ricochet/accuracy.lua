@@ -287,7 +287,7 @@ local function accuracy(given)
     table.insert(study.by_method[row.method], row)
   end
   print_table(study)
-  core.file_write(t.name .. ".csv", csv(rows, t.of))
+  core.functions["file.write"](t.name .. ".csv", csv(rows, t.of))
   local drawable = false
   for _, name in ipairs(study.methods) do
     local count = 0

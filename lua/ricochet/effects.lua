@@ -7,7 +7,7 @@ local function with_effects(scene, effects)
   t.effects = effects
   -- One method for all, so that only the effects differ.
   t.method, t.step, t.theta, t.accuracy = "verlet", nil, 1.2, nil
-  return core.scene(t)
+  return core.functions.scene(t)
 end
 
 --- Prints what each effect of the catalogue costs in a scene, and the scene's own effects together: nanoseconds a node and step

@@ -85,7 +85,7 @@ local function pilot(sweep, sample, points, count, factor, changes)
       local t = core.given(refine.refined(sweeps.scene_at(sweep, at), factor, 0))
       for name, value in pairs(changes) do t[name] = value end
       if changes.accuracy then t.step, t.theta, t.method = nil, nil, nil end
-      scenes[#scenes + 1] = core.scene(t)
+      scenes[#scenes + 1] = core.functions.scene(t)
     end
   end
   local making = core.clock() - began
@@ -176,11 +176,11 @@ local function keep(plan)
   local lines = { request(plan), ("samples %d\nnodes %.17g\npredicted_seconds %.3g"):format(plan.samples, plan.nodes, plan.predicted_seconds) }
   for _, choice in ipairs(plan.choices) do lines[#lines + 1] = ("point %s: %s theta %.17g"):format(choice.name, choice.method, choice.theta) end
   lines[#lines + 1] = ("others: %s theta %.17g\n"):format(plan.method, plan.theta)
-  core.file_write(plan_file(plan.sweep), table.concat(lines, "\n"))
+  core.functions["file.write"](plan_file(plan.sweep), table.concat(lines, "\n"))
 end
 
 local function go_on_with_kept(plan)
-  local known, text = pcall(core.file_read, plan_file(plan.sweep))
+  local known, text = pcall(core.functions["file.read"], plan_file(plan.sweep))
   if not known then return end
   local kept = text:match "^[^\n]*"
   if kept ~= request(plan) then
@@ -326,7 +326,7 @@ Plan.run = core.wrap(function(plan)
     local scene = core.given(refine.refined(sweep.scene(at), self.nodes, 0))
     local chosen = choices[name_of(at, sweep.names, self.sample)] or self
     scene.method, scene.theta, scene.step, scene.accuracy = chosen.method, chosen.theta, nil, nil
-    return core.scene(scene)
+    return core.functions.scene(scene)
   end }
   local began = core.clock()
   local rows = planned:run()

@@ -11,6 +11,7 @@
 
 #include "impact/scene.hpp"
 #include "lattice/lattice.hpp"
+#include "record/row.hpp"
 #include "store/files.hpp"
 #include "store/table.hpp"
 
@@ -28,9 +29,6 @@ struct RunOptions {
 /// Set by ^C and SIGTERM. A second signal ends the program at once.
 extern std::atomic<bool> stop_requested;
 void catch_signals();
-
-/// True for names of what a run leaves itself: results.h5, results.csv, run.log, and what is in parts.
-bool is_of_the_run(const std::filesystem::path& name);
 
 class Session {
  public:
@@ -70,9 +68,9 @@ class Session {
   void finish();
 
   /// Counts an impact that ran, for the exit status: 3 if some ran and none finished.
-  void count(bool impact_finished, const std::string& reason) {
-    ++(impact_finished ? finished_ : failed_);
-    if (!impact_finished && first_failure.empty()) first_failure = reason;
+  void count(const Row& row) {
+    ++(row.finished() ? finished_ : failed_);
+    if (!row.finished() && first_failure.empty()) first_failure = row.status + ": " + row.reason;
   }
   bool nothing_finished() const { return failed_ > 0 && finished_ == 0; }
   /// True if results lie in a folder of this run's.

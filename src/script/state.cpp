@@ -98,8 +98,7 @@ int nearest(lua_State* L) {
 int function_names(lua_State* L) {
   std::set<std::string> names;  // those of file.write and file.read are one
   for (const Function& f : functions())
-    if (f.name.find(':') == std::string::npos && f.name != "launch" && f.name != "contact" && f.name != "show")
-      names.insert(f.name.substr(0, f.name.find('.')));
+    if (!f.is_method() && !f.is_table) names.insert(f.name.substr(0, f.name.find('.')));
   lua_newtable(L);
   for (const std::string& name : names) {
     lua_pushstring(L, name.c_str());
@@ -198,13 +197,7 @@ State::State(Session& session) : session_(session) {
     lua_pushcfunction(L_, f.func);
     lua_setfield(L_, -2, f.name);
   }
-  add_parameters(L_);
-  add_bodies(L_);
-  add_sweeps(L_);
-  add_pictures(L_);
-  add_run_files(L_);
-  add_theories(L_);
-  add_accuracy(L_);
+  add_functions(L_);
   luaL_getsubtable(L_, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   lua_insert(L_, -2);
   lua_setfield(L_, -2, "ricochet.core");

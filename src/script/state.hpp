@@ -34,15 +34,6 @@ class State {
   lua_State* L_ = nullptr;
 };
 
-// What the module's parts register in the table on top of the stack.
-void add_parameters(lua_State* L);
-void add_bodies(lua_State* L);
-void add_sweeps(lua_State* L);
-void add_pictures(lua_State* L);
-void add_run_files(lua_State* L);
-void add_accuracy(lua_State* L);
-void add_theories(lua_State* L);
-
 /// Throws Error if arguments were given to a script that declares no parameters.
 void refuse_unused_arguments(const Session& session);
 

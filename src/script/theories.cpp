@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "script/objects.hpp"
 #include "script/reader.hpp"
-#include "script/state.hpp"
 #include "theory/catalogue.hpp"
 
 namespace ricochet {
@@ -15,13 +15,7 @@ namespace {
 theory::Value read_value(lua_State* L, const Field& field) {
   if (field.type == "string") return std::string(lua_tostring(L, -1));
   if (field.type != "numbers") return static_cast<double>(lua_tonumber(L, -1));
-  theory::Numbers list;
-  for (lua_Integer i = 1; i <= length_of(L, -1); ++i) {
-    lua_rawgeti(L, -1, i);
-    list.push_back(lua_tonumber(L, -1));
-    lua_pop(L, 1);
-  }
-  return list;
+  return numbers_at(L, -1);
 }
 
 void push_value(lua_State* L, const theory::Value& value) {
@@ -93,12 +87,10 @@ int call_theory(lua_State* L) {
 int unknown_theory(lua_State* L) {
   std::vector<std::string> names;
   for (const theory::Theory& theory : theory::theories()) names.push_back(theory.name);
-  throw unknown_name(L, "ricochet.theory", lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2), names);
+  throw unknown_name(L, "ricochet.theory", asked_name(L, 2), names);
 }
 
 int no_new_theory(lua_State* L) { throw at_line(L, "ricochet.theory takes no new fields"); }
-
-}  // namespace
 
 void add_theories(lua_State* L) {
   lua_newtable(L);
@@ -122,6 +114,29 @@ void add_theories(lua_State* L) {
   lua_setfield(L, -2, "__metatable");
   lua_setmetatable(L, -2);
   lua_setfield(L, -2, "theory");
+}
+
+Function function_of(const theory::Theory& theory) {
+  Function function{
+      .name = "theory." + theory.name,
+      .doc = fmt::format("{} Valid: {}. Source: {}. Units in any consistent system of mass M, length L and time T.",
+                         theory.says, theory.valid, theory.source),
+      .fields = theory.arguments,
+      .returns = "table",
+      .example = theory.example};
+  if (theory.results.size() > 1)
+    function.results = theory.results;
+  else
+    function.returns = theory.results[0].type;
+  return function;
+}
+
+}  // namespace
+
+Group theory_functions() {
+  Group group{.functions = {}, .add = add_theories};
+  for (const theory::Theory& theory : theory::theories()) group.functions.push_back(function_of(theory));
+  return group;
 }
 
 }  // namespace ricochet
