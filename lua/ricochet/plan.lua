@@ -2,6 +2,7 @@
 local core = require "ricochet.core"
 local sweeps = require "ricochet.sweep"
 local refine = require "ricochet.refine"
+local statistics = require "ricochet.statistics"
 
 local most_points = 12        -- of the sweep's points that the pilot visits
 local most_samples = 1e6     -- of a point that a plan may have
@@ -51,16 +52,6 @@ local function cautious(n)
   return 1 / math.max(0.05, 1 - 2 / (9 * n) - 1.2816 * math.sqrt(2 / (9 * n))) ^ 3
 end
 
-local function mean_and_deviation(values)
-  local mean, square = 0, 0
-  for i, value in ipairs(values) do
-    local delta = value - mean
-    mean = mean + delta / i
-    square = square + delta * (value - mean)
-  end
-  return mean, math.sqrt(square / (#values - 1))
-end
-
 -- Seconds that the sweep's own function takes to make a sample of all points, the first time.
 local function making_seconds(sweep, sample, points, count)
   local began = core.clock()
@@ -94,14 +85,6 @@ local function pilot(sweep, sample, points, count, factor, changes)
   for k in ipairs(points) do by_point[k] = {} end
   for i, row in ipairs(rows) do table.insert(by_point[(i - 1) % #points + 1], row) end
   return by_point, (making + seconds) / count
-end
-
-local function finished(rows, column)
-  local values = {}
-  for _, row in ipairs(rows) do
-    if row.status == "finished" and row[column] == row[column] then values[#values + 1] = row[column] end
-  end
-  return values
 end
 
 -- Seconds at a factor, by a power law between sizes of the pilot; beyond them by nodes times steps, which is power 1.5.
@@ -242,10 +225,9 @@ local function plan(given)
     local rows, seconds = pilot(sweep, sample, points, t.pilot, factor, { accuracy = math.min(0.1, step_share * t.standard_error), accuracy_of = column })
     sizes[i] = { factor = factor, rows = rows, seconds = (making + seconds) * #all / #points }
     for k in ipairs(points) do
-      local values = finished(rows[k], column)
-      if #values < 2 then core.fail(("fewer than two impacts of the pilot finished at %s with %g times the nodes: %s"):format(name_of(points[k], sweep.names, sample), factor, rows[k][1].reason), "sweep") end
-      local mean, sd = mean_and_deviation(values)
-      sizes[i][k] = { mean = mean, sd = sd, se = sd / math.sqrt(#values), freedom = #values - 1 }
+      local of = statistics.of_finished(rows[k], column)
+      if of.count < 2 then core.fail(("fewer than two impacts of the pilot finished at %s with %g times the nodes: %s"):format(name_of(points[k], sweep.names, sample), factor, rows[k][1].reason), "sweep") end
+      sizes[i][k] = { mean = of.mean, sd = of.sd, se = of.se, freedom = of.count - 1 }
     end
   end
   -- The sweep's own time step: the same samples by it and by the pilot's fine one.
@@ -339,9 +321,8 @@ Plan.run = core.wrap(function(plan)
     table.insert(by_point[name], row)
   end
   for name, list in pairs(by_point) do
-    local values = finished(list, self.of)
-    local _, sd = mean_and_deviation(values)
-    if #values > 1 and sd / math.sqrt(#values) > worst.se then worst = { name = name, se = sd / math.sqrt(#values), sd = sd } end
+    local of = statistics.of_finished(list, self.of)
+    if of.count > 1 and of.se > worst.se then worst = { name = name, se = of.se, sd = of.sd } end
   end
   print(("predicted %.1f s, took %.1f s; largest standard error %.2g of %s at %s, wanted %g"):format(self.predicted_seconds, took, worst.se, self.of, worst.name, self.standard_error))
   if worst.se > self.standard_error then
