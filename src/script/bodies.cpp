@@ -63,7 +63,6 @@ int body(lua_State* L) {
       lua_pop(L, 1);
       return value;
     };
-    spend(L, work_a_node * (made->numbers.nodes + static_cast<double>(made->outline.size())));
     const Points rim = plan_rim(made->outline, made->numbers);
     std::vector<bool> anchored_rim;
     if (lua_isfunction(L, anchored))
@@ -280,7 +279,6 @@ int elasticity(lua_State* L) {
   const Body& band = *body_at(L, -1).body;
   if (std::find(band.anchored.begin(), band.anchored.end(), true) != band.anchored.end())
     throw_at(session_of(L), call_site(L), FieldError("body", "must have no anchored nodes"));
-  spend(L, work_a_node_stretched * band.numbers.nodes);
   Elasticity result{};
   try {
     result = stretch_band(*build_lattice(band), band.numbers.stiffness);

@@ -52,7 +52,7 @@ int run(RunOptions options, const std::string& script, const std::vector<std::st
     if (session.options.help && !session.done) session.print(fmt::format("{} declares no parameters.\n", script));
   } catch (const Error& error) {
     session.log(fmt::format("error: {}\n", shortened(error.what())));
-    const bool keep = error.exit == Exit::script && session.something_stored();
+    const bool keep = error.exit == Exit::script && !stop_requested && session.something_stored();
     try {
       session.write_log();
     } catch (const FileError&) {  // the first error is the one to report
@@ -68,12 +68,20 @@ int run(RunOptions options, const std::string& script, const std::vector<std::st
   return 0;
 }
 
+// The user's next line; false at the end.
+bool prompted(std::string& line) {
+  fmt::print("> ");
+  std::fflush(stdout);
+  return static_cast<bool>(std::getline(std::cin, line));
+}
+
 int repl() {
   Session session({}, "repl", {});
   State state(session);
   state.run_text("rawset(_G, 'ricochet', require 'ricochet')");
   fmt::print("{}\nLua with `ricochet` loaded; end with ^D.\n", version_text().substr(0, version_text().find('\n')));
-  for (std::string line; fmt::print("> "); std::fflush(stdout); std::getline(std::cin, line);) {
+  std::string line;
+  while (prompted(line)) {
     try {
       state.run_text(line);
     } catch (const Error& error) {
@@ -192,10 +200,9 @@ int program(int count, char** words) {
       ->check(CLI::Range(1, lanes));
   run_command->add_option("--out", options.out, "folder of the results (default: out)");
   run_command
-      ->add_option(
-          "--budget", options.budget,
-          "greatest work of the script, in Lua instructions; long strings, searches and files count as what they cost")
-      ->check(CLI::Range(1LL, 1000000000000000LL));
+      ->add_option("--max-seconds", options.max_seconds,
+                   "end the run after so many seconds, impacts included; what is stored stays (default: no limit)")
+      ->check(CLI::Range(1e-3, 1e9));
   run_command->add_flag("--resume", options.resume, "go on with earlier results");
   run_command->add_flag("--force", options.force, "replace earlier results");
   run_command->add_flag("--check", options.check, "build every scene, run none");
@@ -260,7 +267,7 @@ int program(int count, char** words) {
     const std::vector<std::string> commands{"run",  "accuracy", "effects", "theory",
                                             "repl", "info",     "render",  "reference"};
     std::string hint;
-    const std::vector<std::string> options_known{"--threads", "--batch",  "--out",   "--budget",
+    const std::vector<std::string> options_known{"--threads", "--batch",  "--out",   "--max-seconds",
                                                  "--resume",  "--force",  "--check", "--traceback",
                                                  "--quiet",   "--unsafe", "--help"};
     for (int i = 1; i < count && *run_command; ++i) {

@@ -114,7 +114,6 @@ std::string text_of(lua_State* L, int index) {
   if (lua_isboolean(L, index)) return lua_toboolean(L, index) ? "true" : "false";
   if (lua_istable(L, index)) {
     std::string text;
-    spend(L, work_a_value_read * static_cast<double>(length_of(L, index)));
     for (lua_Integer i = 1; i <= length_of(L, index); ++i) {  // of numbers
       lua_rawgeti(L, index, i);
       text += (i > 1 ? "," : "") + text_of(L, -1);
@@ -168,7 +167,6 @@ Parameter declared(lua_State* L, const std::string& name) {
     p.whole = lua_toboolean(L, -1);
     lua_pop(L, 1);
     if (lua_getfield(L, -1, "choices") == LUA_TTABLE) {
-      spend(L, work_a_value_read * static_cast<double>(length_of(L, -1)));
       for (lua_Integer i = 1; i <= length_of(L, -1); ++i) {
         lua_rawgeti(L, -1, i);
         p.field.choices.push_back(lua_tostring(L, -1) ? lua_tostring(L, -1) : "");

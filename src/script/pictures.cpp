@@ -388,7 +388,6 @@ int lammps(lua_State* L) {
   at_scene(session, call_site(L), take, [&] {
     const fs::path data = below_folder(L, text_field(L, "out", "impact") + ".data");
     const LammpsFiles files = lammps_files(take.scene, *take.projectile, *take.target, data.stem().string());
-    spend(L, 2 * work_a_file + static_cast<double>(files.data.size()));  // most of it to write the numbers as text
     session.claim(session.own_folder());
     make_folder(data.parent_path());
     write_atomically(data, files.data);

@@ -201,7 +201,6 @@ void collect(lua_State* L, int index, const std::vector<Field>& fields, const st
     const std::string name = lua_tostring(L, -2);
     if (std::find(names.begin(), names.end(), name) == names.end()) unknown.push_back(name);
   }
-  spend(L, work_a_value_read * static_cast<double>(unknown.size()));
   std::sort(unknown.begin(), unknown.end());
   for (std::size_t i = 0; i < std::min(unknown.size(), most_shown); ++i)
     mistakes.push_back(
@@ -244,14 +243,12 @@ void push_plain(lua_State* L, int index, int copies, int depth = 0) {
   lua_pushvalue(L, index);
   lua_pushvalue(L, copy);
   lua_rawset(L, copies);
-  double elements = 1;
-  for (lua_pushnil(L); lua_next(L, index) != 0; ++elements) {
+  for (lua_pushnil(L); lua_next(L, index) != 0;) {
     lua_pushvalue(L, -2);
     push_plain(L, -2, copies, depth + 1);
     lua_rawset(L, copy);
     lua_pop(L, 1);
   }
-  spend(L, elements * work_an_element);
   if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) {
     lua_createtable(L, 0, 1);
     lua_insert(L, -2);
@@ -312,6 +309,7 @@ void make_plain(lua_State* L, int index) {
 Session& session_of(lua_State* L) { return **static_cast<Session**>(lua_getextraspace(L)); }
 
 CallSite call_site(lua_State* L) {
+  constexpr int most_levels = 1000;  // each costs as many steps as it is deep
   const Session& session = session_of(L);
   CallSite site;
   lua_Debug frame;
@@ -429,18 +427,9 @@ Error at_line(lua_State* L, const std::string& message) {
   return Error(shown);
 }
 
-std::string hint(lua_State* L, const std::string& name, std::span<const std::string> names) {
-  names = names.first(std::min(names.size(), most_names));
-  double compared = 0;  // letters with letters; longer names are passed over
-  for (const std::string& other : names)
-    if (other.size() <= 100) compared += static_cast<double>(name.size() * other.size());
-  spend(L, compared);
-  return did_you_mean(name, names);
-}
-
 Error unknown_name(lua_State* L, const std::string& what, const std::string& name, std::vector<std::string> names) {
   std::sort(names.begin(), names.end());
-  const std::string nearest = hint(L, name, names);
+  const std::string nearest = did_you_mean(name, names);
   return at_line(L, fmt::format("{} has no '{}'{}", what, name,
                                 nearest.empty() ? (names.empty() ? "" : "; it has " + joined(names)) : nearest));
 }

@@ -2,12 +2,11 @@
 // Tables of a script: checked against their fields, all mistakes reported together at the fields' own lines.
 
 #include <lua.hpp>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
-#include "script/bounds.hpp"
+#include "sandbox/sandbox.hpp"
 #include "script/session.hpp"
 #include "script/source.hpp"
 #include "script/specification.hpp"
@@ -83,27 +82,8 @@ inline lua_Integer length_of(lua_State* L, int index) { return static_cast<lua_I
 /// A value as a message shows it: "a string ('abc')", "nil", "-1".
 std::string shown(lua_State* L, int index);
 
-/// A C++ function that Lua may call: exceptions become Lua errors, and the error text is that of the exception.
-template <int (*function)(lua_State*)>
-int guarded(lua_State* L) {
-  const EngineTime ours(L);
-  try {
-    return function(L);
-  } catch (const std::exception& error) {
-    const auto* known = dynamic_cast<const Error*>(&error);
-    lua_pushstring(L, error.what());
-    lua_pushinteger(L, static_cast<int>(known ? known->exit : Exit::script));
-  }
-  // The exit status travels in the registry: a script that catches the error sees plain text.
-  lua_setfield(L, LUA_REGISTRYINDEX, "ricochet.exit");
-  return lua_error(L);
-}
-
 /// An error at the line of the user's that runs: "file:line: message" with that line.
 Error at_line(lua_State* L, const std::string& message);
-
-/// did_you_mean among the first `most_names`, which counts as work of the script's.
-std::string hint(lua_State* L, const std::string& name, std::span<const std::string> names);
 
 /// The error of a name that `what` has not: "file:line: what has no 'name' (did you mean ...?)" or the names there are.
 Error unknown_name(lua_State* L, const std::string& what, const std::string& name, std::vector<std::string> names);

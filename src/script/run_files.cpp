@@ -121,7 +121,6 @@ int gnuplot(lua_State* L) {
   Session& session = session_of(L);
   const std::string name = luaL_checkstring(L, 1);
   const fs::path script = below_folder(L, name + ".gp");
-  spend(L, work_a_plot);
   session.claim(session.own_folder());
   write_atomically(script, luaL_checkstring(L, 2));
   for (const char* kind : {".png", ".svg"}) {  // gnuplot would write through a link
@@ -158,7 +157,6 @@ int file_write(lua_State* L) {
     throw at_line(L, fmt::format("'{}' is the name of a file that runs leave themselves; give another", name));
   const char* text = luaL_checklstring(L, 2, &length);
   if (session.options.check) return 0;
-  spend(L, work_a_file + static_cast<double>(length) / 8);
   session.claim(session.own_folder());
   at_script(L, [&] {
     make_folder(path.parent_path());

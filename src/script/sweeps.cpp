@@ -10,6 +10,7 @@
 #include <map>
 #include <unordered_set>
 
+#include "core/spelling.hpp"
 #include "force/lane.hpp"
 #include "impact/sweep.hpp"
 #include "script/objects.hpp"
@@ -37,7 +38,7 @@ int unknown_column(lua_State* L) {
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
     if (lua_type(L, -2) == LUA_TSTRING) names.push_back(lua_tostring(L, -2));
   const std::string name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2),
-                    nearest = hint(L, name, names);
+                    nearest = did_you_mean(name, names);
   throw at_line(
       L, fmt::format("a row has no column '{}'{}", name, nearest.empty() ? "; lua/REFERENCE.md lists them" : nearest));
 }
@@ -128,6 +129,7 @@ SweepUse run_and_store(Session& session, Store& store, const std::string& name, 
         fmt::format("{}: {} of {} scenes repeat another one exactly, so they are no samples of their own; does every "
                     "name of 'over' reach the scene?",
                     name, twins, scenes.size()));
+  const Storing storing;
   Progress progress(session, name, scenes.size(), store.count());
   SweepOptions options;
   options.threads = session.options.threads;
