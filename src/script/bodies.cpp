@@ -95,7 +95,6 @@ Body read_body(lua_State* L) {
   made.outline = points_at(L, -1);
   if (signed_area(made.outline) < 0) std::reverse(made.outline.begin(), made.outline.end());
   const PlaceFunction anchored(L, "anchored"), stiffness(L, "stiffness");
-  spend(L, work_a_node * (made.numbers.nodes + static_cast<double>(made.outline.size())));
   std::vector<bool> anchored_rim;
   const Points rim = plan_rim(made.outline, made.numbers);
   if (anchored.given())

@@ -16,7 +16,6 @@ int elasticity(lua_State* L) {
   const Body& band = *body_at(L, -1).body;
   if (std::find(band.anchored.begin(), band.anchored.end(), true) != band.anchored.end())
     throw_here(L, FieldError("body", "must have no anchored nodes"));
-  spend(L, work_a_node_stretched * band.numbers.nodes);
   Elasticity result{};
   try {
     result = stretch_band(*build_lattice(band), band.numbers.stiffness);

@@ -7,8 +7,8 @@
 
 #include "impact/batch.hpp"
 #include "script/fields.hpp"
-#include "script/folder.hpp"
 #include "script/objects.hpp"
+#include "script/run_files.hpp"
 #include "script/step_choice.hpp"
 #include "store/files.hpp"
 #include "store/run_names.hpp"

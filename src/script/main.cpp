@@ -59,7 +59,7 @@ void run(RunOptions options, const std::string& script, const std::vector<std::s
     run_in(session);
   } catch (const Error& error) {
     session.log(fmt::format("error: {}\n", shortened(error.what())));
-    const bool keep = error.exit == Exit::script && session.something_stored();
+    const bool keep = error.exit == Exit::script && !stop_requested && session.something_stored();
     try {
       session.write_log();
     } catch (const FileError&) {  // the first error is the one to report
@@ -131,10 +131,9 @@ void add_run(Commands& c) {
       ->check(CLI::Range(1, lanes));
   add_out(c, command);
   command
-      ->add_option(
-          "--budget", options.budget,
-          "greatest work of the script, in Lua instructions; long strings, searches and files count as what they cost")
-      ->check(CLI::Range(1LL, 1000000000000000LL));
+      ->add_option("--max-seconds", options.max_seconds,
+                   "end the run after so many seconds, impacts included; what is stored stays (default: no limit)")
+      ->check(CLI::Range(1e-3, 1e9));
   command->add_flag("--resume", options.resume, "go on with earlier results");
   command->add_flag("--force", options.force, "replace earlier results");
   command->add_flag("--check", options.check, "build every scene, run none");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/spelling.hpp"
 #include "impact/outcome.hpp"
 #include "script/reader.hpp"
 
@@ -23,7 +24,7 @@ int unknown_result(lua_State* L) { throw unknown_name(L, kind_name(L, 1), asked_
 
 // A misspelt row.name is an error, not nil.
 int unknown_column(lua_State* L) {
-  const std::string name = asked_name(L, 2), nearest = hint(L, name, names_in(L, 1));
+  const std::string name = asked_name(L, 2), nearest = did_you_mean(name, names_in(L, 1));
   throw at_line(
       L, fmt::format("a row has no column '{}'{}", name, nearest.empty() ? "; lua/REFERENCE.md lists them" : nearest));
 }

@@ -115,7 +115,6 @@ std::string text_of(lua_State* L, int index) {
   if (lua_isboolean(L, index)) return lua_toboolean(L, index) ? "true" : "false";
   if (lua_istable(L, index)) {
     std::string text;
-    spend(L, work_a_value_read * static_cast<double>(list_length(L, index)));
     each_element(L, index, [&](lua_Integer i) { text += (i > 1 ? "," : "") + text_of(L, -1); });  // of numbers
     return text;
   }
@@ -170,10 +169,8 @@ void read_declaration(lua_State* L, Parameter& p) {
   lua_getfield(L, -1, "int");
   p.whole = lua_toboolean(L, -1);
   lua_pop(L, 1);
-  each_in_field(L, -1, "choices", [&](lua_Integer) {
-    spend(L, work_a_value_read);
-    p.field.choices.push_back(lua_tostring(L, -1) ? lua_tostring(L, -1) : "");
-  });
+  each_in_field(L, -1, "choices",
+                [&](lua_Integer) { p.field.choices.push_back(lua_tostring(L, -1) ? lua_tostring(L, -1) : ""); });
   lua_rawgeti(L, -1, 1);
   lua_remove(L, -2);
 }

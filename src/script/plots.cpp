@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
-#include "script/folder.hpp"
 #include "script/gnuplot.hpp"
 #include "script/reader.hpp"
+#include "script/run_files.hpp"
 #include "store/files.hpp"
 #include "store/run_names.hpp"
 
@@ -22,7 +22,6 @@ int gnuplot(lua_State* L) {
   Session& session = session_of(L);
   const fs::path script = below_folder(L, luaL_checkstring(L, 1) + std::string(run_names::plot_script));
   const auto beside = [&](const char* extension) { return fs::path(script).replace_extension(extension); };
-  spend(L, work_a_plot);
   session.claim(session.own_folder());
   write_atomically(script, luaL_checkstring(L, 2));
   for (const char* kind : {run_names::picture, run_names::vector_picture})  // gnuplot would write through a link

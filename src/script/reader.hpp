@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "script/bounds.hpp"
+#include "sandbox/sandbox.hpp"
 #include "script/functions.hpp"
 #include "script/lua_values.hpp"
 #include "script/report.hpp"
@@ -56,22 +56,6 @@ template <class Struct>
 void read_inner_members(lua_State* L, int index, const char* field, Struct& values) {
   if (lua_getfield(L, index, field) == LUA_TTABLE) read_members(L, lua_gettop(L), values);
   lua_pop(L, 1);
-}
-
-/// A C++ function that Lua may call: exceptions become Lua errors, and the error text is that of the exception.
-template <int (*function)(lua_State*)>
-int guarded(lua_State* L) {
-  const EngineTime ours(L);
-  try {
-    return function(L);
-  } catch (const std::exception& error) {
-    const auto* known = dynamic_cast<const Error*>(&error);
-    lua_pushstring(L, error.what());
-    lua_pushinteger(L, static_cast<int>(known ? known->exit : Exit::script));
-  }
-  // The exit status travels in the registry: a script that catches the error sees plain text.
-  lua_setfield(L, LUA_REGISTRYINDEX, "ricochet.exit");
-  return lua_error(L);
 }
 
 }  // namespace ricochet

@@ -8,7 +8,7 @@
 #include "impact/lammps.hpp"
 #include "script/fields.hpp"
 #include "script/filmed.hpp"
-#include "script/folder.hpp"
+#include "script/run_files.hpp"
 #include "store/files.hpp"
 #include "store/sinks.hpp"
 
@@ -62,7 +62,6 @@ int lammps(lua_State* L) {
   at_scene(session, call_site(L), filmed, [&] {
     const fs::path data = below_folder(L, members_of_call(L, lammps_name).out + ".data");
     const LammpsFiles files = lammps_files(filmed.scene, *filmed.projectile, *filmed.target, data.stem().string());
-    spend(L, 2 * work_a_file + static_cast<double>(files.data.size()));  // most of it to write the numbers as text
     session.claim(session.own_folder());
     make_folder(data.parent_path());
     write_atomically(data, files.data);

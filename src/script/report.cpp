@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/spelling.hpp"
-#include "script/bounds.hpp"
 #include "script/functions.hpp"
 #include "script/source.hpp"
 
@@ -31,6 +30,7 @@ Place place_of(const std::string* text, const CallSite& site, std::vector<std::s
 Session& session_of(lua_State* L) { return **static_cast<Session**>(lua_getextraspace(L)); }
 
 CallSite call_site(lua_State* L) {
+  constexpr int most_levels = 1000;  // each costs as many steps as it is deep
   const Session& session = session_of(L);
   CallSite site;
   lua_Debug frame;
@@ -83,18 +83,9 @@ Error at_line(lua_State* L, const std::string& message) {
   return Error(whole);
 }
 
-std::string hint(lua_State* L, const std::string& name, std::span<const std::string> names) {
-  names = names.first(std::min(names.size(), most_names));
-  double compared = 0;  // letters with letters; longer names are passed over
-  for (const std::string& other : names)
-    if (other.size() <= 100) compared += static_cast<double>(name.size() * other.size());
-  spend(L, compared);
-  return did_you_mean(name, names);
-}
-
 Error unknown_name(lua_State* L, const std::string& what, const std::string& name, std::vector<std::string> names) {
   std::sort(names.begin(), names.end());
-  std::string remedy = hint(L, name, names);
+  std::string remedy = did_you_mean(name, names);
   if (remedy.empty() && !names.empty()) remedy = "; it has " + joined(names);
   return at_line(L, fmt::format("{} has no '{}'{}", what, name, remedy));
 }

@@ -38,9 +38,6 @@ Error at_this_call(lua_State* L, const std::string& message);
 /// An error at the line of the user's that runs: "file:line: message" with that line.
 Error at_line(lua_State* L, const std::string& message);
 
-/// did_you_mean among the first `most_names`, which counts as work of the script's.
-std::string hint(lua_State* L, const std::string& name, std::span<const std::string> names);
-
 /// The error of a name that `what` has not: "file:line: what has no 'name' (did you mean ...?)" or the names there are.
 Error unknown_name(lua_State* L, const std::string& what, const std::string& name, std::vector<std::string> names);
 

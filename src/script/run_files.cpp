@@ -1,11 +1,12 @@
 // ricochet.file: files below the run's folder.
 
+#include "script/run_files.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "script/folder.hpp"
 #include "script/reader.hpp"
 #include "store/files.hpp"
 #include "store/run_names.hpp"
@@ -60,7 +61,6 @@ int file_write(lua_State* L) {
   std::size_t length = 0;
   const char* text = luaL_checklstring(L, 2, &length);
   if (session.options.check) return 0;
-  spend(L, work_a_file + static_cast<double>(length) / 8);
   session.claim(session.own_folder());
   at_script(L, [&] {
     make_folder(path.parent_path());

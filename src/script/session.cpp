@@ -20,15 +20,10 @@ namespace ricochet {
 
 namespace fs = std::filesystem;
 
-std::atomic<bool> stop_requested{false};
-
 namespace {
 
-// Seconds in which a run must have stored what is done once it is told to stop.
-constexpr unsigned grace = 20;
-
 extern "C" void on_signal(int) {
-  if (stop_requested.exchange(true)) _exit(130);
+  if (ask_to_stop()) _exit(130);
   alarm(grace);  // should something in a script not come back all the same; files are whole at any moment
 }
 

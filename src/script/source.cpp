@@ -122,8 +122,7 @@ std::string line_of(const std::string& source, int number) {
                                                               : source.substr(start, source.find('\n', start) - start);
 }
 
-}  // namespace
-
+// What the message for `line` leaves unsaid, or nothing.
 std::string syntax_hint(const std::string& source, int line, const std::string& message) {
   static const std::vector<std::string> keywords{"and", "break",    "do",     "else", "elseif", "end",   "false",
                                                  "for", "function", "if",     "in",   "local",  "nil",   "not",
@@ -188,6 +187,14 @@ std::string syntax_hint(const std::string& source, int line, const std::string& 
     return std::find(keywords.begin(), keywords.end(), word) == keywords.end() ? " (is a comma missing before it?)"
                                                                                : " (is a bracket missing before it?)";
   return "";
+}
+
+}  // namespace
+
+Error syntax_error(const std::string& name, const std::string& source, const std::string& message) {
+  const int line = message.starts_with(name + ":") ? std::atoi(message.c_str() + name.size() + 1) : 0;
+  if (line <= 0) return Error(message);
+  return Error(message + syntax_hint(source, line, message) + "\n" + excerpt(source, {line, 1, 0}));
 }
 
 std::string excerpt(const std::string& source, const Place& place) {

@@ -48,6 +48,7 @@ SweepUse run_and_store(Session& session, Store& store, const std::string& name, 
   std::map<std::string, std::size_t> first;  // a scene that occurs twice runs once
   for (std::size_t i = 0; i < scenes.size(); ++i) todo[i] = !store.done()[i] && first.emplace(hashes[i], i).second;
   warn_of_twins(session, name, hashes);
+  const Storing storing;
   Progress progress(session, name, scenes.size(), store.count());
   SweepUse use;
   const auto keep = [&](const std::vector<Result>& results) {

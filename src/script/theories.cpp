@@ -31,20 +31,6 @@ void push_value(lua_State* L, const theory::Value& value) {
   }
 }
 
-// Lua instructions of 5 ns that a call stands for, at most: measured. A list costs its square (a fit), or its third
-// power (a spline).
-double work_of(const theory::Theory& called, const std::map<std::string, theory::Value>& given) {
-  double work = 2e4;
-  for (const auto& [name, value] : given) {
-    const double* number = std::get_if<double>(&value);
-    if (number && name == "steps") work += 20 * *number;
-    if (number && name == "count") work += 1.2e5 * *number;
-    if (const auto* list = std::get_if<theory::Numbers>(&value))
-      work += std::pow(static_cast<double>(list->size()), called.name == "tilted_curve" && name != "at" ? 3 : 2);
-  }
-  return work;
-}
-
 // Called with the theory's place in the catalogue as upvalue.
 int call_theory(lua_State* L) {
   const theory::Theory& called = theory::theories()[static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)))];
@@ -57,7 +43,6 @@ int call_theory(lua_State* L) {
     if (lua_getfield(L, 1, field.name.c_str()) != LUA_TNIL) given[field.name] = read_value(L, field);
     lua_pop(L, 1);
   }
-  spend(L, work_of(called, given));
   std::vector<theory::Value> values;
   try {
     values = called.evaluate(given);
