@@ -1,8 +1,9 @@
 -- ricochet.accuracy: what accuracy costs. One scene by many methods and steps against two runs of order 6; a table, a CSV file and
 -- work-precision plots.
 local core = require "ricochet.core"
-local refine = require "ricochet.refine"
 local gnuplot = require "ricochet.gnuplot"
+local outcomes = require "ricochet.outcomes"
+local refine = require "ricochet.refine"
 local statistics = require "ricochet.statistics"
 
 local quoted = gnuplot.quoted
@@ -10,6 +11,7 @@ local quoted = gnuplot.quoted
 -- With more methods than colours the marks tell them apart.
 local colours = { table.unpack(gnuplot.colours) }
 colours[#colours + 1] = "#000000"
+local marks = { 7, 5, 9, 11, 13, 4, 6, 8, 10, 12, 14 }
 
 -- Steps of a method when none are given: from 0.9 of its stability limit down, by the square root of 2.
 local shares = { 0.9, 0.64, 0.45, 0.32, 0.22, 0.16 }
@@ -122,7 +124,8 @@ local function write_marks(study, script)
       local error = math.max(row.error[column], 1e-16)
       -- With many methods, only the ends of each line are labelled.
       local label = (#study.methods <= 4 or k == 1 or k == #drawn) and ("%.2g"):format(row.step) or '""'
-      lines[k] = ("%.9g %.9g %.9g %.9g %s"):format(row.step, row.wall_seconds, error, math.max(row.energy_drift, 1e-16), label)
+      local drift = math.max(row.energy_drift, 1e-16)
+      lines[k] = ("%.9g %.9g %.9g %.9g %s"):format(row.step, row.wall_seconds, error, drift, label)
       far.t_low, far.t_high = math.min(far.t_low, row.wall_seconds), math.max(far.t_high, row.wall_seconds)
       far.x_low, far.x_high = math.min(far.x_low, row.step), math.max(far.x_high, row.step)
       far.e_low, far.e_high = math.min(far.e_low, error), math.max(far.e_high, error)
@@ -132,8 +135,8 @@ local function write_marks(study, script)
   return far
 end
 
--- Dashed lines of an order, through the corner where all methods begin (a power law is straight here), and the floor: what a panel
--- of errors plots beside the marks. Those against time, and those against the step.
+-- Dashed lines of an order, through the corner where all methods begin (a power law is straight here), and the floor:
+-- what a panel of errors plots beside the marks. Returns those against time, and those against the step.
 local function write_guides(script, far, floor)
   local count = 0
   local function line(x1, y1, x2, y2, style)
@@ -143,7 +146,8 @@ local function write_guides(script, far, floor)
   end
   local function slope(order, from, to, at, sign)
     local function power(x) return far.e_high * (x / at) ^ (sign * order) end
-    return line(from, power(from), to, power(to), ("dt %d lw 1 lc rgb '#888888' title 'order %d'"):format(order == 2 and 2 or 4, order))
+    local style = ("dt %d lw 1 lc rgb '#888888' title 'order %d'"):format(order == 2 and 2 or 4, order)
+    return line(from, power(from), to, power(to), style)
   end
   local by_time = { slope(2, far.t_low, far.t_high, far.t_low, -1), slope(4, far.t_low, far.t_high, far.t_low, -1) }
   local by_step = { slope(2, far.x_low, far.x_high, far.x_high, 1), slope(4, far.x_low, far.x_high, far.x_high, 1) }
@@ -159,11 +163,13 @@ end
 local function add_panel(script, study, t)
   local parts = {}
   for i, method in ipairs(study.methods) do
-    local colour, mark = colours[(i - 1) % #colours + 1], ({ 7, 5, 9, 11, 13, 4, 6, 8, 10, 12, 14 })[(i - 1) % 11 + 1]
+    local colour, mark = colours[(i - 1) % #colours + 1], marks[(i - 1) % #marks + 1]
+    local title = quoted(t.title and t.title(method) or method)
     parts[#parts + 1] = ("$m%d using %d:%d with linespoints pt %d ps 0.9 lw 1.5 lc rgb '%s' title %s noenhanced"):format(
-      i, t.x, t.y, mark, colour, quoted(t.title and t.title(method) or method))
+      i, t.x, t.y, mark, colour, title)
     if t.labels then
-      parts[#parts + 1] = ("$m%d using 2:3:5 with labels font ',8' left offset 0.6,0.5 tc rgb '%s' notitle"):format(i, colour)
+      local style = ("font ',8' left offset 0.6,0.5 tc rgb '%s' notitle"):format(colour)
+      parts[#parts + 1] = ("$m%d using 2:3:5 with labels %s"):format(i, style)
     end
   end
   for _, guide in ipairs(t.guides or {}) do parts[#parts + 1] = guide end
@@ -180,7 +186,8 @@ local function add_lattice_panel(script, study)
     quoted(("%s, mean of %d lattices"):format(study.columns[1], study.lattice_samples)))
   script:add("plot $lattice using 1:2:3 with yerrorbars pt 7 lw 1.5 lc rgb '%s' title 'mean ± standard error', "
     .. "$lattice using 1:2:4 with labels font ',8' left offset 0.8,0.5 notitle, \\\n"
-    .. "     %.9g + %.9g*x with lines dt 2 lc rgb '#888888' title 'fit to infinitely fine'", colours[1], lattice.limit, lattice.slope)
+    .. "     %.9g + %.9g*x with lines dt 2 lc rgb '#888888' title 'fit to infinitely fine'",
+    colours[1], lattice.limit, lattice.slope)
 end
 
 local function plot(study, script)
@@ -188,7 +195,9 @@ local function plot(study, script)
   local far = write_marks(study, script)
   if lattice then
     local lines = {}
-    for i, size in ipairs(lattice.sizes) do lines[i] = ("%.9g %.9g %.9g %g"):format(size.factor ^ -0.5, size.mean, size.se, size.factor) end
+    for i, size in ipairs(lattice.sizes) do
+      lines[i] = ("%.9g %.9g %.9g %g"):format(size.factor ^ -0.5, size.mean, size.se, size.factor)
+    end
     script:data("lattice", lines)
   end
   local floor = math.max(study.floor[column], 1e-16)
@@ -199,12 +208,15 @@ local function plot(study, script)
     return order and ("%s %.2f ± %.2f"):format(method, order, uncertainty) or method
   end
   local function draw()
-    script:add("set lmargin 11\nunset offsets\nunset logscale\nset xrange [*:*]\nset yrange [*:*]\nset logscale xy\nset format y '10^{%%L}'\nset format x '%%g'\nset xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]",
-      far.t_low * 0.8, far.t_high * 1.6, math.min(far.e_low, floor or math.huge) / 3, far.e_high * 3)
+    script:add "set lmargin 11\nunset offsets\nunset logscale\nset xrange [*:*]\nset yrange [*:*]"
+    script:add "set logscale xy\nset format y '10^{%L}'\nset format x '%g'"
+    script:add("set xrange [%.9g:%.9g]", far.t_low * 0.8, far.t_high * 1.6)
+    script:add("set yrange [%.9g:%.9g]", math.min(far.e_low, floor or math.huge) / 3, far.e_high * 3)
     script:add("set xtics (%s)", tics(far.t_low, far.t_high))
     add_panel(script, study, { x = 2, y = 3, xlabel = "wall time [s]; marks labelled with the time step [R/c]",
       ylabel = "time-step error of " .. column, labels = true, guides = by_time })
-    script:add("set xrange [%.9g:%.9g]\nset xtics (%s)", far.x_low * 0.8, far.x_high * 1.25, tics(far.x_low, far.x_high))
+    script:add("set xrange [%.9g:%.9g]", far.x_low * 0.8, far.x_high * 1.25)
+    script:add("set xtics (%s)", tics(far.x_low, far.x_high))
     add_panel(script, study, { x = 1, y = 3, xlabel = "time step [R/c]; beside each method its fitted order",
       ylabel = "time-step error of " .. column, title = with_order, guides = by_step })
     script:add "set yrange [*:*]"
@@ -248,85 +260,121 @@ local function print_table(study)
   print(("floor %.2g: the difference of two references; below ten times that no error is told"):format(study.floor[column]))
 end
 
-local function accuracy(given)
-  local t = core.check("accuracy", given)
-  local script = gnuplot.script(t.name)
-  local methods, specs = {}, {}
-  if t.methods then
-    for _, name in ipairs(t.methods) do
-      methods[#methods + 1] = method_named(name)
-      local conflict = core.conflict(t.scene, name)
-      if conflict ~= "" then core.fail("'methods': " .. conflict, "methods") end
-    end
-  else
-    -- Those that the scene's effects allow.
-    for _, method in ipairs(core.methods()) do
-      if core.conflict(t.scene, method.name) == "" then methods[#methods + 1] = method end
-    end
+-- The methods that are studied: those named, or all that the scene's effects allow.
+local function methods_of(t)
+  local methods = {}
+  for _, name in ipairs(t.methods or {}) do
+    methods[#methods + 1] = method_named(name)
+    local conflict = core.conflict(t.scene, name)
+    if conflict ~= "" then core.fail("'methods': " .. conflict, "methods") end
   end
-  for _, method in ipairs(methods) do
-    if t.steps then
-      for _, step in ipairs(t.steps) do specs[#specs + 1] = { method = method.name, step = step } end
-    else
-      for _, share in ipairs(shares) do specs[#specs + 1] = { method = method.name, theta = share * method.stability_limit } end
-    end
+  if t.methods then return methods end
+  for _, method in ipairs(core.methods()) do
+    if core.conflict(t.scene, method.name) == "" then methods[#methods + 1] = method end
   end
+  return methods
+end
+
+-- What runs: every method at the steps that are named, or at shares of its stability limit.
+local function runs_of(t, methods)
   for _, step in ipairs(t.steps or {}) do
-    if not (step > 0 and step < math.huge) then core.fail(("'steps' must be greater than 0, has %g"):format(step), "steps") end
-  end
-  if #specs == 0 then core.fail(("'%s' is empty"):format(t.methods and #t.methods == 0 and "methods" or "steps"), t.methods and #t.methods == 0 and "methods" or "steps") end
-  if #t.of == 0 then core.fail("'of' is empty; name an outcome", "of") end
-  local known = core.columns()
-  for _, column in ipairs(t.of) do
-    if not known[column] then
-      local names = {}
-      for name in pairs(known) do names[#names + 1] = name end
-      core.fail(("an outcome has no '%s'%s"):format(column, core.did_you_mean(column, names)), "of")
+    if not (step > 0 and step < math.huge) then
+      core.fail(("'steps' must be greater than 0, has %g"):format(step), "steps")
     end
   end
-  for _, factor in ipairs(t.lattices or { 1, 2 }) do
-    if not (factor > 0 and factor <= 64) then core.fail(("'lattices' holds factors of the nodes, above 0 and at most 64, not %g"):format(factor), "lattices") end
+  local specs = {}
+  for _, method in ipairs(methods) do
+    for _, step in ipairs(t.steps or {}) do specs[#specs + 1] = { method = method.name, step = step } end
+    for _, share in ipairs(t.steps and {} or shares) do
+      specs[#specs + 1] = { method = method.name, theta = share * method.stability_limit }
+    end
   end
+  return specs
+end
+
+local function check_lattices(lattices)
+  if not lattices then return end
   local seen = {}
-  for _, factor in ipairs(t.lattices or {}) do
+  for _, factor in ipairs(lattices) do
+    if not (factor > 0 and factor <= 64) then
+      core.fail(("'lattices' holds factors of the nodes, above 0 and at most 64, not %g"):format(factor), "lattices")
+    end
     if seen[factor] then core.fail(("'lattices' names %g twice"):format(factor), "lattices") end
     seen[factor] = true
   end
-  if t.lattices and #t.lattices < 2 then core.fail("'lattices' needs two sizes or more to compare", "lattices") end
-  if core.is_check() then return nil end
-  local exact, floor = reference(t.scene, t.of)
-  local rows = core.accuracy_runs(t.scene, specs, t.repeats)
-  local processor, cores = core.machine()
-  local study = { rows = rows, columns = t.of, methods = {}, by_method = {}, reference = exact, floor = floor,
-    caption = ("what accuracy costs: %d nodes on %s (%d cores), %s, one core"):format(core.nodes(t.scene), processor, cores, t.repeats > 1 and ("least of %d runs"):format(t.repeats) or "one run each") }
-  study.lattice = t.lattices and lattice_study(t.scene, t.lattices, t.lattice_samples, t.of[1]) or false
-  study.lattice_samples = t.lattice_samples
-  for _, method in ipairs(methods) do study.methods[#study.methods + 1], study.by_method[method.name] = method.name, {} end
-  for _, row in ipairs(rows) do
-    local errors = {}
-    for _, column in ipairs(t.of) do errors[column] = row.status == "finished" and math.abs(row[column] - exact[column]) or 0 / 0 end
-    row.error = errors
+  if #lattices < 2 then core.fail("'lattices' needs two sizes or more to compare", "lattices") end
+end
+
+-- Gives each row its errors against the reference, and puts it to its method's.
+local function sort_rows(study)
+  for _, row in ipairs(study.rows) do
+    row.error = {}
+    for _, column in ipairs(study.columns) do
+      row.error[column] = row.status == "finished" and math.abs(row[column] - study.reference[column]) or 0 / 0
+    end
     table.insert(study.by_method[row.method], row)
   end
-  print_table(study)
-  core.functions["file.write"](t.name .. ".csv", csv(rows, t.of))
-  local drawable = false
+end
+
+-- True if some method has two marks, between which a line can be drawn.
+local function is_drawable(study)
   for _, name in ipairs(study.methods) do
     local count = 0
     for _, row in ipairs(study.by_method[name]) do count = count + (row.status == "finished" and 1 or 0) end
-    drawable = drawable or count > 1
+    if count > 1 then return true end
   end
-  if drawable then plot(study, script) end
-  --- study.cheapest(wanted [, column [, method]]): the row with the fewest force evaluations whose error is at most `wanted`, or nil.
-  study.cheapest = core.wrap(function(wanted, column, method)
-    if type(wanted) ~= "number" then core.fail(("cheapest takes the wanted error, a number; has %s"):format(type(wanted))) end
-    column = column or t.of[1]
-    local studied = false
-    for _, name in ipairs(t.of) do studied = studied or name == column end
-    if not studied then core.fail(("the study has no errors of '%s'; name it in 'of'"):format(tostring(column))) end
-    if method and not study.by_method[method] then core.fail(("the study has no method '%s'%s"):format(tostring(method), core.did_you_mean(tostring(method), study.methods))) end
-    return cheapest(method and study.by_method[method] or rows, column, wanted)
-  end)
+  return false
+end
+
+local function caption_of(t)
+  local processor, cores = core.machine()
+  local repeats = t.repeats > 1 and ("least of %d runs"):format(t.repeats) or "one run each"
+  return ("what accuracy costs: %d nodes on %s (%d cores), %s, one core"):format(core.nodes(t.scene), processor, cores, repeats)
+end
+
+-- study.cheapest(wanted [, column [, method]]): the row with the fewest force evaluations whose error is at most
+-- `wanted`, or nil.
+local function cheapest_of(study, wanted, column, method)
+  if type(wanted) ~= "number" then
+    core.fail(("cheapest takes the wanted error, a number; has %s"):format(type(wanted)))
+  end
+  column = column or study.columns[1]
+  local studied = false
+  for _, name in ipairs(study.columns) do studied = studied or name == column end
+  if not studied then core.fail(("the study has no errors of '%s'; name it in 'of'"):format(tostring(column))) end
+  local rows = study.rows
+  if method then
+    rows = study.by_method[method]
+    local nearest = core.did_you_mean(tostring(method), study.methods)
+    if not rows then core.fail(("the study has no method '%s'%s"):format(tostring(method), nearest)) end
+  end
+  return cheapest(rows, column, wanted)
+end
+
+local function accuracy(given)
+  local t = core.check("accuracy", given)
+  local script = gnuplot.script(t.name)
+  local methods = methods_of(t)
+  local runs = runs_of(t, methods)
+  outcomes.check(t.of, "of")
+  check_lattices(t.lattices)
+  if core.is_check() then return nil end
+  local exact, floor = reference(t.scene, t.of)
+  local rows = core.accuracy_runs(t.scene, runs, t.repeats)
+  local study = {
+    rows = rows, columns = t.of, methods = {}, by_method = {}, reference = exact, floor = floor,
+    caption = caption_of(t), lattice_samples = t.lattice_samples,
+  }
+  study.lattice = t.lattices and lattice_study(t.scene, t.lattices, t.lattice_samples, t.of[1]) or false
+  for i, method in ipairs(methods) do
+    study.methods[i] = method.name
+    study.by_method[method.name] = {}
+  end
+  sort_rows(study)
+  print_table(study)
+  core.functions["file.write"](t.name .. ".csv", csv(rows, t.of))
+  if is_drawable(study) then plot(study, script) end
+  study.cheapest = core.wrap(function(...) return cheapest_of(study, ...) end)
   return core.strict(study, "the study")
 end
 

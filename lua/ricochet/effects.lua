@@ -1,5 +1,6 @@
 -- What effects cost and what they change: ricochet effects --cost, ricochet.relevance.
 local core = require "ricochet.core"
+local outcomes = require "ricochet.outcomes"
 local refine = require "ricochet.refine"
 local statistics = require "ricochet.statistics"
 
@@ -53,14 +54,7 @@ end
 
 local function relevance(given)
   local t = core.check("relevance", given)
-  local known = core.columns()
-  for _, column in ipairs(t.of) do
-    if not known[column] then
-      local names = {}
-      for name in pairs(known) do names[#names + 1] = name end
-      core.fail(("an outcome has no '%s'%s"):format(column, core.did_you_mean(column, names)), "of")
-    end
-  end
+  outcomes.check(t.of, "of")
   if #t.effects == 0 then core.fail("'effects' is empty; name those that may matter", "effects") end
   if core.is_check() then return nil end
   local function runs(effects)

@@ -18,7 +18,9 @@ Script.__index = Script
 
 --- A script to be written, of a picture that is called `name`.
 function gnuplot.script(name)
-  if not name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(name), "name") end
+  if not name:match "^[%w_%-]+$" then
+    core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(name), "name")
+  end
   return setmetatable({ name = name, lines = {} }, Script)
 end
 
@@ -34,10 +36,13 @@ function Script:data(name, rows)
   self:add "END"
 end
 
---- Draws `count` panels below each other under a title (as gnuplot has it), `width` by `height` pixels, once for each kind of file.
---- t.key: where the key stands; t.axes: lines about the axes; t.draw adds what the panels plot.
+-- Grey lines behind all else, and axes on two sides.
+local plain = 'set encoding utf8\nset grid lt 1 lw 0.5 lc rgb "#cccccc"\nset tics nomirror\nset border 3'
+
+--- Draws t.count panels below each other under t.title (as gnuplot has it), t.width by t.height pixels, once for each
+--- kind of file. t.key: where the key stands; t.axes: lines about the axes; t.draw adds what the panels plot.
 function Script:panels(t)
-  self:add('set encoding utf8\nset grid lt 1 lw 0.5 lc rgb "#cccccc"\nset tics nomirror\nset border 3\nset key %s', t.key)
+  self:add(plain .. "\nset key " .. t.key)
   if t.axes then self:add(t.axes) end
   for _, kind in ipairs { { "pngcairo", "png", "" }, { "svg", "svg", ' background "white"' } } do
     self:add('set terminal %s size %d,%d font "DejaVu Sans,%d"%s', kind[1], t.width, t.height, t.font, kind[3])

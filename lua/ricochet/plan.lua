@@ -1,5 +1,6 @@
 -- ricochet.plan: the error budget of a sweep (time step, lattice size, samples), and the cheapest way to a wanted standard error.
 local core = require "ricochet.core"
+local outcomes = require "ricochet.outcomes"
 local sweeps = require "ricochet.sweep"
 local refine = require "ricochet.refine"
 local statistics = require "ricochet.statistics"
@@ -184,18 +185,13 @@ local function plan(given)
   local t = core.check("plan", given)
   local sweep, sample, column = sweeps.contents(t.sweep), t.samples, t.of
   if not sweep then core.fail("'sweep' must be a sweep (from ricochet.sweep)", "sweep") end
-  if not core.columns()[column] then
-    local names = {}
-    for name in pairs(core.columns()) do names[#names + 1] = name end
-    core.fail(("an outcome has no '%s'%s"):format(column, core.did_you_mean(column, names)), "of")
-  end
+  outcomes.check({ column }, "of")
   local known = false
   for _, name in ipairs(sweep.names) do known = known or name == sample end
   if not known then core.fail(("the sweep's 'over' has no '%s' to count samples by"):format(sample), "samples") end
   for _, factor in ipairs(t.sizes) do
     if not (factor > 0 and factor <= 16) then core.fail(("a size is a factor of the nodes, above 0 and at most 16, not %g"):format(factor), "sizes") end
   end
-  if #t.sizes == 0 then core.fail("'sizes' is empty; give factors of the nodes", "sizes") end
   t.sizes = copy(t.sizes)
   table.sort(t.sizes)
   for i = 2, #t.sizes do

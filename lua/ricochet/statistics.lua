@@ -1,7 +1,8 @@
 -- Means and deviations, as everything in this library takes them.
 local statistics = {}
 
---- Mean, sample standard deviation, standard error and count of numbers; undefined ones (nan) are left out. [Welford 1962]
+--- Mean, sample standard deviation, standard error and count of numbers; undefined ones (nan) are left out.
+--- [Welford 1962]
 function statistics.of(values)
   local n, mean, square = 0, 0, 0
   for _, value in ipairs(values) do
