@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -90,6 +91,7 @@ int run_gnuplot(const fs::path& folder, const std::string& file, bool confined) 
   const pid_t child = fork();
   if (child == 0) {  // only calls that are safe between fork and exec
     char failure = not_there;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // a run that its time ends leaves no gnuplot behind
     const int nothing = open("/dev/null", O_RDONLY);
     if (chdir(folder.c_str()) == 0 && nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0) {
       if (confined && !start_no_process())
