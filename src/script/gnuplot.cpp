@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -61,6 +62,7 @@ enum Failure : char { none = 0, not_there, not_confined };
 
 // In the child, between fork and exec: only calls that are safe there. Comes back if gnuplot cannot be run.
 Failure become_gnuplot(const std::filesystem::path& folder, const std::string& file, bool confined) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // a run that its time ends leaves no gnuplot behind
   const int nothing = open("/dev/null", O_RDONLY);
   if (chdir(folder.c_str()) != 0 || nothing < 0 || dup2(nothing, STDIN_FILENO) < 0) return not_there;
   if (confined && !start_no_process()) return not_confined;
