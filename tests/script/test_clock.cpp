@@ -141,3 +141,18 @@ TEST_CASE("a plot that gnuplot is drawing ends with the run") {
   for (int i = 0; i < 100 && runs(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   CHECK_FALSE(runs());
 }
+
+TEST_CASE("^C ends a script at its next instruction; in the repl a mistake ends only what was typed") {
+  const Workplace here;
+  here.write("s.lua", "local n = 0\nwhile true do n = n + 1 end");
+  const Ended ended = here.shell("'" RICOCHET_PROGRAM "' run s.lua & sleep 0.7; kill -INT $!; wait $!");
+  if (!signals_come_late) CHECK(ended.err == "error: interrupted\n");
+  CHECK(ended.status == 130);
+
+  here.write("in.txt", "setmetatable({}, {__gc = print})\nlocal function f() return 1 + f() end f()\n1 + 1\n");
+  const Ended typed = here.shell("ricochet repl <in.txt");
+  CHECK(typed.status == 0);
+  CHECK_THAT(typed.err,
+             Catch::Matchers::Contains("__gc is not for scripts") && Catch::Matchers::Contains("stack overflow"));
+  CHECK_THAT(typed.out, Catch::Matchers::Contains("> 2\n"));
+}
