@@ -32,8 +32,14 @@ const Function& function_named(const std::string& name) {
 }
 
 const Function* inner_table(const std::string& type) {
-  for (const Function& f : functions())
-    if (f.is_table && f.name == type) return &f;
+  static const std::vector<const Function*> tables = [] {  // few: every field that is read is looked up here
+    std::vector<const Function*> list;
+    for (const Function& f : functions())
+      if (f.is_table) list.push_back(&f);
+    return list;
+  }();
+  for (const Function* table : tables)
+    if (table->name == type) return table;
   return nullptr;
 }
 
