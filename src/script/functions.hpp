@@ -1,7 +1,9 @@
 #pragma once
-// The functions of the Lua module. Each is described beside its code, one file a group; the list of the groups is in
-// functions.cpp. From the descriptions come the reading and checking of tables, the messages, the editor stubs and the
-// reference page.
+// The functions of the Lua module. Each is described beside its code, one file a group. From the descriptions come the
+// reading and checking of tables, the messages, the editor stubs and the reference page.
+//
+// A new function is an entry in its group's file; one that is written in Lua is described there too, and named in
+// lua/ricochet/init.lua. A new group is its file, its name below and its place in functions.cpp.
 
 #include <lua.hpp>
 #include <span>

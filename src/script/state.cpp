@@ -69,8 +69,8 @@ int wrap(lua_State* L) {
   return 1;
 }
 
-// check(name, table [, ours]): the table's fields checked against the specification; a copy with the defaults filled
-// in.
+// check(name, table [, ours]): the table's fields checked against those of the function; a copy with the defaults
+// filled in.
 int check(lua_State* L) {
   const Function& function = function_named(luaL_checkstring(L, 1));
   check_table(L, 2, function, lua_toboolean(L, 3));
