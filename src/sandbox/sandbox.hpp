@@ -10,8 +10,8 @@
 // The bounds. Lua's own memory is at most 2 GiB. Time has no bound unless one is given, and is kept by the clock alone:
 // nothing is counted. When the time is up, a watching thread sends the interpreter's thread a signal, whose handler
 // sets a hook on the coroutine that runs. The hook raises an error at each instruction from then on, so that nothing
-// that catches it goes on. What Lua does without an instruction (one search in a string, say) gets a second more; then
-// the process ends by itself.
+// that catches it goes on. What Lua does without an instruction or a hook (a search in a string, a handler of xpcall)
+// gets a second more; then the process ends by itself.
 
 #include <atomic>
 #include <filesystem>

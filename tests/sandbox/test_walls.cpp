@@ -95,23 +95,25 @@ TEST_CASE("coroutines work as Lua's own, and their errors name the line that res
 
 TEST_CASE("Lua's memory has a bound, which does no harm to what comes after") {
   Lua lua;
-  CHECK_THAT(lua("local s = ('x'):rep(2 ^ 30 | 0) return s .. s .. 'x'"),
-             Catch::Matchers::Contains("not enough memory"));
+  // One string just below 2 GiB, beside what is there already: refused before it is filled.
+  CHECK_THAT(lua("return ('x'):rep(2 ^ 31 - 2 | 0)"), Catch::Matchers::Contains("not enough memory"));
   CHECK(lua.sandbox.refused_at == "s.lua:1");
   CHECK(lua("return #('x'):rep(1000)") == "1000");
 }
 
+#ifndef __SANITIZE_THREAD__  // which holds signals back where nothing of its own is called
 TEST_CASE("the clock stops what runs, and nothing that catches it goes on") {
   Lua lua;
   {
-    const Clock clock(lua.sandbox.L, 0.2, "s.lua");
+    const Clock clock(lua.sandbox.L, 0.5, "s.lua");
     CHECK(Clock::time_is_up().empty());
     CHECK(lua("local n = 0 for i = 1, 1000 do n = n + i end return n") == "500500");
     const char* stubborn = "while true do pcall(coroutine.wrap(function() while true do end end)) end";
     CHECK(lua(stubborn) == "interrupted");
     CHECK(lua("return 1") == "interrupted");
-    CHECK(Clock::time_is_up() == "script stopped: --max-seconds 0.2 reached at s.lua:1");
+    CHECK(Clock::time_is_up() == "script stopped: --max-seconds 0.5 reached at s.lua:1");
   }
   stop_requested = false;
   CHECK(Lua()("return 1") == "1");
 }
+#endif
