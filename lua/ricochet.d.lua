@@ -215,6 +215,13 @@ function ricochet.sweep(t) end
 ---@field y string column of numbers above 0
 
 
+--- The list first, first + step ... last; range(n) is 1 ... n.
+---@param first number
+---@param last? number
+---@param step? number
+---@return table
+function ricochet.range(first, last, step) end
+
 ---@class ricochet.plot_fields
 ---@field rows? ricochet.rows rows of a sweep; none for a picture of theory alone
 ---@field x string column along x; rows are grouped by it
@@ -378,13 +385,6 @@ function ricochet.file.write(name, text) end
 ---@param name string
 ---@return string
 function ricochet.file.read(name) end
-
---- The list first, first + step ... last; range(n) is 1 ... n.
----@param first number
----@param last? number
----@param step? number
----@return table
-function ricochet.range(first, last, step) end
 
 ---@class ricochet.theory_hertz_force_fields
 ---@field R number radius of the sphere [L]

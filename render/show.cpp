@@ -77,45 +77,44 @@ Smoothing Show::how_smooth() const {
 }
 
 const std::vector<Member<Show>>& Show::fields() {
-  const auto flag = [](const char* name, bool on, const char* doc) {
-    return Field{name, "boolean", "", doc, any_number, on ? "true" : "false"};
+  const auto flag = [](const char* name, const char* doc) {
+    return Field{name, "boolean", "", doc, any_number, by_struct};
   };
-  const auto choice = [](const char* name, const char* initial, std::string doc, std::vector<std::string> choices) {
-    return Field{name, "string", "", std::move(doc), any_number, initial, false, std::move(choices)};
+  const auto choice = [](const char* name, std::string doc, std::vector<std::string> choices) {
+    return Field{name, "string", "", std::move(doc), any_number, by_struct, false, std::move(choices)};
   };
   static const std::vector<Member<Show>> list{
       {{"title", "string", "", "above the picture", any_number, "", true}, &Show::title},
-      {choice("material", "energy_density",
-              "what colours the bodies: none (nothing is filled), plain" + docs_of(material_quantities()),
+      {choice("material", "what colours the bodies: none (nothing is filled), plain" + docs_of(material_quantities()),
               names_of(material_quantities(), {"none", "plain"})),
        &Show::material},
-      {choice("springs", "plain",
+      {choice("springs",
               "how springs are drawn: none, plain (thin and dark), or coloured where the material is none or plain" +
                   docs_of(spring_quantities()),
               names_of(spring_quantities(), {"none", "plain"})),
        &Show::springs},
-      {flag("rims", true, "outlines of the bodies"), &Show::rims},
-      {flag("anchors", true, "hatching where a rim is held"), &Show::anchors},
-      {flag("forces", false, "forces of contact on the projectile's nodes, as arrows"), &Show::forces},
-      {flag("velocity", false, "velocity of the projectile's centre of mass, as an arrow"), &Show::velocity},
-      {flag("spin", false, "the projectile's turn since the start: a radius that turns with it"), &Show::spin},
-      {flag("trail", false, "the path of the projectile's centre"), &Show::trail},
-      {flag("ghost", false, "outlines of the bodies as if they were rigid"), &Show::ghost},
-      {{"magnify", "number", "", "factor of the deformation, the difference from a rigid motion", {0, 1e6}, "1"},
+      {flag("rims", "outlines of the bodies"), &Show::rims},
+      {flag("anchors", "hatching where a rim is held"), &Show::anchors},
+      {flag("forces", "forces of contact on the projectile's nodes, as arrows"), &Show::forces},
+      {flag("velocity", "velocity of the projectile's centre of mass, as an arrow"), &Show::velocity},
+      {flag("spin", "the projectile's turn since the start: a radius that turns with it"), &Show::spin},
+      {flag("trail", "the path of the projectile's centre"), &Show::trail},
+      {flag("ghost", "outlines of the bodies as if they were rigid"), &Show::ghost},
+      {{"magnify", "number", "", "factor of the deformation, the difference from a rigid motion", {0, 1e6}, by_struct},
        &Show::magnify},
-      {flag("colour_bar", true, "what the colours mean, with unit"), &Show::colour_bar},
-      {flag("clock", true, "time and Psi1"), &Show::clock},
-      {flag("ledger", false,
+      {flag("colour_bar", "what the colours mean, with unit"), &Show::colour_bar},
+      {flag("clock", "time and Psi1"), &Show::clock},
+      {flag("ledger",
             "where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, "
             "vibration, target, contact"),
        &Show::ledger},
-      {choice("plot", "none", "a plot that grows with time" + docs_of(plot_quantities()),
+      {choice("plot", "a plot that grows with time" + docs_of(plot_quantities()),
               names_of(plot_quantities(), {"none"})),
        &Show::plot},
-      {choice("colours", "auto", "of the colour bar; auto: ylgnbu, or puor for a quantity of both signs",
+      {choice("colours", "of the colour bar; auto: ylgnbu, or puor for a quantity of both signs",
               {"auto", "ylgnbu", "puor", "cividis"}),
        &Show::colours},
-      {choice("scale", "auto", "of the colour bar; auto: sqrt for energies, else linear", {"auto", "linear", "sqrt"}),
+      {choice("scale", "of the colour bar; auto: sqrt for energies, else linear", {"auto", "linear", "sqrt"}),
        &Show::scale},
       {{"low", "number", "", "lower end of the colour bar; from the whole sequence unless given", any_number, "", true},
        &Show::low},
@@ -123,7 +122,7 @@ const std::vector<Member<Show>>& Show::fields() {
         "upper end of the colour bar; from the whole sequence unless given: all but the strongest thousandth",
         any_number, "", true},
        &Show::high},
-      {choice("camera", "fit",
+      {choice("camera",
               "fit: all of the sequence; follow: the projectile in the middle; contact: the place of impact, close",
               {"fit", "follow", "contact"}),
        &Show::camera},
@@ -135,7 +134,7 @@ const std::vector<Member<Show>>& Show::fields() {
         "",
         true},
        &Show::width},
-      {choice("smoothing", "lines",
+      {choice("smoothing",
               "lines: strokes are smooth by themselves; multisample: four samples at every edge; supersample: four "
               "times the pixels, slow",
               {"lines", "multisample", "supersample"}),

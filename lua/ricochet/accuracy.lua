@@ -1,11 +1,17 @@
 -- ricochet.accuracy: what accuracy costs. One scene by many methods and steps against two runs of order 6; a table, a CSV file and
 -- work-precision plots.
 local core = require "ricochet.core"
+local gnuplot = require "ricochet.gnuplot"
+local outcomes = require "ricochet.outcomes"
 local refine = require "ricochet.refine"
-local quoted = require("ricochet.plot").quoted
+local statistics = require "ricochet.statistics"
 
--- Colours that the colour-blind can tell apart [Okabe & Ito 2008]; with more methods than colours the marks tell them apart.
-local colours = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000" }
+local quoted = gnuplot.quoted
+
+-- With more methods than colours the marks tell them apart.
+local colours = { table.unpack(gnuplot.colours) }
+colours[#colours + 1] = "#000000"
+local marks = { 7, 5, 9, 11, 13, 4, 6, 8, 10, 12, 14 }
 
 -- Steps of a method when none are given: from 0.9 of its stability limit down, by the square root of 2.
 local shares = { 0.9, 0.64, 0.45, 0.32, 0.22, 0.16 }
@@ -87,17 +93,10 @@ local function lattice_study(scene, given, samples, column)
     local scenes = {}
     for k = 1, samples do scenes[k] = refine.refined(scene, factor, k - 1) end
     local rows, seconds = core.pilot(scenes)
-    local n, mean, square = 0, 0, 0
-    for _, row in ipairs(rows) do
-      if row.status == "finished" and row[column] == row[column] then
-        n = n + 1
-        local delta = row[column] - mean
-        mean, square = mean + delta / n, square + delta * (row[column] - mean - delta / n)
-      end
-    end
-    if n < 2 then core.fail(("fewer than two of %d impacts finished with %g times the nodes: %s"):format(samples, factor, rows[1].reason), "lattices") end
-    sizes[i] = { factor = factor, mean = mean, sd = math.sqrt(square / (n - 1)), se = math.sqrt(square / (n - 1) / n), count = n, seconds = seconds / samples }
-    points[i] = { x = factor ^ -0.5, value = mean, se = math.max(sizes[i].se, 1e-12) }
+    local of = statistics.of_finished(rows, column)
+    if of.count < 2 then core.fail(("fewer than two of %d impacts finished with %g times the nodes: %s"):format(samples, factor, rows[1].reason), "lattices") end
+    sizes[i] = { factor = factor, mean = of.mean, sd = of.sd, se = of.se, count = of.count, seconds = seconds / samples }
+    points[i] = { x = factor ^ -0.5, value = of.mean, se = math.max(of.se, 1e-12) }
   end
   local slope, slope_se, limit = refine.fitted_line(points)
   return { sizes = sizes, slope = slope, slope_se = slope_se, limit = limit }
@@ -112,91 +111,126 @@ local function tics(low, high)
   return table.concat(list, ", ")
 end
 
-local function plot(study, name)
-  local lines = {}
-  local function add(text, ...) lines[#lines + 1] = select("#", ...) > 0 and text:format(...) or text end
+-- The marks of every method (step, seconds, error, drift, label) as $m1, $m2 ...; returns how far they reach.
+local function write_marks(study, script)
   local column = study.columns[1]
-  local t_low, t_high, x_low, x_high, e_low, e_high = math.huge, 0, math.huge, 0, math.huge, 0
+  local far = { t_low = math.huge, t_high = 0, x_low = math.huge, x_high = 0, e_low = math.huge, e_high = 0 }
   for i, method in ipairs(study.methods) do
-    local drawn = {}
+    local drawn, lines = {}, {}
     for _, row in ipairs(study.by_method[method]) do
       if row.status == "finished" then drawn[#drawn + 1] = row end
     end
-    add("$m%d << END", i)
     for k, row in ipairs(drawn) do
       local error = math.max(row.error[column], 1e-16)
       -- With many methods, only the ends of each line are labelled.
       local label = (#study.methods <= 4 or k == 1 or k == #drawn) and ("%.2g"):format(row.step) or '""'
-      add("%.9g %.9g %.9g %.9g %s", row.step, row.wall_seconds, error, math.max(row.energy_drift, 1e-16), label)
-      t_low, t_high = math.min(t_low, row.wall_seconds), math.max(t_high, row.wall_seconds)
-      x_low, x_high, e_low, e_high = math.min(x_low, row.step), math.max(x_high, row.step), math.min(e_low, error), math.max(e_high, error)
+      local drift = math.max(row.energy_drift, 1e-16)
+      lines[k] = ("%.9g %.9g %.9g %.9g %s"):format(row.step, row.wall_seconds, error, drift, label)
+      far.t_low, far.t_high = math.min(far.t_low, row.wall_seconds), math.max(far.t_high, row.wall_seconds)
+      far.x_low, far.x_high = math.min(far.x_low, row.step), math.max(far.x_high, row.step)
+      far.e_low, far.e_high = math.min(far.e_low, error), math.max(far.e_high, error)
     end
-    add "END"
+    script:data("m" .. i, lines)
   end
-  local lattice = study.lattice
-  if lattice then
-    add "$lattice << END"
-    for _, size in ipairs(lattice.sizes) do add("%.9g %.9g %.9g %g", size.factor ^ -0.5, size.mean, size.se, size.factor) end
-    add "END"
-  end
-  add "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb '#cccccc'\nset tics nomirror\nset border 3\nset key outside right top Left reverse samplen 1 maxcols 1 spacing 1.3 font ',9'\nset rmargin 31"
-  local function panel(x, y, xlabel, ylabel, title, guides)
-    local parts = {}
-    for i, method in ipairs(study.methods) do
-      local colour, mark = colours[(i - 1) % #colours + 1], ({ 7, 5, 9, 11, 13, 4, 6, 8, 10, 12, 14 })[(i - 1) % 11 + 1]
-      parts[#parts + 1] = ("$m%d using %d:%d with linespoints pt %d ps 0.9 lw 1.5 lc rgb '%s' title %s noenhanced"):format(i, x, y, mark, colour, quoted(title(method)))
-      if x == 2 then parts[#parts + 1] = ("$m%d using 2:3:5 with labels font ',8' left offset 0.6,0.5 tc rgb '%s' notitle"):format(i, colour) end
-    end
-    for _, guide in ipairs(guides) do parts[#parts + 1] = guide end
-    add("set xlabel %s\nset ylabel %s", quoted(xlabel), quoted(ylabel))
-    add("plot %s", table.concat(parts, ", \\\n     "))
-  end
-  -- Dashed lines of an order, through the corner where all methods begin; a power law is straight here.
-  local guides = 0
+  return far
+end
+
+-- Dashed lines of an order, through the corner where all methods begin (a power law is straight here), and the floor:
+-- what a panel of errors plots beside the marks. Returns those against time, and those against the step.
+local function write_guides(script, far, floor)
+  local count = 0
   local function line(x1, y1, x2, y2, style)
-    guides = guides + 1
-    add("$guide%d << END\n%.9g %.9g\n%.9g %.9g\nEND", guides, x1, y1, x2, y2)
-    return ("$guide%d using 1:2 with lines %s"):format(guides, style)
+    count = count + 1
+    script:data("guide" .. count, { ("%.9g %.9g"):format(x1, y1), ("%.9g %.9g"):format(x2, y2) })
+    return ("$guide%d using 1:2 with lines %s"):format(count, style)
   end
   local function slope(order, from, to, at, sign)
-    local function power(x) return e_high * (x / at) ^ (sign * order) end
-    return line(from, power(from), to, power(to), ("dt %d lw 1 lc rgb '#888888' title 'order %d'"):format(order == 2 and 2 or 4, order))
+    local function power(x) return far.e_high * (x / at) ^ (sign * order) end
+    local style = ("dt %d lw 1 lc rgb '#888888' title 'order %d'"):format(order == 2 and 2 or 4, order)
+    return line(from, power(from), to, power(to), style)
   end
-  local by_time, by_step = { slope(2, t_low, t_high, t_low, -1), slope(4, t_low, t_high, t_low, -1) }, { slope(2, x_low, x_high, x_high, 1), slope(4, x_low, x_high, x_high, 1) }
+  local by_time = { slope(2, far.t_low, far.t_high, far.t_low, -1), slope(4, far.t_low, far.t_high, far.t_low, -1) }
+  local by_step = { slope(2, far.x_low, far.x_high, far.x_high, 1), slope(4, far.x_low, far.x_high, far.x_high, 1) }
+  if floor then
+    local style = "dt 3 lw 1.5 lc rgb '#000000' title 'floor'"
+    by_time[3] = line(far.t_low * 0.8, floor, far.t_high * 1.6, floor, style)
+    by_step[3] = line(far.x_low * 0.8, floor, far.x_high * 1.25, floor, style)
+  end
+  return by_time, by_step
+end
+
+-- Plots columns of all methods' marks against each other; `title` gives a method's name in the key.
+local function add_panel(script, study, t)
+  local parts = {}
+  for i, method in ipairs(study.methods) do
+    local colour, mark = colours[(i - 1) % #colours + 1], marks[(i - 1) % #marks + 1]
+    local title = quoted(t.title and t.title(method) or method)
+    parts[#parts + 1] = ("$m%d using %d:%d with linespoints pt %d ps 0.9 lw 1.5 lc rgb '%s' title %s noenhanced"):format(
+      i, t.x, t.y, mark, colour, title)
+    if t.labels then
+      local style = ("font ',8' left offset 0.6,0.5 tc rgb '%s' notitle"):format(colour)
+      parts[#parts + 1] = ("$m%d using 2:3:5 with labels %s"):format(i, style)
+    end
+  end
+  for _, guide in ipairs(t.guides or {}) do parts[#parts + 1] = guide end
+  script:add("set xlabel %s\nset ylabel %s", quoted(t.xlabel), quoted(t.ylabel))
+  script:add("plot %s", table.concat(parts, ", \\\n     "))
+end
+
+-- What the size of the lattice changes, and the line to an infinitely fine one.
+local function add_lattice_panel(script, study)
+  local lattice = study.lattice
+  script:add "unset logscale\nset format '%g'\nset xtics auto\nset yrange [*:*]\nset offsets graph 0, 0, 0.1, 0.1"
+  script:add("set xrange [0:%.9g]", 1.15 * lattice.sizes[1].factor ^ -0.5)
+  script:add("set xlabel 'spacing over that of the scene; marks labelled with the factor of the nodes'\nset ylabel %s",
+    quoted(("%s, mean of %d lattices"):format(study.columns[1], study.lattice_samples)))
+  script:add("plot $lattice using 1:2:3 with yerrorbars pt 7 lw 1.5 lc rgb '%s' title 'mean ± standard error', "
+    .. "$lattice using 1:2:4 with labels font ',8' left offset 0.8,0.5 notitle, \\\n"
+    .. "     %.9g + %.9g*x with lines dt 2 lc rgb '#888888' title 'fit to infinitely fine'",
+    colours[1], lattice.limit, lattice.slope)
+end
+
+local function plot(study, script)
+  local column, lattice = study.columns[1], study.lattice
+  local far = write_marks(study, script)
+  if lattice then
+    local lines = {}
+    for i, size in ipairs(lattice.sizes) do
+      lines[i] = ("%.9g %.9g %.9g %g"):format(size.factor ^ -0.5, size.mean, size.se, size.factor)
+    end
+    script:data("lattice", lines)
+  end
   local floor = math.max(study.floor[column], 1e-16)
-  -- A floor far below every mark would only squeeze them.
-  local floor_shown = floor > e_low / 30
-  if floor_shown then
-    by_time[3] = line(t_low * 0.8, floor, t_high * 1.6, floor, "dt 3 lw 1.5 lc rgb '#000000' title 'floor'")
-    by_step[3] = line(x_low * 0.8, floor, x_high * 1.25, floor, "dt 3 lw 1.5 lc rgb '#000000' title 'floor'")
-  end
-  local function plain(method) return method end
+  if floor <= far.e_low / 30 then floor = nil end  -- far below every mark it would only squeeze them
+  local by_time, by_step = write_guides(script, far, floor)
   local function with_order(method)
     local order, uncertainty = fitted_order(study.by_method[method], column, study.floor[column])
     return order and ("%s %.2f ± %.2f"):format(method, order, uncertainty) or method
   end
-  -- As high as the key beside it, which would else stand in two columns, the first over the lines.
-  local height = (lattice and 4 or 3) * math.max(lattice and 400 or 416, 90 + 19 * (#study.methods + 3))
-  for _, terminal in ipairs { { "pngcairo size 960,%d font 'DejaVu Sans,11'", "png" }, { "svg size 960,%d font 'DejaVu Sans,11' background 'white'", "svg" } } do
-    add("set terminal %s\nset output %s", terminal[1]:format(height), quoted(name .. "." .. terminal[2]))
-    add("set multiplot layout %d,1 title %s noenhanced", lattice and 4 or 3, quoted(study.caption))
-    add("set lmargin 11\nunset logscale\nset xrange [*:*]\nset yrange [*:*]\nset logscale xy\nset format y '10^{%%L}'\nset format x '%%g'\nset xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]", t_low * 0.8, t_high * 1.6, (floor_shown and math.min(e_low, floor) or e_low) / 3, e_high * 3)
-    add("set xtics (%s)", tics(t_low, t_high))
-    panel(2, 3, "wall time [s]; marks labelled with the time step [R/c]", "time-step error of " .. column, plain, by_time)
-    add("set xrange [%.9g:%.9g]\nset xtics (%s)", x_low * 0.8, x_high * 1.25, tics(x_low, x_high))
-    panel(1, 3, "time step [R/c]; beside each method its fitted order", "time-step error of " .. column, with_order, by_step)
-    add "set yrange [*:*]"
-    panel(1, 4, "time step [R/c]", "greatest energy drift", plain, {})
-    if lattice then
-      add "unset logscale\nset format '%g'\nset xtics auto\nset yrange [*:*]\nset offsets graph 0, 0, 0.1, 0.1"
-      add("set xrange [0:%.9g]", 1.15 * lattice.sizes[1].factor ^ -0.5)
-      add("set xlabel 'spacing over that of the scene; marks labelled with the factor of the nodes'\nset ylabel %s", quoted(("%s, mean of %d lattices"):format(column, study.lattice_samples)))
-      add("plot $lattice using 1:2:3 with yerrorbars pt 7 lw 1.5 lc rgb '%s' title 'mean ± standard error', $lattice using 1:2:4 with labels font ',8' left offset 0.8,0.5 notitle, \\\n"
-        .. "     %.9g + %.9g*x with lines dt 2 lc rgb '#888888' title 'fit to infinitely fine'", colours[1], lattice.limit, lattice.slope)
-    end
-    add "unset multiplot\nunset offsets"
+  local function draw()
+    script:add "set lmargin 11\nunset offsets\nunset logscale\nset xrange [*:*]\nset yrange [*:*]"
+    script:add "set logscale xy\nset format y '10^{%L}'\nset format x '%g'"
+    script:add("set xrange [%.9g:%.9g]", far.t_low * 0.8, far.t_high * 1.6)
+    script:add("set yrange [%.9g:%.9g]", math.min(far.e_low, floor or math.huge) / 3, far.e_high * 3)
+    script:add("set xtics (%s)", tics(far.t_low, far.t_high))
+    add_panel(script, study, { x = 2, y = 3, xlabel = "wall time [s]; marks labelled with the time step [R/c]",
+      ylabel = "time-step error of " .. column, labels = true, guides = by_time })
+    script:add("set xrange [%.9g:%.9g]", far.x_low * 0.8, far.x_high * 1.25)
+    script:add("set xtics (%s)", tics(far.x_low, far.x_high))
+    add_panel(script, study, { x = 1, y = 3, xlabel = "time step [R/c]; beside each method its fitted order",
+      ylabel = "time-step error of " .. column, title = with_order, guides = by_step })
+    script:add "set yrange [*:*]"
+    add_panel(script, study, { x = 1, y = 4, xlabel = "time step [R/c]", ylabel = "greatest energy drift" })
+    if lattice then add_lattice_panel(script, study) end
   end
-  core.gnuplot(name, table.concat(lines, "\n") .. "\n")
+  local count = lattice and 4 or 3
+  script:panels {
+    count = count, width = 960, font = 11, title = quoted(study.caption), draw = draw,
+    -- As high as the key beside it, which would else stand in two columns, the first over the lines.
+    height = count * math.max(lattice and 400 or 416, 90 + 19 * (#study.methods + 3)),
+    key = "outside right top Left reverse samplen 1 maxcols 1 spacing 1.3 font ',9'", axes = "set rmargin 31",
+  }
+  script:draw()
 end
 
 local function print_table(study)
@@ -226,85 +260,121 @@ local function print_table(study)
   print(("floor %.2g: the difference of two references; below ten times that no error is told"):format(study.floor[column]))
 end
 
-local function accuracy(given)
-  local t = core.check("accuracy", given)
-  if not t.name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name") end
-  local methods, specs = {}, {}
-  if t.methods then
-    for _, name in ipairs(t.methods) do
-      methods[#methods + 1] = method_named(name)
-      local conflict = core.conflict(t.scene, name)
-      if conflict ~= "" then core.fail("'methods': " .. conflict, "methods") end
-    end
-  else
-    -- Those that the scene's effects allow.
-    for _, method in ipairs(core.methods()) do
-      if core.conflict(t.scene, method.name) == "" then methods[#methods + 1] = method end
-    end
+-- The methods that are studied: those named, or all that the scene's effects allow.
+local function methods_of(t)
+  local methods = {}
+  for _, name in ipairs(t.methods or {}) do
+    methods[#methods + 1] = method_named(name)
+    local conflict = core.conflict(t.scene, name)
+    if conflict ~= "" then core.fail("'methods': " .. conflict, "methods") end
   end
-  for _, method in ipairs(methods) do
-    if t.steps then
-      for _, step in ipairs(t.steps) do specs[#specs + 1] = { method = method.name, step = step } end
-    else
-      for _, share in ipairs(shares) do specs[#specs + 1] = { method = method.name, theta = share * method.stability_limit } end
-    end
+  if t.methods then return methods end
+  for _, method in ipairs(core.methods()) do
+    if core.conflict(t.scene, method.name) == "" then methods[#methods + 1] = method end
   end
+  return methods
+end
+
+-- What runs: every method at the steps that are named, or at shares of its stability limit.
+local function runs_of(t, methods)
   for _, step in ipairs(t.steps or {}) do
-    if not (step > 0 and step < math.huge) then core.fail(("'steps' must be greater than 0, has %g"):format(step), "steps") end
-  end
-  if #specs == 0 then core.fail(("'%s' is empty"):format(t.methods and #t.methods == 0 and "methods" or "steps"), t.methods and #t.methods == 0 and "methods" or "steps") end
-  if #t.of == 0 then core.fail("'of' is empty; name an outcome", "of") end
-  local known = core.columns()
-  for _, column in ipairs(t.of) do
-    if not known[column] then
-      local names = {}
-      for name in pairs(known) do names[#names + 1] = name end
-      core.fail(("an outcome has no '%s'%s"):format(column, core.did_you_mean(column, names)), "of")
+    if not (step > 0 and step < math.huge) then
+      core.fail(("'steps' must be greater than 0, has %g"):format(step), "steps")
     end
   end
-  for _, factor in ipairs(t.lattices or { 1, 2 }) do
-    if not (factor > 0 and factor <= 64) then core.fail(("'lattices' holds factors of the nodes, above 0 and at most 64, not %g"):format(factor), "lattices") end
+  local specs = {}
+  for _, method in ipairs(methods) do
+    for _, step in ipairs(t.steps or {}) do specs[#specs + 1] = { method = method.name, step = step } end
+    for _, share in ipairs(t.steps and {} or shares) do
+      specs[#specs + 1] = { method = method.name, theta = share * method.stability_limit }
+    end
   end
+  return specs
+end
+
+local function check_lattices(lattices)
+  if not lattices then return end
   local seen = {}
-  for _, factor in ipairs(t.lattices or {}) do
+  for _, factor in ipairs(lattices) do
+    if not (factor > 0 and factor <= 64) then
+      core.fail(("'lattices' holds factors of the nodes, above 0 and at most 64, not %g"):format(factor), "lattices")
+    end
     if seen[factor] then core.fail(("'lattices' names %g twice"):format(factor), "lattices") end
     seen[factor] = true
   end
-  if t.lattices and #t.lattices < 2 then core.fail("'lattices' needs two sizes or more to compare", "lattices") end
-  if core.is_check() then return nil end
-  local exact, floor = reference(t.scene, t.of)
-  local rows = core.accuracy_runs(t.scene, specs, t.repeats)
-  local processor, cores = core.machine()
-  local study = { rows = rows, columns = t.of, methods = {}, by_method = {}, reference = exact, floor = floor,
-    caption = ("what accuracy costs: %d nodes on %s (%d cores), %s, one core"):format(core.nodes(t.scene), processor, cores, t.repeats > 1 and ("least of %d runs"):format(t.repeats) or "one run each") }
-  study.lattice = t.lattices and lattice_study(t.scene, t.lattices, t.lattice_samples, t.of[1]) or false
-  study.lattice_samples = t.lattice_samples
-  for _, method in ipairs(methods) do study.methods[#study.methods + 1], study.by_method[method.name] = method.name, {} end
-  for _, row in ipairs(rows) do
-    local errors = {}
-    for _, column in ipairs(t.of) do errors[column] = row.status == "finished" and math.abs(row[column] - exact[column]) or 0 / 0 end
-    row.error = errors
+  if #lattices < 2 then core.fail("'lattices' needs two sizes or more to compare", "lattices") end
+end
+
+-- Gives each row its errors against the reference, and puts it to its method's.
+local function sort_rows(study)
+  for _, row in ipairs(study.rows) do
+    row.error = {}
+    for _, column in ipairs(study.columns) do
+      row.error[column] = row.status == "finished" and math.abs(row[column] - study.reference[column]) or 0 / 0
+    end
     table.insert(study.by_method[row.method], row)
   end
-  print_table(study)
-  core.file_write(t.name .. ".csv", csv(rows, t.of))
-  local drawable = false
+end
+
+-- True if some method has two marks, between which a line can be drawn.
+local function is_drawable(study)
   for _, name in ipairs(study.methods) do
     local count = 0
     for _, row in ipairs(study.by_method[name]) do count = count + (row.status == "finished" and 1 or 0) end
-    drawable = drawable or count > 1
+    if count > 1 then return true end
   end
-  if drawable then plot(study, t.name) end
-  --- study.cheapest(wanted [, column [, method]]): the row with the fewest force evaluations whose error is at most `wanted`, or nil.
-  study.cheapest = core.wrap(function(wanted, column, method)
-    if type(wanted) ~= "number" then core.fail(("cheapest takes the wanted error, a number; has %s"):format(type(wanted))) end
-    column = column or t.of[1]
-    local studied = false
-    for _, name in ipairs(t.of) do studied = studied or name == column end
-    if not studied then core.fail(("the study has no errors of '%s'; name it in 'of'"):format(tostring(column))) end
-    if method and not study.by_method[method] then core.fail(("the study has no method '%s'%s"):format(tostring(method), core.did_you_mean(tostring(method), study.methods))) end
-    return cheapest(method and study.by_method[method] or rows, column, wanted)
-  end)
+  return false
+end
+
+local function caption_of(t)
+  local processor, cores = core.machine()
+  local repeats = t.repeats > 1 and ("least of %d runs"):format(t.repeats) or "one run each"
+  return ("what accuracy costs: %d nodes on %s (%d cores), %s, one core"):format(core.nodes(t.scene), processor, cores, repeats)
+end
+
+-- study.cheapest(wanted [, column [, method]]): the row with the fewest force evaluations whose error is at most
+-- `wanted`, or nil.
+local function cheapest_of(study, wanted, column, method)
+  if type(wanted) ~= "number" then
+    core.fail(("cheapest takes the wanted error, a number; has %s"):format(type(wanted)))
+  end
+  column = column or study.columns[1]
+  local studied = false
+  for _, name in ipairs(study.columns) do studied = studied or name == column end
+  if not studied then core.fail(("the study has no errors of '%s'; name it in 'of'"):format(tostring(column))) end
+  local rows = study.rows
+  if method then
+    rows = study.by_method[method]
+    local nearest = core.did_you_mean(tostring(method), study.methods)
+    if not rows then core.fail(("the study has no method '%s'%s"):format(tostring(method), nearest)) end
+  end
+  return cheapest(rows, column, wanted)
+end
+
+local function accuracy(given)
+  local t = core.check("accuracy", given)
+  local script = gnuplot.script(t.name)
+  local methods = methods_of(t)
+  local runs = runs_of(t, methods)
+  outcomes.check(t.of, "of")
+  check_lattices(t.lattices)
+  if core.is_check() then return nil end
+  local exact, floor = reference(t.scene, t.of)
+  local rows = core.accuracy_runs(t.scene, runs, t.repeats)
+  local study = {
+    rows = rows, columns = t.of, methods = {}, by_method = {}, reference = exact, floor = floor,
+    caption = caption_of(t), lattice_samples = t.lattice_samples,
+  }
+  study.lattice = t.lattices and lattice_study(t.scene, t.lattices, t.lattice_samples, t.of[1]) or false
+  for i, method in ipairs(methods) do
+    study.methods[i] = method.name
+    study.by_method[method.name] = {}
+  end
+  sort_rows(study)
+  print_table(study)
+  core.functions["file.write"](t.name .. ".csv", csv(rows, t.of))
+  if is_drawable(study) then plot(study, script) end
+  study.cheapest = core.wrap(function(...) return cheapest_of(study, ...) end)
   return core.strict(study, "the study")
 end
 

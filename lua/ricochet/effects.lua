@@ -1,13 +1,15 @@
 -- What effects cost and what they change: ricochet effects --cost, ricochet.relevance.
 local core = require "ricochet.core"
+local outcomes = require "ricochet.outcomes"
 local refine = require "ricochet.refine"
+local statistics = require "ricochet.statistics"
 
 local function with_effects(scene, effects)
   local t = core.given(scene)
   t.effects = effects
   -- One method for all, so that only the effects differ.
   t.method, t.step, t.theta, t.accuracy = "verlet", nil, 1.2, nil
-  return core.scene(t)
+  return core.functions.scene(t)
 end
 
 --- Prints what each effect of the catalogue costs in a scene, and the scene's own effects together: nanoseconds a node and step
@@ -52,14 +54,7 @@ end
 
 local function relevance(given)
   local t = core.check("relevance", given)
-  local known = core.columns()
-  for _, column in ipairs(t.of) do
-    if not known[column] then
-      local names = {}
-      for name in pairs(known) do names[#names + 1] = name end
-      core.fail(("an outcome has no '%s'%s"):format(column, core.did_you_mean(column, names)), "of")
-    end
-  end
+  outcomes.check(t.of, "of")
   if #t.effects == 0 then core.fail("'effects' is empty; name those that may matter", "effects") end
   if core.is_check() then return nil end
   local function runs(effects)
@@ -75,17 +70,16 @@ local function relevance(given)
     local entry = { name = core.effect_name(effect), cost = seconds / bare_seconds }
     for _, column in ipairs(t.of) do
       -- The same lattices with and without: their scatter falls out of the difference.
-      local n, mean, square, base, base_square = 0, 0, 0, 0, 0
+      local changes, values = {}, {}
       for k, row in ipairs(rows) do
-        local change, value = row[column] - bare[k][column], bare[k][column]
+        local change = row[column] - bare[k][column]
         if row.status == "finished" and bare[k].status == "finished" and change == change then
-          n = n + 1
-          local d, b = change - mean, value - base
-          mean, base = mean + d / n, base + b / n
-          square, base_square = square + d * (change - mean), base_square + b * (value - base)
+          changes[#changes + 1], values[#values + 1] = change, bare[k][column]
         end
       end
-      local c = { count = n, bare = base, change = mean, se = math.sqrt(square / (n - 1) / n), sampling = math.sqrt(base_square / (n - 1) / n) }
+      local change, base = statistics.of(changes), statistics.of(values)
+      local n = change.count
+      local c = { count = n, bare = base.mean, change = change.mean, se = change.se, sampling = base.se }
       entry[column] = c
       local verdict = n < 2 and ("%d pairs finished with this outcome defined: %s"):format(n, rows[1].status ~= "finished" and rows[1].reason or bare[1].status ~= "finished" and bare[1].reason or "")
         or math.max(math.abs(c.change), c.se) < 1e-12 and "not seen" or math.abs(c.change) <= 2 * c.se and "not seen" or math.abs(c.change) < c.sampling and "below the sampling error" or "matters"

@@ -1,21 +1,18 @@
 -- The module a script requires: local ricochet = require "ricochet"
 local core = require "ricochet.core"
 
-local ricochet = {
-  parameters = core.parameters,
-  body = core.body,
-  scene = core.scene,
-  animate = core.animate,
-  still = core.still,
-  contact_sheet = core.contact_sheet,
-  record = core.record,
-  lammps = core.lammps,
-  elasticity = core.elasticity,
-  theory = core.theory,
-  file = { write = core.file_write, read = core.file_read },
-}
+local ricochet = { theory = core.theory }
 
-for name, make in pairs(core.effects) do ricochet[name] = make end
+-- Those written in C++: "disk", or "file.write" in a table of its own.
+for name, call in pairs(core.functions) do
+  local inner, last = name:match "^(.+)%.(.+)$"
+  if inner then
+    ricochet[inner] = ricochet[inner] or {}
+    ricochet[inner][last] = call
+  else
+    ricochet[name] = call
+  end
+end
 
 local shapes = require "ricochet.shapes"
 ricochet.disk = core.wrap(shapes.disk)

@@ -1,7 +1,9 @@
 -- ricochet.plan: the error budget of a sweep (time step, lattice size, samples), and the cheapest way to a wanted standard error.
 local core = require "ricochet.core"
+local outcomes = require "ricochet.outcomes"
 local sweeps = require "ricochet.sweep"
 local refine = require "ricochet.refine"
+local statistics = require "ricochet.statistics"
 
 local most_points = 12        -- of the sweep's points that the pilot visits
 local most_samples = 1e6     -- of a point that a plan may have
@@ -51,16 +53,6 @@ local function cautious(n)
   return 1 / math.max(0.05, 1 - 2 / (9 * n) - 1.2816 * math.sqrt(2 / (9 * n))) ^ 3
 end
 
-local function mean_and_deviation(values)
-  local mean, square = 0, 0
-  for i, value in ipairs(values) do
-    local delta = value - mean
-    mean = mean + delta / i
-    square = square + delta * (value - mean)
-  end
-  return mean, math.sqrt(square / (#values - 1))
-end
-
 -- Seconds that the sweep's own function takes to make a sample of all points, the first time.
 local function making_seconds(sweep, sample, points, count)
   local began = core.clock()
@@ -85,7 +77,7 @@ local function pilot(sweep, sample, points, count, factor, changes)
       local t = core.given(refine.refined(sweeps.scene_at(sweep, at), factor, 0))
       for name, value in pairs(changes) do t[name] = value end
       if changes.accuracy then t.step, t.theta, t.method = nil, nil, nil end
-      scenes[#scenes + 1] = core.scene(t)
+      scenes[#scenes + 1] = core.functions.scene(t)
     end
   end
   local making = core.clock() - began
@@ -94,14 +86,6 @@ local function pilot(sweep, sample, points, count, factor, changes)
   for k in ipairs(points) do by_point[k] = {} end
   for i, row in ipairs(rows) do table.insert(by_point[(i - 1) % #points + 1], row) end
   return by_point, (making + seconds) / count
-end
-
-local function finished(rows, column)
-  local values = {}
-  for _, row in ipairs(rows) do
-    if row.status == "finished" and row[column] == row[column] then values[#values + 1] = row[column] end
-  end
-  return values
 end
 
 -- Seconds at a factor, by a power law between sizes of the pilot; beyond them by nodes times steps, which is power 1.5.
@@ -176,11 +160,11 @@ local function keep(plan)
   local lines = { request(plan), ("samples %d\nnodes %.17g\npredicted_seconds %.3g"):format(plan.samples, plan.nodes, plan.predicted_seconds) }
   for _, choice in ipairs(plan.choices) do lines[#lines + 1] = ("point %s: %s theta %.17g"):format(choice.name, choice.method, choice.theta) end
   lines[#lines + 1] = ("others: %s theta %.17g\n"):format(plan.method, plan.theta)
-  core.file_write(plan_file(plan.sweep), table.concat(lines, "\n"))
+  core.functions["file.write"](plan_file(plan.sweep), table.concat(lines, "\n"))
 end
 
 local function go_on_with_kept(plan)
-  local known, text = pcall(core.file_read, plan_file(plan.sweep))
+  local known, text = pcall(core.functions["file.read"], plan_file(plan.sweep))
   if not known then return end
   local kept = text:match "^[^\n]*"
   if kept ~= request(plan) then
@@ -197,109 +181,168 @@ local function go_on_with_kept(plan)
   print(("goes on with the plan of the earlier run: %.3g times the nodes, %d samples a point"):format(plan.nodes, plan.samples))
 end
 
-local function plan(given)
-  local t = core.check("plan", given)
-  local sweep, sample, column = sweeps.contents(t.sweep), t.samples, t.of
-  if not sweep then core.fail("'sweep' must be a sweep (from ricochet.sweep)", "sweep") end
-  if not core.columns()[column] then
-    local names = {}
-    for name in pairs(core.columns()) do names[#names + 1] = name end
-    core.fail(("an outcome has no '%s'%s"):format(column, core.did_you_mean(column, names)), "of")
-  end
+-- The sweep that is planned, whose table is t; mistakes in t are told at its fields.
+local function checked_sweep(t)
+  local sweep = sweeps.contents(t.sweep) or core.fail("'sweep' must be a sweep (from ricochet.sweep)", "sweep")
+  outcomes.check({ t.of }, "of")
   local known = false
-  for _, name in ipairs(sweep.names) do known = known or name == sample end
-  if not known then core.fail(("the sweep's 'over' has no '%s' to count samples by"):format(sample), "samples") end
-  for _, factor in ipairs(t.sizes) do
-    if not (factor > 0 and factor <= 16) then core.fail(("a size is a factor of the nodes, above 0 and at most 16, not %g"):format(factor), "sizes") end
-  end
-  if #t.sizes == 0 then core.fail("'sizes' is empty; give factors of the nodes", "sizes") end
-  t.sizes = copy(t.sizes)
-  table.sort(t.sizes)
-  for i = 2, #t.sizes do
-    if t.sizes[i] == t.sizes[i - 1] then core.fail(("'sizes' names %g twice"):format(t.sizes[i]), "sizes") end
-  end
-  if not core.accuracy_outcomes[column] then
+  for _, name in ipairs(sweep.names) do known = known or name == t.samples end
+  if not known then core.fail(("the sweep's 'over' has no '%s' to count samples by"):format(t.samples), "samples") end
+  if not core.accuracy_outcomes[t.of] then
     local names = {}
     for name in pairs(core.accuracy_outcomes) do names[#names + 1] = name end
     table.sort(names)
-    core.fail(("the time step's error of '%s' cannot be estimated; plans are for one of %s"):format(column, table.concat(names, ", ")), "of")
+    core.fail(("the time step's error of '%s' cannot be estimated; plans are for one of %s"):format(
+      t.of, table.concat(names, ", ")), "of")
   end
-  local all, samples_now = points_of(sweep, sample)
-  local points = spread_out(all, most_points)
-  if core.is_check() then
-    for _, point in ipairs(points) do
-      local at = copy(point)
-      at[sample] = 1
-      sweeps.scene_at(sweep, at)
-    end
-    return nil
-  end
+  return sweep
+end
 
-  local began = core.clock()
-  local making = making_seconds(sweep, sample, points, t.pilot)
+-- Factors of the nodes, rising.
+local function sorted_sizes(given)
+  local sizes = copy(given)
+  table.sort(sizes)
+  for i, factor in ipairs(sizes) do
+    if not (factor > 0 and factor <= 16) then
+      core.fail(("a size is a factor of the nodes, above 0 and at most 16, not %g"):format(factor), "sizes")
+    end
+    if factor == sizes[i - 1] then core.fail(("'sizes' names %g twice"):format(factor), "sizes") end
+  end
+  return sizes
+end
+
+-- What the pilot saw of every size: { factor =, rows = by point, seconds =, [point] = { mean =, sd =, se =, freedom = } }.
+local function pilot_of_sizes(sweep, t, points, all, factors_tried)
+  local making = making_seconds(sweep, t.samples, points, t.pilot)
+  local changes = { accuracy = math.min(0.1, step_share * t.standard_error), accuracy_of = t.of }
   local sizes = {}
-  for i, factor in ipairs(t.sizes) do
-    local rows, seconds = pilot(sweep, sample, points, t.pilot, factor, { accuracy = math.min(0.1, step_share * t.standard_error), accuracy_of = column })
+  for i, factor in ipairs(factors_tried) do
+    local rows, seconds = pilot(sweep, t.samples, points, t.pilot, factor, changes)
     sizes[i] = { factor = factor, rows = rows, seconds = (making + seconds) * #all / #points }
-    for k in ipairs(points) do
-      local values = finished(rows[k], column)
-      if #values < 2 then core.fail(("fewer than two impacts of the pilot finished at %s with %g times the nodes: %s"):format(name_of(points[k], sweep.names, sample), factor, rows[k][1].reason), "sweep") end
-      local mean, sd = mean_and_deviation(values)
-      sizes[i][k] = { mean = mean, sd = sd, se = sd / math.sqrt(#values), freedom = #values - 1 }
+    for k, point in ipairs(points) do
+      local of = statistics.of_finished(rows[k], t.of)
+      if of.count < 2 then
+        core.fail(("fewer than two impacts of the pilot finished at %s with %g times the nodes: %s"):format(
+          name_of(point, sweep.names, t.samples), factor, rows[k][1].reason), "sweep")
+      end
+      sizes[i][k] = { mean = of.mean, sd = of.sd, se = of.se, freedom = of.count - 1 }
     end
   end
-  -- The sweep's own time step: the same samples by it and by the pilot's fine one.
-  local own = pilot(sweep, sample, points, math.min(t.pilot, 2), 1, {})
-  local fine = pilot(sweep, sample, points, math.min(t.pilot, 2), 1, { accuracy = math.min(0.1, 0.01 * t.standard_error), accuracy_of = column })
+  return sizes
+end
 
-  local nearest = nearest_size(sizes, 1)
-
-  local processor, cores = core.machine()
-  local result = { sweep = sweep, sample = sample, of = column, standard_error = t.standard_error, pilot = t.pilot, sizes = sizes, samples_now = samples_now, all = all,
-    points = {}, budget = {}, samples = false, machine = ("%s (%d cores)"):format(processor, cores) }
-  for k, point in ipairs(points) do
+-- The error of the sweep's own time step at each point: the same samples by it and by a fine one.
+local function step_errors(sweep, t, points)
+  local few = math.min(t.pilot, 2)
+  local own = pilot(sweep, t.samples, points, few, 1, {})
+  local fine = pilot(sweep, t.samples, points, few, 1, { accuracy = math.min(0.1, 0.01 * t.standard_error), accuracy_of = t.of })
+  local errors = {}
+  for k in ipairs(points) do
     local square, count = 0, 0
     for i, row in ipairs(own[k]) do
-      if row.status == "finished" and fine[k][i].status == "finished" then square, count = square + (row[column] - fine[k][i][column]) ^ 2, count + 1 end
-    end
-    local sd, sd_cautious = deviation(sizes, k)
-    -- What the lattice's size changes, per unit of the spacing over the scene's own: as seen, and together with what is not known of it.
-    local by_spacing = {}
-    for i, size in ipairs(sizes) do by_spacing[i] = { x = size.factor ^ -0.5, value = size[k].mean, se = math.max(size[k].se, 1e-12) } end
-    local slope, slope_se = 0, 0
-    if #sizes > 1 then slope, slope_se = refine.fitted_line(by_spacing) end  -- of one size nothing is known
-    local p = { name = name_of(point, sweep.names, sample), mean = nearest[k].mean, sd = sd, sd_cautious = sd_cautious, sampling = sd / math.sqrt(samples_now), slope = slope, slope_se = slope_se,
-      lattice = math.sqrt(slope ^ 2 + slope_se ^ 2),
-      step = count > 0 and math.sqrt(square / count) or 0 / 0 }
-    p.dominates = p.sampling >= p.lattice and p.sampling >= p.step and "samples" or p.lattice >= p.step and "lattice size" or "time step"
-    result.points[k] = p
-  end
-
-  -- Every factor of the nodes with the samples that its worst point needs; the cheapest counts.
-  local step_error = step_share * t.standard_error
-  for _, factor in ipairs(#sizes > 1 and factors or t.sizes) do
-    local strayed = math.abs(factor ^ -0.5 - (t.continuum and 0 or 1))
-    local samples, budget = 2, { sampling = 0, lattice = 0, step = step_error }
-    for _, p in ipairs(result.points) do
-      local left = t.standard_error ^ 2 - step_error ^ 2 - (p.lattice * strayed) ^ 2
-      samples = left > 0 and math.max(samples, math.ceil(p.sd_cautious ^ 2 / left)) or math.huge
-      budget.sampling, budget.lattice = math.max(budget.sampling, p.sd_cautious), math.max(budget.lattice, p.lattice * strayed)
-    end
-    budget.sampling = budget.sampling / math.sqrt(samples)
-    local size = nearest_size(sizes, factor)
-    local seconds = samples * seconds_at(sizes, factor)
-    if samples <= most_samples and (not result.samples or seconds < result.predicted_seconds) then
-      result.samples, result.nodes, result.predicted_seconds, result.budget, result.choices = samples, factor, seconds, budget, {}
-      for k, point in ipairs(points) do
-        local row = size.rows[k][1]
-        result.choices[k] = { name = name_of(point, sweep.names, sample), method = row.method, theta = row.theta }
-        -- Shown, and taken by points that the pilot left out: the choice with the shortest step.
-        if k == 1 or row.step < result.shortest then result.shortest, result.method, result.theta = row.step, row.method, row.theta end
+      if row.status == "finished" and fine[k][i].status == "finished" then
+        square, count = square + (row[t.of] - fine[k][i][t.of]) ^ 2, count + 1
       end
-    elseif not result.samples then
-      result.budget = budget
+    end
+    errors[k] = count > 0 and math.sqrt(square / count) or 0 / 0
+  end
+  return errors
+end
+
+-- The three errors of the sweep as it is at point k, whose time step's is known.
+local function budget_of_point(name, sizes, k, samples_now, step)
+  local sd, sd_cautious = deviation(sizes, k)
+  -- What the lattice's size changes, per unit of the spacing over the scene's own: as seen, and together with what is not
+  -- known of it.
+  local by_spacing = {}
+  for i, size in ipairs(sizes) do
+    by_spacing[i] = { x = size.factor ^ -0.5, value = size[k].mean, se = math.max(size[k].se, 1e-12) }
+  end
+  local slope, slope_se = 0, 0
+  if #sizes > 1 then slope, slope_se = refine.fitted_line(by_spacing) end  -- of one size nothing is known
+  local p = {
+    name = name, mean = nearest_size(sizes, 1)[k].mean, sd = sd, sd_cautious = sd_cautious,
+    sampling = sd / math.sqrt(samples_now), slope = slope, slope_se = slope_se,
+    lattice = math.sqrt(slope ^ 2 + slope_se ^ 2), step = step,
+  }
+  p.dominates = p.lattice >= p.step and "lattice size" or "time step"
+  if p.sampling >= p.lattice and p.sampling >= p.step then p.dominates = "samples" end
+  return p
+end
+
+-- The samples that the worst point needs with `factor` times the nodes, and what is left of each error then.
+local function needed_samples(t, points, factor)
+  local strayed = math.abs(factor ^ -0.5 - (t.continuum and 0 or 1))
+  local step_error = step_share * t.standard_error
+  local samples, budget = 2, { sampling = 0, lattice = 0, step = step_error }
+  for _, p in ipairs(points) do
+    local left = t.standard_error ^ 2 - step_error ^ 2 - (p.lattice * strayed) ^ 2
+    samples = left > 0 and math.max(samples, math.ceil(p.sd_cautious ^ 2 / left)) or math.huge
+    budget.sampling = math.max(budget.sampling, p.sd_cautious)
+    budget.lattice = math.max(budget.lattice, p.lattice * strayed)
+  end
+  budget.sampling = budget.sampling / math.sqrt(samples)
+  return samples, budget
+end
+
+-- The method and step of every point, as the pilot chose them; those of the shortest step are shown, and taken by points
+-- that the pilot left out.
+local function choose_steps(plan, rows)
+  plan.choices = {}
+  for k, p in ipairs(plan.points) do
+    local row = rows[k][1]
+    plan.choices[k] = { name = p.name, method = row.method, theta = row.theta }
+    if k == 1 or row.step < plan.shortest then
+      plan.shortest, plan.method, plan.theta = row.step, row.method, row.theta
     end
   end
+end
+
+-- Of every factor of the nodes, with the samples that its worst point needs, the cheapest.
+local function choose_cheapest(plan, t)
+  local sizes = plan.sizes
+  for _, factor in ipairs(#sizes > 1 and factors or { sizes[1].factor }) do
+    local samples, budget = needed_samples(t, plan.points, factor)
+    local seconds = samples * seconds_at(sizes, factor)
+    if samples <= most_samples and (not plan.samples or seconds < plan.predicted_seconds) then
+      plan.samples, plan.nodes, plan.predicted_seconds, plan.budget = samples, factor, seconds, budget
+      choose_steps(plan, nearest_size(sizes, factor).rows)
+    elseif not plan.samples then
+      plan.budget = budget
+    end
+  end
+end
+
+-- With --check: that the sweep's scenes can be made.
+local function make_scenes(sweep, points, sample)
+  for _, point in ipairs(points) do
+    local at = copy(point)
+    at[sample] = 1
+    sweeps.scene_at(sweep, at)
+  end
+end
+
+local function plan(given)
+  local t = core.check("plan", given)
+  local sweep = checked_sweep(t)
+  local factors_tried = sorted_sizes(t.sizes)
+  local all, samples_now = points_of(sweep, t.samples)
+  local points = spread_out(all, most_points)
+  if core.is_check() then return make_scenes(sweep, points, t.samples) end
+  local began = core.clock()
+  local sizes = pilot_of_sizes(sweep, t, points, all, factors_tried)
+  local steps = step_errors(sweep, t, points)
+  local processor, cores = core.machine()
+  local result = {
+    sweep = sweep, sample = t.samples, of = t.of, standard_error = t.standard_error, pilot = t.pilot, sizes = sizes,
+    samples_now = samples_now, all = all, points = {}, budget = {}, samples = false,
+    machine = ("%s (%d cores)"):format(processor, cores),
+  }
+  for k, point in ipairs(points) do
+    local name = name_of(point, sweep.names, t.samples)
+    result.points[k] = budget_of_point(name, sizes, k, samples_now, steps[k])
+  end
+  choose_cheapest(result, t)
   result.pilot_seconds = core.clock() - began
   print_plan(result)
   if core.is_resume() then go_on_with_kept(result) end
@@ -326,7 +369,7 @@ Plan.run = core.wrap(function(plan)
     local scene = core.given(refine.refined(sweep.scene(at), self.nodes, 0))
     local chosen = choices[name_of(at, sweep.names, self.sample)] or self
     scene.method, scene.theta, scene.step, scene.accuracy = chosen.method, chosen.theta, nil, nil
-    return core.scene(scene)
+    return core.functions.scene(scene)
   end }
   local began = core.clock()
   local rows = planned:run()
@@ -339,9 +382,8 @@ Plan.run = core.wrap(function(plan)
     table.insert(by_point[name], row)
   end
   for name, list in pairs(by_point) do
-    local values = finished(list, self.of)
-    local _, sd = mean_and_deviation(values)
-    if #values > 1 and sd / math.sqrt(#values) > worst.se then worst = { name = name, se = sd / math.sqrt(#values), sd = sd } end
+    local of = statistics.of_finished(list, self.of)
+    if of.count > 1 and of.se > worst.se then worst = { name = name, se = of.se, sd = of.sd } end
   end
   print(("predicted %.1f s, took %.1f s; largest standard error %.2g of %s at %s, wanted %g"):format(self.predicted_seconds, took, worst.se, self.of, worst.name, self.standard_error))
   if worst.se > self.standard_error then

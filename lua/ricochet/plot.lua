@@ -1,19 +1,13 @@
 -- ricochet.plot: means with standard errors, lines of theory and published points, drawn by gnuplot; the script it used stays beside the picture.
 local core = require "ricochet.core"
+local gnuplot = require "ricochet.gnuplot"
 local summarise = require("ricochet.rows").summarise
 
--- Colours that the colour-blind can tell apart [Okabe & Ito 2008].
-local colours = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9" }
+local colours, quoted = gnuplot.colours, gnuplot.quoted
 local greek = { mu = "μ", beta = "β", psi1 = "Ψ_1", psi2 = "Ψ_2", tan_alpha = "tan α", e_alpha = "e_α", theta = "θ", omega = "ω", cot_gamma = "cot γ" }
 -- Lines of theory: shades that also differ in their dashes; published points: open marks.
 local dashes = { { "#555555", 2 }, { "#000000", 1 }, { "#882255", 4 }, { "#44AA99", 3 }, { "#999933", 5 } }
 local open_marks = { 6, 4, 8, 12, 10 }
-
--- In single quotes: within double ones gnuplot runs what stands in backquotes as a shell command.
-local function quoted(text)
-  if type(text) ~= "string" then core.fail(("takes texts for names and labels, one is a %s"):format(type(text))) end  -- a table may call anything gsub
-  return "'" .. text:gsub("'", "''"):gsub("%c", " ") .. "'"
-end
 
 -- At most `width` characters a line.
 local function wrapped(text, width)
@@ -80,10 +74,10 @@ end
 local function widen(range, low, high) range.low, range.high = math.min(range.low, low), math.max(range.high, high) end
 
 -- The data of simulated series as gnuplot's $data1, $data2 ...; widens the ranges. Returns how many impacts finished and failed, and the most at one point.
-local function write_series(t, list, lines, xs, ys)
+local function write_series(t, list, script, xs, ys)
   local finished, failed, samples = 0, 0, 0
   for k, series in ipairs(list) do
-    lines[#lines + 1] = ("$data%d << END"):format(k)
+    local lines = {}
     for _, row in ipairs(series.summary) do
       local cells = { ("%.17g"):format(row[t.x]) }
       widen(xs, row[t.x], row[t.x])
@@ -102,13 +96,13 @@ local function write_series(t, list, lines, xs, ys)
       finished, failed = finished + row.count, failed + row.failed
       lines[#lines + 1] = table.concat(cells, " ")
     end
-    lines[#lines + 1] = "END"
+    script:data("data" .. k, lines)
   end
   return finished, failed, samples
 end
 
 -- The data of lines and marks, as $theory1_2 (column 1, entry 2) and so on. They widen the range along y, by no more than `most` of it on either side.
-local function write_entries(t, kind, entries, lines, xs, ys, most)
+local function write_entries(t, kind, entries, script, xs, ys, most)
   for i, column in ipairs(t.y) do
     local low, high = -math.huge, math.huge
     if most < math.huge and ys[i].low <= ys[i].high then
@@ -116,7 +110,7 @@ local function write_entries(t, kind, entries, lines, xs, ys, most)
       if t.log:find "y" then low, high = ys[i].low / room, ys[i].high * room else low, high = ys[i].low - room, ys[i].high + room end
     end
     for k, entry in ipairs(entries[column] or {}) do
-      lines[#lines + 1] = ("$%s%d_%d << END"):format(kind, i, k)
+      local lines = {}
       local function put(x, y)
         local seen = math.max(low, math.min(high, y))
         if y == y and math.abs(seen) < math.huge and not (t.log:find "y" and seen <= 0) then widen(ys[i], seen, seen) end
@@ -130,7 +124,7 @@ local function write_entries(t, kind, entries, lines, xs, ys, most)
         if type(y) ~= "number" then core.fail(("the theory of '%s' must return a number, returned a %s at x = %g"):format(column, type(y), x), "theory") end
         put(x, y)
       end
-      lines[#lines + 1] = "END"
+      script:data(("%s%d_%d"):format(kind, i, k), lines)
     end
   end
 end
@@ -178,27 +172,22 @@ local function parts_of(t, i, list, theory, published)
   return table.concat(parts, ", \\\n     ")
 end
 
-local function plot(given)
-  local t = core.check("plot", given)
-  if not t.name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name") end
-  local theory, published = entries_of(t, "theory", t.theory_name), entries_of(t, "published", "published")
+-- Tables by column name only columns that are drawn.
+local function check_columns(t)
   for field, table_of in pairs { yrange = t.yrange, ylabel = t.ylabel } do
     for column in pairs(table_of) do
       local drawn = false
       for _, name in ipairs(t.y) do drawn = drawn or name == column end
-      if not drawn then core.fail(("'%s' names '%s', which is not among 'y'"):format(field, tostring(column)), field) end
+      if not drawn then
+        core.fail(("'%s' names '%s', which is not among 'y'"):format(field, tostring(column)), field)
+      end
     end
   end
   if t.by and not t.rows then core.fail("'by' groups rows, and there are none", "by") end
-  local list = t.rows and series_of(t.rows, t.by) or {}
-  for _, series in ipairs(list) do series.summary = summarise(series.rows, t.x, t.y, { by = "x", of = "y" }) end
-  if core.is_check() then return end
-  if t.rows and (#list == 0 or #list[1].summary == 0) then core.fail "there are no rows to plot" end
-  if t.rows and type(list[1].summary[1][t.x]) ~= "number" then core.fail(("'x' must be a column of numbers, '%s' is not"):format(t.x), "x") end
+end
 
-  local lines, xs, ys = {}, { low = math.huge, high = -math.huge }, {}
-  for i in ipairs(t.y) do ys[i] = { low = math.huge, high = -math.huge } end
-  local finished, failed, samples = write_series(t, list, lines, xs, ys)
+-- The range along x: that of rows and points, unless it is given.
+local function finish_xrange(t, xs, published, theory)
   for _, entries in ipairs(t.rows and { published } or { published, theory }) do
     for _, column in pairs(entries) do
       for _, entry in ipairs(column) do
@@ -208,44 +197,88 @@ local function plot(given)
   end
   if t.xrange then xs = given_range(t.xrange, "xrange") end
   if xs.low > xs.high then core.fail "has neither rows nor points; give xrange = { from, to } for the functions" end
-  if t.log:find "x" and xs.low <= 0 then core.fail(("'log' along x needs values above 0, %s goes down to %g"):format(t.x, xs.low), "log") end
-  -- Where theory diverges it leaves the picture: beside rows, the range is that of the impacts and published points and at most half as much on either side.
-  write_entries(t, "published", published, lines, xs, ys, math.huge)
-  write_entries(t, "theory", theory, lines, xs, ys, t.rows and 0.5 or math.huge)
+  if t.log:find "x" and xs.low <= 0 then
+    core.fail(("'log' along x needs values above 0, %s goes down to %g"):format(t.x, xs.low), "log")
+  end
+  return xs
+end
+
+local function finish_yranges(t, ys)
   for i, column in ipairs(t.y) do
     if t.yrange[column] then ys[i] = given_range(t.yrange[column], "yrange", column) end
-    if t.log:find "y" and (ys[i].low > ys[i].high or ys[i].low <= 0) then core.fail(("'log' along y needs values above 0, and %s has none"):format(column), "log") end
+    if t.log:find "y" and (ys[i].low > ys[i].high or ys[i].low <= 0) then
+      core.fail(("'log' along y needs values above 0, and %s has none"):format(column), "log")
+    end
     if ys[i].low > ys[i].high then ys[i] = { low = 0, high = 1 } end
   end
+end
 
+-- The lines above the panels.
+local function titles_of(t, finished, failed, samples)
   local titles = {}
   if t.title then titles[1] = quoted(t.title) end
   for _, line in ipairs(t.caption and wrapped(t.caption, 92) or {}) do titles[#titles + 1] = quoted(line) end
-  if t.rows then titles[#titles + 1] = quoted((samples > 1 and "mean and standard error of %d impacts, %d failed" or "%d impacts, one a point, %d failed"):format(finished, failed)) end
-  local most = 1  -- entries of a key; it stands above its panel
-  for i, column in ipairs(t.y) do most = math.max(most, #(theory[column] or {}) + #(published[column] or {}) + (i == 1 and t.by and #list or 0)) end
-  local height = 70 + 20 * #titles + (285 + 18 * most) * #t.y
-  local function panels()
-    lines[#lines + 1] = ("set multiplot layout %d,1 title %s noenhanced"):format(#t.y, #titles > 0 and table.concat(titles, '."\\n".') or "''")
-    for i, column in ipairs(t.y) do
-      -- The same margins and range along x in every panel.
-      local y = ys[i]
-      local xroom, yroom = t.xrange and 0 or 0.04, t.yrange[column] and 0 or 0.08
-      lines[#lines + 1] = ("set lmargin 11\nset xrange %s\nset yrange %s"):format(roomy(xs.low, xs.high, xroom, t.log:find "x"), roomy(y.low, y.high, yroom, t.log:find "y")) .. log_tics(t.log, "x", xs.low, xs.high) .. log_tics(t.log, "y", y.low, y.high)
-      lines[#lines + 1] = ("set xlabel %s%s"):format(i == #t.y and quoted(t.xlabel or label(t.x)) or "''", t.xlabel and " noenhanced" or " enhanced")
-      lines[#lines + 1] = ("set ylabel %s%s"):format(quoted(t.ylabel[column] or label(column)), t.ylabel[column] and " noenhanced" or " enhanced")
-      lines[#lines + 1] = "plot " .. parts_of(t, i, list, theory, published)
-    end
-    lines[#lines + 1] = "unset multiplot"
-  end
-  lines[#lines + 1] = "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb \"#cccccc\"\nset tics nomirror\nset border 3\nset key outside top right horizontal"
-  if t.log ~= "none" then lines[#lines + 1] = "set logscale " .. t.log .. "\nset format " .. t.log .. " '%g'" end
-  for _, terminal in ipairs { { "pngcairo size 800,%d font \"DejaVu Sans,12\"", "png" }, { "svg size 800,%d font \"DejaVu Sans,12\" background \"white\"", "svg" } } do
-    lines[#lines + 1] = "set terminal " .. terminal[1]:format(height)
-    lines[#lines + 1] = ("set output %s"):format(quoted(t.name .. "." .. terminal[2]))
-    panels()
-  end
-  core.gnuplot(t.name, table.concat(lines, "\n") .. "\n")
+  local impacts = samples > 1 and "mean and standard error of %d impacts, %d failed" or "%d impacts, one a point, %d failed"
+  if t.rows then titles[#titles + 1] = quoted(impacts:format(finished, failed)) end
+  return titles
 end
 
-return { plot = plot, quoted = quoted }
+-- The most entries of a key; it stands above its panel.
+local function most_entries(t, list, theory, published)
+  local most = 1
+  for i, column in ipairs(t.y) do
+    local series = i == 1 and t.by and #list or 0
+    most = math.max(most, #(theory[column] or {}) + #(published[column] or {}) + series)
+  end
+  return most
+end
+
+-- Panel i, of one column. The same margins and range along x in every panel.
+local function add_panel(script, t, i, xs, y, parts)
+  local column = t.y[i]
+  local xroom, yroom = t.xrange and 0 or 0.04, t.yrange[column] and 0 or 0.08
+  script:add("set lmargin 11\nset xrange %s", roomy(xs.low, xs.high, xroom, t.log:find "x"))
+  script:add("set yrange %s%s%s", roomy(y.low, y.high, yroom, t.log:find "y"), log_tics(t.log, "x", xs.low, xs.high),
+    log_tics(t.log, "y", y.low, y.high))
+  local xlabel = i == #t.y and quoted(t.xlabel or label(t.x)) or "''"
+  script:add("set xlabel %s%s", xlabel, t.xlabel and " noenhanced" or " enhanced")
+  local ylabel = quoted(t.ylabel[column] or label(column))
+  script:add("set ylabel %s%s", ylabel, t.ylabel[column] and " noenhanced" or " enhanced")
+  script:add("plot " .. parts)
+end
+
+local function plot(given)
+  local t = core.check("plot", given)
+  local script = gnuplot.script(t.name)
+  local theory, published = entries_of(t, "theory", t.theory_name), entries_of(t, "published", "published")
+  check_columns(t)
+  local list = t.rows and series_of(t.rows, t.by) or {}
+  for _, series in ipairs(list) do series.summary = summarise(series.rows, t.x, t.y, { by = "x", of = "y" }) end
+  if core.is_check() then return end
+  if t.rows and (#list == 0 or #list[1].summary == 0) then core.fail "there are no rows to plot" end
+  if t.rows and type(list[1].summary[1][t.x]) ~= "number" then
+    core.fail(("'x' must be a column of numbers, '%s' is not"):format(t.x), "x")
+  end
+  local xs, ys = { low = math.huge, high = -math.huge }, {}
+  for i in ipairs(t.y) do ys[i] = { low = math.huge, high = -math.huge } end
+  local finished, failed, samples = write_series(t, list, script, xs, ys)
+  xs = finish_xrange(t, xs, published, theory)
+  -- Where theory diverges it leaves the picture: beside rows, the range is that of the impacts and published points and
+  -- at most half as much on either side.
+  write_entries(t, "published", published, script, xs, ys, math.huge)
+  write_entries(t, "theory", theory, script, xs, ys, t.rows and 0.5 or math.huge)
+  finish_yranges(t, ys)
+  local titles = titles_of(t, finished, failed, samples)
+  script:panels {
+    count = #t.y, width = 800, font = 12, key = "outside top right horizontal",
+    height = 70 + 20 * #titles + (285 + 18 * most_entries(t, list, theory, published)) * #t.y,
+    title = #titles > 0 and table.concat(titles, '."\\n".') or "''",
+    axes = t.log ~= "none" and "set logscale " .. t.log .. "\nset format " .. t.log .. " '%g'" or nil,
+    draw = function()
+      for i in ipairs(t.y) do add_panel(script, t, i, xs, ys[i], parts_of(t, i, list, theory, published)) end
+    end,
+  }
+  script:draw()
+end
+
+return { plot = plot }

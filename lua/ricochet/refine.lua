@@ -21,7 +21,7 @@ local function refined(scene, factor, shift)
   local effects = {}
   for i, effect in ipairs(t.effects or {}) do effects[i] = core.reseeded(effect, shift) end
   t.effects = effects
-  return core.scene(t)
+  return core.functions.scene(t)
 end
 
 --- Least squares for value = limit + slope * x over points { x =, value =, se = }, weighted by 1 / se^2. Returns the slope, its

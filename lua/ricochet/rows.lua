@@ -1,5 +1,6 @@
 -- Rows of a sweep: an array of tables, one an impact, with summaries.
 local core = require "ricochet.core"
+local statistics = require "ricochet.statistics"
 
 local Rows, Summary = { __name = "rows", __metatable = false }, { __name = "a summary", __metatable = false }
 Summary.__index = function(summary, name)
@@ -47,22 +48,14 @@ local function groups(rows, by)
   return list
 end
 
--- Mean, sample standard deviation, standard error and count of a column; undefined values (nan) are left out.
-local function statistics(members, column)
-  local n, mean, square = 0, 0, 0
-  for _, row in ipairs(members) do
-    local value = row[column]
-    if type(value) ~= "number" then core.fail(("column '%s' holds no numbers"):format(column)) end
-    if value == value then
-      n = n + 1
-      local delta = value - mean
-      mean = mean + delta / n
-      square = square + delta * (value - mean)
-    end
+-- Mean, deviation, standard error and count of a column of these rows.
+local function statistics_of(members, column)
+  local values = {}
+  for i, row in ipairs(members) do
+    values[i] = row[column]
+    if type(values[i]) ~= "number" then core.fail(("column '%s' holds no numbers"):format(column)) end
   end
-  if n == 0 then return { mean = 0 / 0, sd = 0 / 0, se = 0 / 0, count = 0 } end
-  local sd = n > 1 and math.sqrt(square / (n - 1)) or 0 / 0
-  return { mean = mean, sd = sd, se = sd / math.sqrt(n), count = n }
+  return statistics.of(values)
 end
 
 -- `fields`: what the user's call names `by` and `of`, for its mistakes.
@@ -72,7 +65,7 @@ local function summarise(rows, by, of, fields)
   local summary = setmetatable({ by = by, of = of }, Summary)
   for i, group in ipairs(groups(rows, by)) do
     local line = { [by] = group.key, count = #group.members, failed = group.failed }
-    for _, column in ipairs(of) do line[column] = statistics(group.members, column) end
+    for _, column in ipairs(of) do line[column] = statistics_of(group.members, column) end
     summary[i] = line
   end
   return summary

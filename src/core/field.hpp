@@ -26,6 +26,9 @@ inline constexpr Range any_number{};
 inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
 inline constexpr Range not_negative{0};
 
+/// As `initial` of a field of a plain struct: what a default-made one holds.
+inline constexpr const char* by_struct = "=";
+
 struct Field {
   std::string name;
   std::string type;  ///< "number", "integer", "boolean", "string", or what the script layer's reference calls it

@@ -1,4 +1,4 @@
-// Steps for a wanted accuracy, and the runs of ricochet.accuracy.
+// ricochet.accuracy, ricochet.relevance, ricochet.plan: what is known of methods and machine, and the runs of studies.
 
 #include "impact/accuracy.hpp"
 
@@ -7,32 +7,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <fstream>
+#include <limits>
 #include <thread>
 
 #include "impact/batch.hpp"
+#include "script/fields.hpp"
 #include "script/objects.hpp"
-#include "script/state.hpp"
+#include "script/reader.hpp"
 
 namespace ricochet {
-
-std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes) {
-  return with_chosen_steps(scenes, session.options.threads, stop_requested,
-                           [&](const std::string& line) { session.print(line + "\n"); });
-}
-
-std::vector<Scene> with_quietly_chosen_steps(Session& session, const std::vector<Scene>& scenes) {
-  return with_chosen_steps(scenes, session.options.threads, stop_requested,
-                           [&](const std::string& line) { session.log(line + "\n"); });
-}
-
-Scene with_chosen_step(Session& session, const Scene& scene) {
-  if (session.options.check || std::isnan(scene.integration.accuracy)) return scene;
-  auto& chosen = session.chosen[scene.hash()];
-  if (!chosen) chosen = std::make_shared<const Scene>(with_chosen_steps(session, {scene}).front());
-  return *chosen;
-}
 
 namespace {
 
@@ -60,56 +44,63 @@ class Pinned {
   bool known_ = false;
 };
 
+// The scene by the method and step (or theta) of the table on top of the stack.
+Scene variant_of(lua_State* L, const Scene& scene) {
+  Scene variant = scene;
+  variant.integration.accuracy = not_given;
+  lua_getfield(L, -1, "method");
+  lua_getfield(L, -2, "step");
+  lua_getfield(L, -3, "theta");
+  variant.integration.method = lua_tostring(L, -3);
+  variant.integration.step = lua_isnil(L, -2) ? not_given : lua_tonumber(L, -2);
+  variant.integration.theta = lua_isnil(L, -1) ? not_given : lua_tonumber(L, -1);
+  lua_pop(L, 3);
+  return variant;
+}
+
+// The scene's row; of its wall times the least counts. A step that is refused is a status.
+Row least_of(lua_Integer repeats, const Solids& solids, const Scene& scene,
+             Outcome& outcome) {
+  double seconds = std::numeric_limits<double>::infinity();
+  try {
+    for (lua_Integer i = 0; i < repeats; ++i) {
+      const auto began = std::chrono::steady_clock::now();
+      outcome = run_scene(solids, scene, stop_requested);
+      seconds = std::min(seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+    }
+  } catch (const FieldError& error) {
+    if (error.field != "step" && error.field != "theta") throw;
+    outcome.status = Status::unstable;
+    outcome.reason = error.what();
+    outcome.step = scene.integration.step;
+  }
+  if (stop_requested) throw Error("interrupted", Exit::interrupted);
+  return row_of(scene, outcome, seconds);
+}
+
 // accuracy_runs(scene, list of { method =, step = } or { method =, theta = }, repeats): a row for each, with method,
 // evaluations (of the force) and seconds (the least of the repeats). Steps that are refused, and runs that do not
 // finish, have their status.
 int accuracy_runs(lua_State* L) {
-  Session& session = session_of(L);
   const SceneObject& object = scene_at(L, 1);
   const lua_Integer repeats = luaL_checkinteger(L, 3);
-  BuiltSolids solids;
-  try {
-    solids = BuiltSolids(object.scene);
-  } catch (const FieldError& error) {
-    throw_at(session, object.site, error);
-  }
-  const Pinned pinned;
   lua_newtable(L);
   const int rows = lua_gettop(L);
-  const lua_Integer count = length_of(L, 2);
-  for (lua_Integer k = 1; k <= count; ++k) {
-    lua_rawgeti(L, 2, k);
-    Scene scene = object.scene;
-    scene.integration.accuracy = not_given;
-    lua_getfield(L, -1, "method");
-    lua_getfield(L, -2, "step");
-    lua_getfield(L, -3, "theta");
-    scene.integration.method = lua_tostring(L, -3);
-    const Method& method = method_named(scene.integration.method);
-    scene.integration.step = lua_isnil(L, -2) ? not_given : lua_tonumber(L, -2);
-    scene.integration.theta = lua_isnil(L, -1) ? not_given : lua_tonumber(L, -1);
-    Outcome outcome;
-    double seconds = std::numeric_limits<double>::infinity();
-    try {
-      for (lua_Integer i = 0; i < repeats; ++i) {
-        const auto began = std::chrono::steady_clock::now();
-        outcome = run_scene(solids, scene, stop_requested);
-        seconds = std::min(seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
-      }
-    } catch (const FieldError& error) {
-      if (error.field != "step" && error.field != "theta") throw_at(session, object.site, error);
-      outcome.status = Status::unstable;
-      outcome.reason = error.what();
-      outcome.step = scene.integration.step;
-    }
-    if (stop_requested) throw Error("interrupted", Exit::interrupted);
-    lua_pop(L, 4);
-    push_row(L, row_of(scene, outcome, seconds));
-    lua_pushstring(L, method.name.c_str());
-    lua_setfield(L, -2, "method");
-    lua_pushnumber(L, outcome.steps * work_of_step(method, solids));
-    lua_setfield(L, -2, "evaluations");
-    lua_seti(L, rows, k);
+  try {
+    const BuiltSolids solids(object.scene);
+    const Pinned pinned;
+    each_element(L, 2, [&](lua_Integer k) {
+      const Scene scene = variant_of(L, object.scene);
+      Outcome outcome;
+      push_row(L, least_of(repeats, solids, scene, outcome));
+      lua_pushstring(L, scene.integration.method.c_str());
+      lua_setfield(L, -2, "method");
+      lua_pushnumber(L, outcome.steps * work_of_step(method_named(scene.integration.method), solids));
+      lua_setfield(L, -2, "evaluations");
+      lua_seti(L, rows, k);
+    });
+  } catch (const FieldError& error) {
+    throw_at(session_of(L), object.site, error);
   }
   return 1;
 }
@@ -170,19 +161,90 @@ void push_accuracy_outcomes(lua_State* L) {
       }
 }
 
-}  // namespace
+Function accuracy_function() {
+  const std::vector<Field> own{
+      {"methods", "strings", "", "integrators; all unless given", any_number, "", true},
+      {"steps", "numbers", "R/c", "time steps of every method; six from 0.9 of its stability limit down unless given",
+       any_number, "", true},
+      {"of", "strings", "", "outcomes whose errors are taken; the first is printed and drawn", any_number, "{\"e\"}"},
+      {"lattices", "numbers", "",
+       "factors of the number of nodes, to show the lattice's own error by; none unless given", any_number, "", true},
+      {"lattice_samples", "integer", "", "lattices of each size", {2, 10000}, "16"},
+      {"repeats", "integer", "", "runs of each step; the least wall time counts", {1, 1000}, "3"},
+      {"name", "string", "", "file name without extension", any_number, "accuracy"}};
+  return {
+      .name = "accuracy",
+      .doc =
+          "What accuracy costs: runs a scene by many methods and steps against two runs of order 6 at short steps, "
+          "prints errors, force evaluations, wall times, "
+          "energy drifts and fitted orders, and leaves NAME.csv and work-precision plots NAME.png, NAME.svg. With "
+          "`lattices` it also shows what the size of the lattice "
+          "changes, in a panel of its own. Returns a table with the rows (each with its "
+          "`error` by column), the `reference`, its `floor`, and `cheapest(wanted)`: the row with the fewest force "
+          "evaluations within that error.",
+      .fields = std::vector<Field>{scene_field()} + own,
+      .returns = "table",
+      .example = "ricochet.accuracy { scene = scene, methods = { \"verlet\", \"pefrl\" }, of = { \"e\", \"beta\" } }"};
+}
 
-void add_accuracy(lua_State* L) {
-  const luaL_Reg list[] = {{"accuracy_runs", guarded<accuracy_runs>},
-                           {"methods", method_list},
-                           {"conflict", guarded<conflict>},
-                           {"machine", machine}};
-  for (const luaL_Reg& f : list) {
-    lua_pushcfunction(L, f.func);
-    lua_setfield(L, -2, f.name);
-  }
+Function relevance_function() {
+  const std::vector<Field> own{
+      {"effects", "effects", "", "those that may matter"},
+      {"of", "strings", "", "outcomes to compare", any_number, "{\"e\", \"beta\", \"mu\"}"},
+      {"samples", "integer", "", "lattices: the scene's own and others of its kind", {2, 100000}, "8"}};
+  return {.name = "relevance",
+          .doc =
+              "Which effects a scene calls for: runs it with and without each on the same lattices, prints the "
+              "change of outcomes with its standard error beside "
+              "that of their mean over the samples, and the cost in time. All by verlet. Returns a list of tables: "
+              "name, cost, and by outcome change, se, sampling.",
+          .fields = std::vector<Field>{scene_field()} + own,
+          .returns = "table",
+          .example = "ricochet.relevance { scene = scene, effects = { ricochet.gravity { g = 1e-4 } } }"};
+}
+
+Function plan_function() {
+  return {
+      .name = "plan",
+      .doc =
+          "The error budget of a sweep (time step, lattice size, samples: which one dominates), from a pilot, and "
+          "the cheapest method, step, nodes and samples "
+          "that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the "
+          "sweep's folder, and says how long it took. "
+          "The lattice's error is extrapolated in the spacing of its nodes, and what the pilot leaves unknown of it "
+          "counts as error too; the samples are planned with a "
+          "deviation that nine pilots of ten do not underrate.",
+      .fields = {{"sweep", "sweep", "", "with one name in `over` that counts samples"},
+                 {"standard_error", "number", "",
+                  "wanted at every point: root of the sum of the squares of the three errors", positive},
+                 {"of", "string", "", "the outcome it is about", any_number, "e"},
+                 {"samples", "string", "", "the name in `over` that counts samples", any_number, "sample"},
+                 {"pilot", "integer", "", "samples of the pilot at every point and size", {2, 100000}, "8"},
+                 {"sizes", "numbers", "", "factors of the number of nodes that the pilot tries", any_number,
+                  "{0.25, 0.5, 1}"},
+                 {"continuum", "boolean", "",
+                  "count as error what an infinitely fine lattice would change; else only what other lattices than the "
+                  "scene's own change",
+                  any_number, "false"}},
+      .returns = "plan",
+      .example = "ricochet.plan { sweep = sweep, standard_error = 0.01 }:run()"};
+}
+
+void add_accuracy_outcomes(lua_State* L) {
   push_accuracy_outcomes(L);
   lua_setfield(L, -2, "accuracy_outcomes");
+}
+
+}  // namespace
+
+// Written in Lua: lua/ricochet/accuracy.lua, effects.lua and plan.lua.
+Group accuracy_functions() {
+  return {.functions = {accuracy_function(), relevance_function(), plan_function()},
+          .natives = {{"accuracy_runs", guarded<accuracy_runs>},
+                      {"methods", method_list},
+                      {"conflict", guarded<conflict>},
+                      {"machine", machine}},
+          .add = add_accuracy_outcomes};
 }
 
 }  // namespace ricochet

@@ -13,6 +13,7 @@
 #include "render/studio.hpp"
 #include "script/version.hpp"
 #include "store/files.hpp"
+#include "store/run_names.hpp"
 
 namespace ricochet {
 
@@ -103,6 +104,47 @@ bool is_drawn(const fs::path& path, const render::Texts& texts) {
   return fs::exists(path, error) && render::png_texts(read_file(path)) == texts;
 }
 
+// As many frames as the shortest source has.
+std::size_t count_of(const std::vector<Source>& sources) {
+  std::size_t count = sources[0].subject->survey.times.size();
+  for (const Source& source : sources) count = std::min(count, source.subject->survey.times.size());
+  return count;
+}
+
+// What tells a sequence from another one of the same scenes.
+std::string times_text(const std::vector<Source>& sources) {
+  std::string text;
+  for (const Source& source : sources) {
+    const std::vector<double>& times = source.subject->survey.times;
+    text += fmt::format(" of {:.9g} ... {:.9g}", times.front(), times.back());
+  }
+  return text;
+}
+
+int encoders_of(const Shooting& shooting) {
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  return shooting.threads > 0 ? std::min(shooting.threads, cores) : cores;
+}
+
+// Frame k of every source.
+std::vector<Frame> next_frames(const std::vector<std::unique_ptr<Player>>& players, std::size_t k) {
+  std::vector<Frame> frames;
+  for (const auto& player : players) {
+    auto frame = player->next();
+    stop_if_asked("pictures are drawn", k);
+    if (!frame) throw Error("a sequence ended before its survey did");  // the same run ends in the same way
+    frames.push_back(std::move(*frame));
+  }
+  return frames;
+}
+
+// Pictures of an earlier, longer sequence would pass for the end of this one.
+void remove_stale(const Sequence& sequence, std::size_t count) {
+  if (sequence.folder.empty()) return;
+  for (std::size_t stale = count; fs::remove(run_names::frame(sequence.folder, stale)); ++stale) {
+  }
+}
+
 }  // namespace
 
 std::string text_of(const Shooting& shooting) {
@@ -125,37 +167,22 @@ int shoot_sequence(const Shooting& shooting, const std::vector<Source>& sources,
     no_film = error.what();  // the pictures were asked for: they come first
   }
   survey(shooting, sources);
-  std::size_t count = sources[0].subject->survey.times.size();
-  std::string all_times;
-  for (const Source& source : sources) {
-    count = std::min(count, source.subject->survey.times.size());
-    all_times +=
-        fmt::format(" of {:.9g} ... {:.9g}", source.subject->survey.times.front(), source.subject->survey.times.back());
-  }
-
+  const std::size_t count = count_of(sources);
+  const std::string times = times_text(sources);
   const render::Layout layout{shooting.width * context.scale(), shooting.height * context.scale(),
                               columns_of(sequence, sources.size())};
-  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency())),
-            encoders = shooting.threads > 0 ? std::min(shooting.threads, cores) : cores;
   render::Studio studio(
-      encoders, [](const fs::path& path, const std::string& bytes) { write_atomically(path, bytes); },
+      encoders_of(shooting), [](const fs::path& path, const std::string& bytes) { write_atomically(path, bytes); },
       film ? &*film : nullptr);
   std::vector<std::unique_ptr<Player>> players;
   for (const Source& source : sources) players.push_back(std::make_unique<Player>(source));
   for (std::size_t k = 0; k < count; ++k) {
-    std::vector<Frame> frames;
+    const std::vector<Frame> frames = next_frames(players, k);
     std::vector<render::Tile> tiles;
-    for (const auto& player : players) {
-      auto frame = player->next();
-      stop_if_asked("pictures are drawn", k);
-      if (!frame) throw Error("a sequence ended before its survey did");  // the same run ends in the same way
-      frames.push_back(std::move(*frame));
-    }
     for (std::size_t i = 0; i < sources.size(); ++i)
       tiles.push_back({sources[i].subject.get(), &frames[i], k, sources[i].subject->title});
-    const render::Texts texts =
-        texts_of(shooting, sources, fmt::format("{} of {}{}", k, count, all_times), frames[0].time);
-    const fs::path file = sequence.folder.empty() ? fs::path() : sequence.folder / fmt::format("{:06}.png", k);
+    const render::Texts texts = texts_of(shooting, sources, fmt::format("{} of {}{}", k, count, times), frames[0].time);
+    const fs::path file = sequence.folder.empty() ? fs::path() : run_names::frame(sequence.folder, k);
     const bool drawn = !file.empty() && sequence.go_on && is_drawn(file, texts);
     if (drawn && !film) continue;
     const std::string clock = shooting.show.clock ? render::clock_text(tiles) : "";
@@ -164,10 +191,7 @@ int shoot_sequence(const Shooting& shooting, const std::vector<Source>& sources,
   }
   studio.finish();
   if (film) film->finish();
-  // Pictures of an earlier, longer sequence would pass for the end of this one.
-  if (!sequence.folder.empty())
-    for (std::size_t stale = count; fs::remove(sequence.folder / fmt::format("{:06}.png", stale)); ++stale) {
-    }
+  remove_stale(sequence, count);
   if (!no_film.empty())
     throw FileError(fmt::format("{} ({} frames are in {})", no_film, count, sequence.folder.string()));
   return static_cast<int>(count);

@@ -1,13 +1,12 @@
 #pragma once
-// Values that Lua holds: bodies and scenes, each with the place in the script that made it.
+// Values that Lua holds: bodies, effects and scenes, each with the place in the script that made it, and rows.
 
-#include <filesystem>
 #include <lua.hpp>
 #include <memory>
 
-#include "impact/outcome.hpp"
 #include "impact/scene.hpp"
-#include "script/reader.hpp"
+#include "record/row.hpp"
+#include "script/report.hpp"
 
 namespace ricochet {
 
@@ -46,30 +45,18 @@ inline SceneObject& scene_at(lua_State* L, int index) {
 inline BodyObject& body_at(lua_State* L, int index) {
   return *static_cast<BodyObject*>(luaL_checkudata(L, index, "ricochet.body"));
 }
-
 inline EffectObject& effect_at(lua_State* L, int index) {
   return *static_cast<EffectObject*>(luaL_checkudata(L, index, "ricochet.effect"));
 }
 
-/// A row of results as values in the order of row_fields().
-struct Row {
-  std::vector<double> values;
-  std::string status, reason, hash, seed;
-  double seconds = 0;
-};
+/// Makes the metatable of a type of objects: they take no new fields and have only these methods.
+void make_type(lua_State* L, const char* type, lua_CFunction collector, std::initializer_list<luaL_Reg> methods = {});
 
-/// Scenes that ask for an accuracy with the method and step chosen for it, by trial runs; prints what was chosen.
-/// Others as they are.
-std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes);
-/// The same, told to run.log only.
-std::vector<Scene> with_quietly_chosen_steps(Session& session, const std::vector<Scene>& scenes);
-/// The same for one scene; the choice is kept for the rest of the run. With --check nothing is tried.
-Scene with_chosen_step(Session& session, const Scene& scene);
+/// Adds to the metatable on top of the stack: scripts see none, and `index` answers for names that are not there.
+void close_metatable(lua_State* L, lua_CFunction index);
 
-Row row_of(const Scene& scene, const Outcome& outcome, double seconds);
-
-/// A path below the run's own folder. Throws Error if the name, or a link, leads out of it.
-std::filesystem::path below_folder(lua_State* L, const std::string& name);
+/// Makes names that the table on top of the stack has not errors; `what` names the table.
+void push_strict(lua_State* L, const std::string& what);
 
 /// Pushes a table with every column of the row.
 void push_row(lua_State* L, const Row& row);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/spelling.hpp"
+#include "script/objects.hpp"
 #include "script/reader.hpp"
 #include "script/state.hpp"
 
@@ -114,12 +115,7 @@ std::string text_of(lua_State* L, int index) {
   if (lua_isboolean(L, index)) return lua_toboolean(L, index) ? "true" : "false";
   if (lua_istable(L, index)) {
     std::string text;
-    spend(L, work_a_value_read * static_cast<double>(length_of(L, index)));
-    for (lua_Integer i = 1; i <= length_of(L, index); ++i) {  // of numbers
-      lua_rawgeti(L, index, i);
-      text += (i > 1 ? "," : "") + text_of(L, -1);
-      lua_pop(L, 1);
-    }
+    each_element(L, index, [&](lua_Integer i) { text += (i > 1 ? "," : "") + text_of(L, -1); });  // of numbers
     return text;
   }
   if (lua_type(L, index) == LUA_TNUMBER)
@@ -128,129 +124,152 @@ std::string text_of(lua_State* L, int index) {
   return lua_tostring(L, index);
 }
 
+[[noreturn]] void refuse(lua_State* L, const std::string& name, const std::string& message) {
+  throw Error(report(session_of(L), call_site(L), {{{name}, fmt::format("'{}': {}", name, message)}}));
+}
+
+// The keys of a declaration, which is on top of the stack.
+void check_keys(lua_State* L, const std::string& name) {
+  static const std::vector<std::string> known{"choices", "doc", "int", "max", "min", "unit"};
+  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) == LUA_TNUMBER && lua_tointeger(L, -2) == 1) continue;
+    if (lua_type(L, -2) != LUA_TSTRING)
+      refuse(L, name, "takes the default first, then named fields; a list of numbers as default needs its own braces");
+    const std::string key = lua_tostring(L, -2);
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      refuse(L, name, fmt::format("unknown field '{}'{}", key, did_you_mean(key, known)));
+  }
+}
+
+// Reads a text, or a number, of a declaration; keeps the value if there is none.
+void read_value(lua_State* L, const std::string& name, const char* key, std::string& value) {
+  if (lua_getfield(L, -1, key) == LUA_TSTRING)
+    value = lua_tostring(L, -1);
+  else if (!lua_isnil(L, -1))
+    refuse(L, name, fmt::format("{} must be a string", key));
+  lua_pop(L, 1);
+}
+
+void read_value(lua_State* L, const std::string& name, const char* key, double& value) {
+  if (lua_getfield(L, -1, key) == LUA_TNUMBER)
+    value = lua_tonumber(L, -1);
+  else if (!lua_isnil(L, -1))
+    refuse(L, name, fmt::format("{} must be a number", key));
+  lua_pop(L, 1);
+}
+
+// Reads a declaration in the form of a table, on top of the stack; leaves its default in its place.
+void read_declaration(lua_State* L, Parameter& p) {
+  const std::string& name = p.field.name;
+  check_keys(L, name);
+  read_value(L, name, "unit", p.field.unit);
+  read_value(L, name, "doc", p.field.doc);
+  read_value(L, name, "min", p.field.range.min);
+  read_value(L, name, "max", p.field.range.max);
+  lua_getfield(L, -1, "int");
+  p.whole = lua_toboolean(L, -1);
+  lua_pop(L, 1);
+  each_in_field(L, -1, "choices",
+                [&](lua_Integer) { p.field.choices.push_back(lua_tostring(L, -1) ? lua_tostring(L, -1) : ""); });
+  lua_rawgeti(L, -1, 1);
+  lua_remove(L, -2);
+}
+
+// The kind of the default on top of the stack.
+Parameter::Kind kind_of_default(lua_State* L, const std::string& name) {
+  switch (lua_type(L, -1)) {
+    case LUA_TNUMBER:
+      return Parameter::Kind::number;
+    case LUA_TBOOLEAN:
+      return Parameter::Kind::boolean;
+    case LUA_TSTRING:
+      return Parameter::Kind::string;
+    case LUA_TTABLE:
+      each_element(L, -1, [&](lua_Integer) {
+        if (lua_type(L, -1) != LUA_TNUMBER) refuse(L, name, "a list as default must hold numbers");
+      });
+      return Parameter::Kind::numbers;
+    default:
+      refuse(L, name, "needs a default: a number, a string, true, false, or a list of numbers");
+  }
+}
+
+// Of a default, or an element of one.
+void check_number(lua_State* L, const Parameter& p, double value) {
+  const std::string& name = p.field.name;
+  if (!std::isfinite(value)) refuse(L, name, "the default must be finite");
+  if (p.whole && value != std::floor(value))
+    refuse(L, name, fmt::format("the default {} is no whole number, but int = true", p.initial));
+  if (!p.field.range.contains(value))
+    refuse(L, name, fmt::format("the default {} is outside its own range,{}", p.initial, range_of(p)));
+}
+
+// The default, on top of the stack, must be one of the values that the parameter takes.
+void check_default(lua_State* L, const Parameter& p) {
+  if (p.kind == Parameter::Kind::number) check_number(L, p, lua_tonumber(L, -1));
+  if (p.kind == Parameter::Kind::numbers)
+    for (const double value : numbers_at(L, -1)) check_number(L, p, value);
+  const std::vector<std::string>& choices = p.field.choices;
+  if (p.kind == Parameter::Kind::string && !choices.empty() &&
+      std::find(choices.begin(), choices.end(), p.initial) == choices.end())
+    refuse(L, p.field.name, fmt::format("the default '{}' is none of its own choices", p.initial));
+}
+
 // Reads a declaration (value at the top of the stack: a default, or a table with the default first); leaves the default
 // there.
 Parameter declared(lua_State* L, const std::string& name) {
-  const auto wrong = [&](const std::string& message) {
-    throw Error(report(session_of(L), call_site(L), {{{name}, fmt::format("'{}': {}", name, message)}}));
-  };
   Parameter p{};
   p.field.name = name;
-  if (lua_istable(L, -1)) {
-    static const std::vector<std::string> known{"choices", "doc", "int", "max", "min", "unit"};
-    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
-      if (lua_type(L, -2) == LUA_TNUMBER && lua_tointeger(L, -2) == 1) continue;
-      const std::string key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "?";
-      if (key == "?")
-        wrong("takes the default first, then named fields; a list of numbers as default needs its own braces");
-      if (std::find(known.begin(), known.end(), key) == known.end())
-        wrong(fmt::format("unknown field '{}'{}", key, did_you_mean(key, known)));
-    }
-    const auto text_field = [&](const char* key, std::string& value) {
-      if (lua_getfield(L, -1, key) == LUA_TSTRING)
-        value = lua_tostring(L, -1);
-      else if (!lua_isnil(L, -1))
-        wrong(fmt::format("{} must be a string", key));
-      lua_pop(L, 1);
-    };
-    const auto number_field = [&](const char* key, double& value) {
-      if (lua_getfield(L, -1, key) == LUA_TNUMBER)
-        value = lua_tonumber(L, -1);
-      else if (!lua_isnil(L, -1))
-        wrong(fmt::format("{} must be a number", key));
-      lua_pop(L, 1);
-    };
-    text_field("unit", p.field.unit);
-    text_field("doc", p.field.doc);
-    number_field("min", p.field.range.min);
-    number_field("max", p.field.range.max);
-    lua_getfield(L, -1, "int");
-    p.whole = lua_toboolean(L, -1);
-    lua_pop(L, 1);
-    if (lua_getfield(L, -1, "choices") == LUA_TTABLE) {
-      spend(L, work_a_value_read * static_cast<double>(length_of(L, -1)));
-      for (lua_Integer i = 1; i <= length_of(L, -1); ++i) {
-        lua_rawgeti(L, -1, i);
-        p.field.choices.push_back(lua_tostring(L, -1) ? lua_tostring(L, -1) : "");
-        lua_pop(L, 1);
-      }
-    }
-    lua_pop(L, 1);
-    lua_rawgeti(L, -1, 1);
-    lua_remove(L, -2);
-  }
-  switch (lua_type(L, -1)) {
-    case LUA_TNUMBER:
-      p.kind = Parameter::Kind::number;
-      break;
-    case LUA_TBOOLEAN:
-      p.kind = Parameter::Kind::boolean;
-      break;
-    case LUA_TSTRING:
-      p.kind = Parameter::Kind::string;
-      break;
-    case LUA_TTABLE:
-      p.kind = Parameter::Kind::numbers;
-      for (lua_Integer i = 1; i <= length_of(L, -1); ++i) {
-        if (lua_rawgeti(L, -1, i) != LUA_TNUMBER) wrong("a list as default must hold numbers");
-        lua_pop(L, 1);
-      }
-      break;
-    default:
-      wrong("needs a default: a number, a string, true, false, or a list of numbers");
-  }
+  if (lua_istable(L, -1)) read_declaration(L, p);
+  p.kind = kind_of_default(L, name);
   p.initial = text_of(L, -1);
-  const auto sound = [&](int index) {
-    const double value = lua_tonumber(L, index);
-    if (!std::isfinite(value)) wrong("the default must be finite");
-    if (p.whole && value != std::floor(value))
-      wrong(fmt::format("the default {} is no whole number, but int = true", p.initial));
-    if (!p.field.range.contains(value))
-      wrong(fmt::format("the default {} is outside its own range,{}", p.initial, range_of(p)));
-  };
-  if (p.kind == Parameter::Kind::number) sound(-1);
-  if (p.kind == Parameter::Kind::numbers)
-    for (lua_Integer i = 1; i <= length_of(L, -1); ++i) {
-      lua_rawgeti(L, -1, i);
-      sound(-1);
-      lua_pop(L, 1);
-    }
-  if (p.kind == Parameter::Kind::string && !p.field.choices.empty() &&
-      std::find(p.field.choices.begin(), p.field.choices.end(), p.initial) == p.field.choices.end())
-    wrong(fmt::format("the default '{}' is none of its own choices", p.initial));
+  check_default(L, p);
   return p;
 }
 
 // A misspelt p.name is an error, not nil: nil would mean the default of whatever field it is given to.
 int unknown_parameter(lua_State* L) {
-  std::vector<std::string> names;
-  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
-    if (lua_type(L, -2) == LUA_TSTRING)
-      names.push_back(lua_tostring(L, -2));  // a conversion of the key would lead lua_next astray
-  throw unknown_name(L, "the table of parameters", lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2),
-                     names);
+  throw unknown_name(L, "the table of parameters", asked_name(L, 2), names_in(L, 1));
 }
 
-int parameters(lua_State* L) {
+// The names that are declared, in order.
+std::vector<std::string> declared_names(lua_State* L) {
+  if (!lua_istable(L, 1)) throw at_this_call(L, "takes one table of parameters");
   Session& session = session_of(L);
-  if (!lua_istable(L, 1)) throw Error(report(session, call_site(L), {{{}, "takes one table of parameters"}}));
-  if (session.parameters_declared)
-    throw Error(report(session, call_site(L), {{{}, "is called twice; declare all parameters in one table"}}));
+  if (session.parameters_declared) throw at_this_call(L, "is called twice; declare all parameters in one table");
   session.parameters_declared = true;
   make_plain(L, 1);
   std::vector<std::string> names;
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) {
-    if (lua_type(L, -2) != LUA_TSTRING)
-      throw Error(report(session, call_site(L), {{{}, "takes named parameters only"}}));
+    if (lua_type(L, -2) != LUA_TSTRING) throw at_this_call(L, "takes named parameters only");
     names.push_back(lua_tostring(L, -2));
     constexpr std::size_t most = 1000;
     if (names.size() > most)
-      throw Error(report(
-          session, call_site(L),
-          {{{},
-            fmt::format("takes at most {} parameters; read long lists from a file with ricochet.file.read", most)}}));
+      throw at_this_call(
+          L, fmt::format("takes at most {} parameters; read long lists from a file with ricochet.file.read", most));
   }
   std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string help_line(const Parameter& p) {
+  const std::string range = range_of(p);
+  return fmt::format("  {:<22} {}{}{}\n", fmt::format("{}={}", p.field.name, p.initial),
+                     p.field.unit.empty() ? "" : "[" + p.field.unit + "] ", p.field.doc,
+                     range.empty() ? "" : "; " + range.substr(1));
+}
+
+void refuse_unknown_arguments(const Session& session, const std::vector<Given>& given,
+                              const std::vector<std::string>& names, const std::string& help) {
+  for (const Given& argument : given)
+    if (std::find(names.begin(), names.end(), argument.name) == names.end())
+      throw Error(fmt::format("unknown parameter '{}'{}\n  parameters of {}:\n{}", argument.name,
+                              did_you_mean(argument.name, names), session.script.string(), help));
+}
+
+int parameters(lua_State* L) {
+  const std::vector<std::string> names = declared_names(L);
+  Session& session = session_of(L);
   const std::vector<Given> given = given_arguments(session);
   lua_newtable(L);
   const int values = lua_gettop(L);
@@ -264,26 +283,18 @@ int parameters(lua_State* L) {
         push_given(L, p, argument.value);
       }
     lua_setfield(L, values, name.c_str());
-    help += fmt::format("  {:<22} {}{}{}\n", fmt::format("{}={}", name, p.initial),
-                        p.field.unit.empty() ? "" : "[" + p.field.unit + "] ", p.field.doc,
-                        range_of(p).empty() ? "" : "; " + range_of(p).substr(1));
+    help += help_line(p);
   }
   if (session.options.help) {
     session.print(fmt::format("Parameters of {} (name=default):\n{}", session.script.string(), help));
     session.done = true;
     throw Error("the script was only asked for its parameters");
   }
-  for (const Given& argument : given)
-    if (std::find(names.begin(), names.end(), argument.name) == names.end())
-      throw Error(fmt::format("unknown parameter '{}'{}\n  parameters of {}:\n{}", argument.name,
-                              did_you_mean(argument.name, names), session.script.string(), help));
+  refuse_unknown_arguments(session, given, names, help);
   session.refuse_earlier_results(session.own_folder());
   lua_settop(L, values);
-  lua_createtable(L, 0, 1);
-  lua_pushcfunction(L, guarded<unknown_parameter>);
-  lua_setfield(L, -2, "__index");
-  lua_pushboolean(L, false);
-  lua_setfield(L, -2, "__metatable");
+  lua_createtable(L, 0, 2);
+  close_metatable(L, guarded<unknown_parameter>);
   lua_setmetatable(L, values);
   return 1;
 }
@@ -296,9 +307,16 @@ void refuse_unused_arguments(const Session& session) {
                             session.arguments.front()));
 }
 
-void add_parameters(lua_State* L) {
-  lua_pushcfunction(L, guarded<parameters>);
-  lua_setfield(L, -2, "parameters");
+Group parameter_functions() {
+  return {.functions = {
+              {.name = "parameters",
+               .doc = "Declares what a user may set on the command line as `name=value` and reads it. Each parameter "
+                      "is a default, or a table with the default "
+                      "first and any of unit, doc, min, max, int, choices. Returns the values.",
+               .returns = "table",
+               .example =
+                   "local p = ricochet.parameters { speed = { 0.1, unit = \"c\", min = 0, doc = \"impact speed\" } }",
+               .call = guarded<parameters>}}};
 }
 
 }  // namespace ricochet

@@ -1,20 +1,15 @@
-// ricochet.animate, ricochet.still, ricochet.contact_sheet, ricochet.record, ricochet.lammps.
+// ricochet.animate, ricochet.still, ricochet.contact_sheet and their `show` table.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
 
-#include "impact/batch.hpp"
-#include "impact/film.hpp"
-#include "impact/lammps.hpp"
-#include "script/filming.hpp"
-#include "script/objects.hpp"
-#include "script/state.hpp"
+#include "script/fields.hpp"
+#include "script/filmed.hpp"
 #include "store/files.hpp"
-#include "store/trajectory.hpp"
+#include "store/run_names.hpp"
 
 namespace ricochet {
 
@@ -25,38 +20,83 @@ namespace {
 // Frames over which a picture of single moments is surveyed.
 constexpr int survey_frames = 60;
 
-std::string text_field(lua_State* L, const char* name, const char* initial) {
-  lua_getfield(L, 1, name);
-  const std::string text = lua_isnil(L, -1) ? initial : lua_tostring(L, -1);
-  lua_pop(L, 1);
-  return text;
-}
+// The latest and earliest moment that may be asked for. [R/c]
+constexpr double farthest_moment = 1e6;
 
-double number_field(lua_State* L, const char* name, double initial) {
-  lua_getfield(L, 1, name);
-  const double value = lua_isnil(L, -1) ? initial : lua_tonumber(L, -1);
-  lua_pop(L, 1);
-  return value;
-}
+const FileName still_name{"still"}, sheet_name{"contact_sheet"};
 
-/// A scene that is filmed: what it is, its lattices and, once it has run, its course.
-struct Take {
-  Scene scene;
-  CallSite site;  ///< of the scene in the script
-  BuiltSolids solids;
-  Course course{};
-  std::string title{};
+/// What animate leaves, and how.
+struct Animation {
+  std::string out, film;
+  double rate = Sequence{}.rate;
+  int columns = Sequence{}.columns;
+
+  static const std::vector<Member<Animation>>& fields();
 };
 
-// Mistakes in fields of a scene stand in the scene's own table, the others at this call.
-template <class Work>
-auto at_scene(const Session& session, const CallSite& call, const Take& take, Work work) {
-  try {
-    return work();
-  } catch (const FieldError& error) {
-    static const std::set<std::string> own{"frames", "scene"};
-    throw_at(session, own.count(error.field) ? call : take.site, error);
-  }
+const std::vector<Member<Animation>>& Animation::fields() {
+  static const std::vector<Member<Animation>> list{
+      {{"out", "string", "", "folder of the frames, below the run's folder; \"frames\" unless only a film is asked for",
+        any_number, "", true},
+       &Animation::out},
+      {{"film", "string", "", "name of an .mp4 file, below the run's folder; needs ffmpeg", any_number, "", true},
+       &Animation::film},
+      {{"rate", "number", "1/s", "frames a second of the film", {1, 240}, by_struct}, &Animation::rate},
+      {{"columns", "integer", "", "scenes in a row; up to three unless given, more in a square", {1, 100}, "", true},
+       &Animation::columns},
+  };
+  return list;
+}
+
+/// The moment of a still.
+struct Moment {
+  double at = not_given;
+
+  static const std::vector<Member<Moment>>& fields();
+};
+
+const std::vector<Member<Moment>>& Moment::fields() {
+  static const std::vector<Member<Moment>> list{
+      {{"at",
+        "number",
+        "R/c",
+        "when, since the rims came within reach; when contact holds most energy unless given",
+        {-farthest_moment, farthest_moment},
+        "",
+        true},
+       &Moment::at}};
+  return list;
+}
+
+/// The pictures of a contact sheet.
+struct Grid {
+  int moments = 4;
+  int columns = 0;
+
+  static const std::vector<Member<Grid>>& fields();
+};
+
+const std::vector<Member<Grid>>& Grid::fields() {
+  static const std::vector<Member<Grid>> list{
+      {{"moments", "integer", "", "how many of each impact, from its touch to its parting", {1, 100}, by_struct},
+       &Grid::moments},
+      {{"columns",
+        "integer",
+        "",
+        "pictures in a row of the grid; all moments of a scene unless given, one scene alone in a square",
+        {1, 100},
+        "",
+        true},
+       &Grid::columns},
+  };
+  return list;
+}
+
+std::vector<Field> look_fields() {
+  const Shooting usual;
+  return {{"size", "numbers", "pixels", "width and height of the picture", any_number,
+           fmt::format("{{{}, {}}}", usual.width, usual.height)},
+          {"show", "show", "", "what the picture shows, and how", any_number, "{}"}};
 }
 
 // Mistakes that show when pictures are drawn stand at this call.
@@ -70,66 +110,27 @@ auto at_call(lua_State* L, Work work) {
   }
 }
 
-std::vector<Take> takes_of(lua_State* L) {
-  Session& session = session_of(L);
-  std::vector<Take> takes;
-  const auto add = [&](int index) {
-    const SceneObject& object = scene_at(L, index);
-    takes.push_back({object.scene, object.site, BuiltSolids()});
-  };
-  if (lua_getfield(L, 1, "scene") != LUA_TNIL) add(-1);
-  lua_pop(L, 1);
-  if (lua_getfield(L, 1, "scenes") == LUA_TTABLE) {
-    if (!takes.empty())
-      throw_at(session, call_site(L), FieldError("scenes", "give scene, or scenes for several side by side"));
-    for (lua_Integer i = 1; i <= length_of(L, -1); ++i) {
-      lua_rawgeti(L, -1, i);
-      add(-1);
-      lua_pop(L, 1);
-    }
+int pixels_of(lua_State* L, double number) {
+  if (number != std::floor(number))
+    throw_here(L, FieldError("size", fmt::format("counts pixels, which {} does not", number)));
+  return std::abs(number) <= 1e9 ? static_cast<int>(number) : 0;
+}
+
+void read_size(lua_State* L, Shooting& shooting) {
+  if (lua_getfield(L, 1, "size") == LUA_TTABLE) {
+    const std::vector<double> size = numbers_at(L, -1);
+    if (size.size() != 2) throw_here(L, FieldError("size", "takes a width and a height"));
+    shooting.width = pixels_of(L, size[0]);
+    shooting.height = pixels_of(L, size[1]);
   }
   lua_pop(L, 1);
-  if (takes.empty())
-    throw_at(session, call_site(L), FieldError("scene", "is missing: what is to be drawn (or scenes, for several)"));
-  if (lua_getfield(L, 1, "titles") == LUA_TTABLE) {
-    if (length_of(L, -1) != static_cast<lua_Integer>(takes.size()))
-      throw_at(session, call_site(L),
-               FieldError("titles", fmt::format("has {} texts for {} scenes", length_of(L, -1), takes.size())));
-    for (std::size_t i = 0; i < takes.size(); ++i) {
-      lua_rawgeti(L, -1, static_cast<lua_Integer>(i) + 1);
-      takes[i].title = lua_tostring(L, -1);
-      lua_pop(L, 1);
-    }
-  }
-  lua_pop(L, 1);
-  const CallSite call = call_site(L);
-  for (Take& take : takes)
-    at_scene(session, call, take, [&] {
-      take.scene = with_chosen_step(session, take.scene);
-      take.solids = BuiltSolids(take.scene);
-      if (session.options.check) check_start(take.solids, take.scene);
-    });
-  return takes;
 }
 
 Shooting shooting_of(lua_State* L) {
   Session& session = session_of(L);
   Shooting shooting;
-  if (lua_getfield(L, 1, "show") == LUA_TTABLE) read_members(L, lua_gettop(L), shooting.show);
-  lua_pop(L, 1);
-  if (lua_getfield(L, 1, "size") == LUA_TTABLE) {
-    if (length_of(L, -1) != 2) throw_at(session, call_site(L), FieldError("size", "takes a width and a height"));
-    int* const axes[] = {&shooting.width, &shooting.height};
-    for (int axis : {0, 1}) {
-      lua_rawgeti(L, -1, axis + 1);
-      const double pixels = lua_tonumber(L, -1);
-      if (pixels != std::floor(pixels))
-        throw_at(session, call_site(L), FieldError("size", fmt::format("counts pixels, which {} does not", pixels)));
-      *axes[axis] = std::abs(pixels) <= 1e9 ? static_cast<int>(pixels) : 0;
-      lua_pop(L, 1);
-    }
-  }
-  lua_pop(L, 1);
+  read_inner_members(L, 1, "show", shooting.show);
+  read_size(L, shooting);
   at_call(L, [&] {
     shooting.show.check();
     render::check_size(shooting.width, shooting.height);
@@ -139,161 +140,96 @@ Shooting shooting_of(lua_State* L) {
   return shooting;
 }
 
-// Runs every scene once; frames can then be placed in its course.
-void follow(lua_State* L, std::vector<Take>& takes) {
-  Session& session = session_of(L);
-  const CallSite call = call_site(L);
-  for (Take& take : takes) {
-    at_scene(session, call, take, [&] { take.course = follow_course(take.solids, take.scene, stop_requested); });
-    if (stop_requested) throw Error("interrupted before the first picture", Exit::interrupted);
-    const Outcome& outcome = take.course.outcome;
-    session.count(outcome.status == Status::finished, name_of(outcome.status) + ": " + outcome.reason);
-    if (outcome.status != Status::finished)
-      session.warn(fmt::format("an impact that is drawn ended {}: {}", name_of(outcome.status), outcome.reason));
+// Where an animation goes; claims its folder and its film.
+Sequence sequence_of(lua_State* L) {
+  const Session& session = session_of(L);
+  Animation wanted = members_of_call<Animation>(L);
+  if (wanted.film.empty() && !has_field(L, 1, "out")) wanted.out = "frames";
+  if (wanted.film.empty() && wanted.out.empty())
+    throw_here(L, FieldError("out", "is empty, and no film is asked for: there would be nothing left of it"));
+  if (!wanted.film.empty() && !wanted.film.ends_with(run_names::film))
+    throw_here(L, FieldError("film", fmt::format("'{}' must end in {}", wanted.film, run_names::film)));
+  Sequence sequence;
+  if (!wanted.out.empty()) {
+    sequence.folder = claimed_path(L, "out", wanted.out);
+    make_folder(sequence.folder);
   }
-}
-
-Source source_of(const Take& take, std::vector<double> times) {
-  Source source;
-  source.subject = std::make_shared<render::Subject>(frame_mesh(take.scene, take.solids));
-  source.subject->title = take.title;
-  source.hash = take.scene.hash();
-  source.play = [&take, times = std::move(times)](const std::atomic<bool>& stop,
-                                                  const std::function<void(Frame)>& use) {
-    film_scene(take.solids, take.scene, times, stop, use);
-  };
-  return source;
-}
-
-// The row of a scene, or a list of rows of scenes.
-int push_rows(lua_State* L, const std::vector<Take>& takes) {
-  lua_getfield(L, 1, "scenes");
-  const bool list = !lua_isnil(L, -1);
-  if (list) lua_createtable(L, static_cast<int>(takes.size()), 0);
-  for (std::size_t i = 0; i < takes.size(); ++i) {
-    push_row(L, row_of(takes[i].scene, takes[i].course.outcome, 0));
-    if (list) lua_seti(L, -2, static_cast<lua_Integer>(i) + 1);
-  }
-  return 1;
-}
-
-// A path for what this call makes, which no other call of the script has made.
-fs::path claimed(lua_State* L, const char* field, const std::string& name) {
-  Session& session = session_of(L);
-  const fs::path path = below_folder(L, name);
-  if (is_of_the_run(name))
-    throw_at(
-        session, call_site(L),
-        FieldError(field, fmt::format("'{}' is the name of a file that runs leave themselves; give another", name)));
-  if (!session.first_picture_named(path))
-    throw_at(
-        session, call_site(L),
-        FieldError(
-            field,
-            fmt::format(
-                "'{}' was made, or holds what was made, by an earlier call of this script; give this one another name",
-                name)));
-  session.claim(session.own_folder());
-  make_folder(path.parent_path());
-  return path;
-}
-
-// Where the frames of all scenes lie: the same times for all, up to the end of the longest impact.
-std::vector<double> times_of(lua_State* L, const std::vector<Take>& takes, double from, int frames) {
-  Course course = takes[0].course;
-  double until = 0;
-  for (const Take& take : takes) {
-    until = std::max(until, take.course.outcome.time);
-    course.step = std::max(course.step, take.course.step);
-    course.first_touch = std::min(course.first_touch, take.course.first_touch);
-    course.last_touch = std::max(course.last_touch, take.course.last_touch);
-  }
-  const double duration = number_field(L, "duration", not_given);
-  return frame_times(course, from, std::isnan(duration) ? until : from + duration, frames,
-                     number_field(L, "slow_motion", 1));
+  if (!wanted.film.empty()) sequence.film = claimed_path(L, "film", wanted.film);
+  sequence.rate = wanted.rate;
+  sequence.columns = wanted.columns;
+  sequence.go_on = session.options.resume;
+  return sequence;
 }
 
 int animate(lua_State* L) {
   check_table(L, 1, function_named("animate"));
   Session& session = session_of(L);
   const Shooting shooting = shooting_of(L);
-  std::vector<Take> takes = takes_of(L);
-  if (session.options.check) return push_rows(L, takes);
-  Sequence sequence;
-  const std::string film = text_field(L, "film", ""), out = text_field(L, "out", film.empty() ? "frames" : "");
-  if (film.empty() && out.empty())
-    throw_at(session, call_site(L),
-             FieldError("out", "is empty, and no film is asked for: there would be nothing left of it"));
-  sequence.columns = static_cast<int>(number_field(L, "columns", 0));
-  if (!film.empty() && !film.ends_with(".mp4"))
-    throw_at(session, call_site(L), FieldError("film", fmt::format("'{}' must end in .mp4", film)));
-  if (!out.empty()) {
-    sequence.folder = claimed(L, "out", out);
-    make_folder(sequence.folder);
-  }
-  if (!film.empty()) sequence.film = claimed(L, "film", film);
-  sequence.rate = number_field(L, "rate", 30);
-  sequence.go_on = session.options.resume;
-  follow(L, takes);
-  const CallSite call = call_site(L);
-  if (!out.empty()) {
+  std::vector<FilmedScene> scenes = filmed_scenes(L);
+  if (session.options.check) return push_filmed_rows(L, scenes);
+  const Sequence sequence = sequence_of(L);
+  follow(L, scenes);
+  if (!sequence.folder.empty()) {
     session.replace_product(sequence.folder);
     make_folder(sequence.folder);
   }
-  const std::vector<double> times = at_scene(session, call, takes[0], [&] {
-    return times_of(L, takes, number_field(L, "from", -1), static_cast<int>(number_field(L, "frames", 240)));
-  });
+  const std::vector<double> times =
+      at_scene(session, call_site(L), scenes[0], [&] { return times_of(scenes, members_of_call<FrameTimes>(L)); });
   std::vector<Source> sources;
-  for (const Take& take : takes) sources.push_back(source_of(take, times));
+  for (const FilmedScene& filmed : scenes) sources.push_back(source_of(filmed, times));
   const int count = at_call(L, [&] { return shoot_sequence(shooting, sources, sequence); });
-  if (!out.empty()) session.print(fmt::format("{} frames in {}\n", count, sequence.folder.string()));
-  if (!film.empty()) session.print(fmt::format("film: {}, {:.3g} s\n", sequence.film.string(), count / sequence.rate));
-  return push_rows(L, takes);
+  if (!sequence.folder.empty()) session.print(fmt::format("{} frames in {}\n", count, sequence.folder.string()));
+  if (!sequence.film.empty())
+    session.print(fmt::format("film: {}, {:.3g} s\n", sequence.film.string(), count / sequence.rate));
+  return push_filmed_rows(L, scenes);
 }
 
-// The scenes with frames over the whole impact, for colours and curves, and at the moments of each (which rise).
-std::vector<Source> surveyed_sources(const std::vector<Take>& takes, const std::vector<std::vector<double>>& moments,
-                                     std::vector<std::vector<std::size_t>>& places) {
+// Frames over the whole impact, for colours and curves, and at the moments (which rise).
+std::vector<double> survey_times(const Course& course, const std::vector<double>& moments) {
+  const double until = std::max(course.outcome.time, moments.back()), from = std::min(-1.0, moments.front());
+  const int count = std::max(2, std::min(survey_frames, static_cast<int>((until - from) / (2 * course.step))));
+  std::vector<double> times = frame_times(course, from, until, count, 1);
+  std::erase_if(times, [&](double t) {  // a moment takes the place of what is too close to it
+    return std::any_of(moments.begin(), moments.end(), [&](double m) { return std::abs(m - t) < 1.5 * course.step; });
+  });
+  times.insert(times.end(), moments.begin(), moments.end());
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
+// One picture of every scene at its moments. `caption` gives what stands above moment k of a scene.
+template <class Caption>
+void shoot_moments(lua_State* L, const Shooting& shooting, const std::vector<FilmedScene>& scenes,
+                   const std::vector<std::vector<double>>& moments, int columns, const fs::path& path,
+                   Caption caption) {
   std::vector<Source> sources;
-  for (std::size_t i = 0; i < takes.size(); ++i) {
-    const Course& course = takes[i].course;
-    const double until = std::max(course.outcome.time, moments[i].back()), from = std::min(-1.0, moments[i].front());
-    const int count = std::max(2, std::min(survey_frames, static_cast<int>((until - from) / (2 * course.step))));
-    std::vector<double> times;
-    for (const double t :
-         frame_times(course, from, until, count, 1))  // a moment takes the place of what is too close to it
-      if (std::none_of(moments[i].begin(), moments[i].end(),
-                       [&](double m) { return std::abs(m - t) < 1.5 * course.step; }))
-        times.push_back(t);
-    times.insert(times.end(), moments[i].begin(), moments[i].end());
-    std::sort(times.begin(), times.end());
-    places.emplace_back();
-    for (const double m : moments[i])
-      places.back().push_back(
-          static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), m) - times.begin()));
-    sources.push_back(source_of(takes[i], std::move(times)));
+  std::vector<Pick> picks;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    std::vector<double> times = survey_times(scenes[i].course, moments[i]);
+    for (std::size_t k = 0; k < moments[i].size(); ++k) {
+      const auto place = std::lower_bound(times.begin(), times.end(), moments[i][k]) - times.begin();
+      picks.push_back({i, static_cast<std::size_t>(place), caption(i, k)});
+    }
+    sources.push_back(source_of(scenes[i], std::move(times)));
   }
-  return sources;
+  at_call(L, [&] { shoot_still(shooting, sources, picks, std::min(columns, static_cast<int>(picks.size())), path); });
 }
 
 int still(lua_State* L) {
   check_table(L, 1, function_named("still"));
   Session& session = session_of(L);
   const Shooting shooting = shooting_of(L);
-  std::vector<Take> takes = takes_of(L);
-  if (session.options.check) return push_rows(L, takes);
-  const fs::path path = claimed(L, "out", text_field(L, "out", "still") + ".png");
-  follow(L, takes);
-  const double at = number_field(L, "at", not_given);
+  std::vector<FilmedScene> scenes = filmed_scenes(L);
+  if (session.options.check) return push_filmed_rows(L, scenes);
+  const fs::path path = claimed_path(L, "out", members_of_call(L, still_name).out + run_names::picture);
+  follow(L, scenes);
+  const double at = members_of_call<Moment>(L).at;
   std::vector<std::vector<double>> moments;
-  for (const Take& take : takes) moments.push_back({std::isnan(at) ? take.course.tightest : at});
-  std::vector<std::vector<std::size_t>> places;
-  const std::vector<Source> sources = surveyed_sources(takes, moments, places);
-  std::vector<Pick> picks;
-  for (std::size_t i = 0; i < takes.size(); ++i) picks.push_back({i, places[i][0], takes[i].title});
-  at_call(L, [&] { shoot_still(shooting, sources, picks, static_cast<int>(picks.size()), path); });
+  for (const FilmedScene& filmed : scenes) moments.push_back({std::isnan(at) ? filmed.course.tightest : at});
+  shoot_moments(L, shooting, scenes, moments, static_cast<int>(scenes.size()), path,
+                [&](std::size_t i, std::size_t) { return scenes[i].title; });
   session.print(fmt::format("picture: {}\n", path.string()));
-  return push_rows(L, takes);
+  return push_filmed_rows(L, scenes);
 }
 
 // The power of ten that tells moments apart: 0.1 or less.
@@ -303,111 +239,107 @@ double decimals_of(const std::vector<double>& moments) {
   return std::pow(10.0, std::floor(std::log10(std::max(least, 1e-6))));
 }
 
+// The moments that a script names, in order, each once.
+std::vector<double> given_times(lua_State* L) {
+  std::vector<double> times;
+  each_in_field(L, 1, "times", [&](lua_Integer) { times.push_back(lua_tonumber(L, -1)); });
+  for (const double t : times)
+    if (std::abs(t) > farthest_moment)
+      throw_here(L, FieldError("times", fmt::format("must lie between -1e6 and 1e6 R/c, one is {:g}", t)));
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+// From the touch to the parting.
+std::vector<double> moments_of(const Course& course, int count) {
+  if (count == 1) return {course.tightest};
+  std::vector<double> moments;
+  for (int k = 0; k < count; ++k)
+    moments.push_back(course.first_touch + (course.last_touch - course.first_touch) * k / (count - 1));
+  return moments;
+}
+
 int contact_sheet(lua_State* L) {
   check_table(L, 1, function_named("contact_sheet"));
   Session& session = session_of(L);
   const Shooting shooting = shooting_of(L);
-  std::vector<Take> takes = takes_of(L);
-  if (session.options.check) return push_rows(L, takes);
-  const fs::path path = claimed(L, "out", text_field(L, "out", "contact_sheet") + ".png");
-  follow(L, takes);
-  std::vector<double> times;
-  if (lua_getfield(L, 1, "times") == LUA_TTABLE)
-    for (lua_Integer i = 1; i <= length_of(L, -1); ++i) {
-      lua_rawgeti(L, -1, i);
-      times.push_back(lua_tonumber(L, -1));
-      lua_pop(L, 1);
-    }
-  lua_pop(L, 1);
-  for (const double t : times)
-    if (std::abs(t) > 1e6)
-      throw_at(session, call_site(L),
-               FieldError("times", fmt::format("must lie between -1e6 and 1e6 R/c, one is {:g}", t)));
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  const int count = static_cast<int>(number_field(L, "moments", 4));
+  std::vector<FilmedScene> scenes = filmed_scenes(L);
+  if (session.options.check) return push_filmed_rows(L, scenes);
+  const fs::path path = claimed_path(L, "out", members_of_call(L, sheet_name).out + run_names::picture);
+  follow(L, scenes);
+  const std::vector<double> times = given_times(L);
+  const Grid grid = members_of_call<Grid>(L);
   std::vector<std::vector<double>> moments;
-  for (const Take& take : takes) {
-    std::vector<double> of = times;
-    // From the touch to the parting.
-    for (int k = 0; times.empty() && k < count; ++k)
-      of.push_back(count == 1 ? take.course.tightest
-                              : take.course.first_touch +
-                                    (take.course.last_touch - take.course.first_touch) * k / (count - 1));
-    moments.push_back(of);
-  }
-  std::vector<std::vector<std::size_t>> places;
-  const std::vector<Source> sources = surveyed_sources(takes, moments, places);
-  std::vector<Pick> picks;
-  for (std::size_t i = 0; i < takes.size(); ++i)
-    for (std::size_t k = 0; k < moments[i].size(); ++k)
-      picks.push_back({i, places[i][k],
-                       fmt::format("{}{}t = {} R/c", takes[i].title, takes[i].title.empty() ? "" : ", ",
-                                   render::number_text(moments[i][k], times.empty() ? decimals_of(moments[i]) : 0))});
-  const int per_row = moments[0].size() > 1 ? static_cast<int>(moments[0].size()) : static_cast<int>(takes.size());
-  const int columns =
-      static_cast<int>(number_field(L, "columns", takes.size() == 1 ? std::ceil(std::sqrt(per_row)) : per_row));
-  at_call(L, [&] { shoot_still(shooting, sources, picks, std::min(columns, static_cast<int>(picks.size())), path); });
+  for (const FilmedScene& filmed : scenes)
+    moments.push_back(times.empty() ? moments_of(filmed.course, grid.moments) : times);
+  const auto caption = [&](std::size_t i, std::size_t k) {
+    const double decimals = times.empty() ? decimals_of(moments[i]) : 0;
+    return fmt::format("{}{}t = {} R/c", scenes[i].title, scenes[i].title.empty() ? "" : ", ",
+                       render::number_text(moments[i][k], decimals));
+  };
+  const std::size_t in_row = moments[0].size() > 1 ? moments[0].size() : scenes.size();
+  int columns = static_cast<int>(in_row);
+  if (scenes.size() == 1) columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(in_row))));
+  shoot_moments(L, shooting, scenes, moments, grid.columns > 0 ? grid.columns : columns, path, caption);
   session.print(fmt::format("contact sheet: {}\n", path.string()));
-  return push_rows(L, takes);
+  return push_filmed_rows(L, scenes);
 }
 
-int record(lua_State* L) {
-  check_table(L, 1, function_named("record"));
-  Session& session = session_of(L);
-  std::vector<Take> takes = takes_of(L);
-  const Take& take = takes[0];
-  if (session.options.check) return push_rows(L, takes);
-  const fs::path path = claimed(L, "out", text_field(L, "out", "trajectory") + ".h5");
-  follow(L, takes);
-  const CallSite call = call_site(L);
-  at_scene(session, call, take, [&] {
-    const auto times = times_of(L, takes, number_field(L, "from", 0), static_cast<int>(number_field(L, "frames", 120)));
-    Trajectory trajectory(frame_mesh(take.scene, take.solids));
-    if (!film_scene(take.solids, take.scene, times, stop_requested,
-                    [&](Frame frame) { trajectory.add(std::move(frame)); }))
-      throw Error("interrupted", Exit::interrupted);
-    Provenance provenance = session.provenance();
-    provenance["scene"] = take.scene.text();
-    provenance["scene_hash"] = take.scene.hash();
-    trajectory.write(path, provenance);
-    session.print(fmt::format("{} frames in {}\n", trajectory.frames().size(), path.string()));
-  });
-  return push_rows(L, takes);
+Function animate_function() {
+  return {.name = "animate",
+          .doc =
+              "Draws an impact as a sequence of PNG files, and as a film, without a display, while it runs. "
+              "Colours and scales are those of the whole sequence. "
+              "Stopped and run again with --resume it goes on. Returns the impact's row, or a list of rows if "
+              "`scenes` was given.",
+          .fields = scenes_fields() + fields_of<FrameTimes>() + look_fields() + fields_of<Animation>(),
+          .returns = "table",
+          .example =
+              "ricochet.animate { scene = scene, frames = 120, size = {960, 540}, show = { material = "
+              "\"speed\", ledger = true } }",
+          .call = guarded<animate>};
 }
 
-// Writes OUT.data and OUT.in for LAMMPS.
-int lammps(lua_State* L) {
-  check_table(L, 1, function_named("lammps"));
-  Session& session = session_of(L);
-  const std::vector<Take> takes = takes_of(L);
-  const Take& take = takes[0];
-  if (session.options.check) return 0;
-  at_scene(session, call_site(L), take, [&] {
-    const fs::path data = below_folder(L, text_field(L, "out", "impact") + ".data");
-    const LammpsFiles files = lammps_files(take.scene, take.solids, data.stem().string());
-    spend(L, 2 * work_a_file + static_cast<double>(files.data.size()));  // most of it to write the numbers as text
-    session.claim(session.own_folder());
-    make_folder(data.parent_path());
-    write_atomically(data, files.data);
-    write_atomically(fs::path(data).replace_extension(".in"), files.input);
-    session.print(fmt::format("LAMMPS files: {}, beside it .in\n", data.string()));
-  });
-  return 0;
+Function show_table() {
+  return {.name = "show",
+          .doc =
+              "The `show` table of animate, still and contact_sheet: layers by name. What is not switched on is not "
+              "computed. `ricochet render FILE.h5 name=value` takes the same.",
+          .fields = fields_of<render::Show>(),
+          .is_table = true};
+}
+
+Function still_function() {
+  return {.name = "still",
+          .doc =
+              "Draws one moment of an impact as OUT.png. Colours and scales are those of the whole impact. Returns "
+              "the row, or a list of rows if `scenes` was given.",
+          .fields = scenes_fields() + fields_of<Moment>() + look_fields() + fields_of(still_name),
+          .returns = "table",
+          .example = "ricochet.still { scene = scene, at = 3, show = { camera = \"contact\" } }",
+          .call = guarded<still>};
+}
+
+Function contact_sheet_function() {
+  std::vector<Field> grid = fields_of<Grid>();
+  grid.insert(grid.begin() + 1, {"times", "numbers", "R/c", "the moments, instead", any_number, "", true});
+  return {.name = "contact_sheet",
+          .doc =
+              "Draws a grid of moments of one or several impacts as OUT.png: a row for each scene. Returns the row, "
+              "or a list of rows if `scenes` was given.",
+          .fields = scenes_fields() + grid + look_fields() + fields_of(sheet_name),
+          .returns = "table",
+          .example =
+              "ricochet.contact_sheet { scenes = { soft, hard }, titles = { \"soft\", \"hard\" }, moments = 3 "
+              "}",
+          .call = guarded<contact_sheet>};
 }
 
 }  // namespace
 
-void add_pictures(lua_State* L) {
-  const luaL_Reg list[] = {{"animate", guarded<animate>},
-                           {"still", guarded<still>},
-                           {"contact_sheet", guarded<contact_sheet>},
-                           {"record", guarded<record>},
-                           {"lammps", guarded<lammps>}};
-  for (const luaL_Reg& f : list) {
-    lua_pushcfunction(L, f.func);
-    lua_setfield(L, -2, f.name);
-  }
+Group picture_functions() {
+  return {.functions = {animate_function(), show_table(), still_function(), contact_sheet_function()}};
 }
 
 }  // namespace ricochet

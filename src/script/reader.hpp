@@ -2,53 +2,30 @@
 // Tables of a script: checked against their fields, all mistakes reported together at the fields' own lines.
 
 #include <lua.hpp>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
-#include "script/bounds.hpp"
+#include "sandbox/sandbox.hpp"
+#include "script/functions.hpp"
+#include "script/lua_values.hpp"
+#include "script/report.hpp"
 #include "script/session.hpp"
 #include "script/source.hpp"
-#include "script/specification.hpp"
 
 namespace ricochet {
-
-/// Where in the user's files a call stands.
-struct CallSite {
-  std::string file, function;
-  int line = 0;
-};
-
-Session& session_of(lua_State* L);
-
-/// The innermost call made by the user's own code (not by the library).
-CallSite call_site(lua_State* L);
-
-struct Mistake {
-  std::vector<std::string> path;  ///< of the field, outermost first; empty: the call itself
-  std::string message;
-};
-
-/// "file:line: function: message" with an excerpt of the source, for each mistake; `valid` is listed at the end if not
-/// empty.
-std::string report(const Session& session, const CallSite& site, const std::vector<Mistake>& mistakes,
-                   const std::string& valid = "");
-
-/// "between 0 and 1 R", "at least 2", ...
-std::string accepted_range(const Field& field);
-
-/// True if the value is the module itself: a function was called with a colon instead of a dot.
-bool is_module(lua_State* L, int index);
 
 /// Puts a copy in the place of the value at `index` that the script cannot reach: tables, and those in them, without
 /// metatables.
 void make_plain(lua_State* L, int index);
 
-/// Puts a plain copy (as make_plain) in the place of the table at `index`, so that what is checked is what is used,
-/// whatever its metatables do and the script does with it later; fields that a metatable supplies are part of the copy.
-/// Rows and sweeps stay what they are. The library's own tables (`ours`), which no script can reach, are not copied.
-/// Checks it against the fields of a function; throws Error with every mistake.
+/// The same for a table of named fields: those that a metatable supplies (a table of defaults, say) are part of the
+/// copy. Rows and sweeps stay what they are.
+void make_plain(lua_State* L, int index, const std::vector<Field>& fields);
+
+/// Checks the table at `index` against the fields of a function; throws Error with every mistake. A plain copy takes
+/// its place, so that what is checked is what is used, whatever its metatables do and the script does with it later.
+/// The library's own tables (`ours`), which no script can reach, are not copied.
 void check_table(lua_State* L, int index, const Function& function, bool ours = false);
 
 /// Reads the table's members into a plain struct; absent fields keep their values. The table must have been checked.
@@ -74,42 +51,11 @@ void read_members(lua_State* L, int index, Struct& values) {
   }
 }
 
-/// Makes names that the table on top of the stack has not errors; `what` names the table.
-void push_strict(lua_State* L, const std::string& what);
-
-/// Elements of a list, as it holds them: a metatable might tell of any number, and of others at each reading.
-inline lua_Integer length_of(lua_State* L, int index) { return static_cast<lua_Integer>(lua_rawlen(L, index)); }
-
-/// A value as a message shows it: "a string ('abc')", "nil", "-1".
-std::string shown(lua_State* L, int index);
-
-/// A C++ function that Lua may call: exceptions become Lua errors, and the error text is that of the exception.
-template <int (*function)(lua_State*)>
-int guarded(lua_State* L) {
-  const EngineTime ours(L);
-  try {
-    return function(L);
-  } catch (const std::exception& error) {
-    const auto* known = dynamic_cast<const Error*>(&error);
-    lua_pushstring(L, error.what());
-    lua_pushinteger(L, static_cast<int>(known ? known->exit : Exit::script));
-  }
-  // The exit status travels in the registry: a script that catches the error sees plain text.
-  lua_setfield(L, LUA_REGISTRYINDEX, "ricochet.exit");
-  return lua_error(L);
+/// The same of the table in a field, if there is one.
+template <class Struct>
+void read_inner_members(lua_State* L, int index, const char* field, Struct& values) {
+  if (lua_getfield(L, index, field) == LUA_TTABLE) read_members(L, lua_gettop(L), values);
+  lua_pop(L, 1);
 }
-
-/// An error at the line of the user's that runs: "file:line: message" with that line.
-Error at_line(lua_State* L, const std::string& message);
-
-/// did_you_mean among the first `most_names`, which counts as work of the script's.
-std::string hint(lua_State* L, const std::string& name, std::span<const std::string> names);
-
-/// The error of a name that `what` has not: "file:line: what has no 'name' (did you mean ...?)" or the names there are.
-Error unknown_name(lua_State* L, const std::string& what, const std::string& name, std::vector<std::string> names);
-
-/// Throws the error of a field as a report at the site, looking for the field in the table, or in its launch or contact
-/// table.
-[[noreturn]] void throw_at(const Session& session, const CallSite& site, const FieldError& error);
 
 }  // namespace ricochet

@@ -1,7 +1,5 @@
 #include "script/render_command.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -9,10 +7,11 @@
 
 #include "core/error.hpp"
 #include "core/spelling.hpp"
-#include "script/filming.hpp"
-#include "script/reader.hpp"
+#include "script/report.hpp"
+#include "script/value_types.hpp"
 #include "store/files.hpp"
-#include "store/trajectory.hpp"
+#include "store/h5md.hpp"
+#include "store/run_names.hpp"
 
 namespace ricochet {
 
@@ -20,84 +19,79 @@ namespace fs = std::filesystem;
 
 namespace {
 
+[[noreturn]] void refuse(const std::string& message) { throw Error(message, Exit::usage); }
+
 double number_of(const std::string& name, const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    throw Error(fmt::format("'{}' must be a number, is '{}'", name, text), Exit::usage);
+    refuse(fmt::format("'{}' must be a number, is '{}'", name, text));
   return value;
 }
 
-void set(render::Show& show, const std::string& setting) {
-  const std::size_t equals = setting.find('=');
-  const std::string name = setting.substr(0, equals),
-                    text = equals == std::string::npos ? "" : setting.substr(equals + 1);
-  if (equals == std::string::npos)
-    throw Error(fmt::format("'{}' is neither an option nor name=value; see ricochet render --help", setting),
-                Exit::usage);
-  std::vector<std::string> names;
-  for (const auto& member : render::Show::fields()) {
-    const Field& field = member.field;
-    names.push_back(field.name);
-    if (field.name != name) continue;
-    if (!field.choices.empty() && std::find(field.choices.begin(), field.choices.end(), text) == field.choices.end()) {
-      std::string all;
-      for (const std::string& choice : field.choices) all += (all.empty() ? "" : ", ") + choice;
-      throw Error(fmt::format("'{}' must be one of {}, is '{}'{}", name, all, text, did_you_mean(text, field.choices)),
-                  Exit::usage);
-    }
-    std::visit(
-        [&](auto place) {
-          using Value = std::remove_reference_t<decltype(show.*place)>;
-          if constexpr (std::is_same_v<Value, std::string>)
-            show.*place = text;
-          else if constexpr (std::is_same_v<Value, bool>) {
-            if (text != "true" && text != "false")
-              throw Error(fmt::format("'{}' must be true or false, is '{}'", name, text), Exit::usage);
-            show.*place = text == "true";
-          } else {
-            const double value = number_of(name, text);
-            if (!field.range.contains(value))
-              throw Error(fmt::format("'{}' must be {}, is {}", name, accepted_range(field), text), Exit::usage);
-            show.*place = static_cast<Value>(value);
-          }
-        },
-        member.place);
-    return;
-  }
-  throw Error(
-      fmt::format("pictures have no '{}'{}; ricochet reference lists them under show", name, did_you_mean(name, names)),
-      Exit::usage);
+void assign(std::string& value, const Field& field, const std::string& text) {
+  const std::vector<std::string>& choices = field.choices;
+  if (!choices.empty() && std::find(choices.begin(), choices.end(), text) == choices.end())
+    refuse(fmt::format("'{}' must be one of {}, is '{}'{}", field.name, joined(choices), text,
+                       did_you_mean(text, choices)));
+  value = text;
 }
 
-}  // namespace
+void assign(bool& value, const Field& field, const std::string& text) {
+  if (text != "true" && text != "false") refuse(fmt::format("'{}' must be true or false, is '{}'", field.name, text));
+  value = text == "true";
+}
 
-void render_file(const RenderOptions& options) {
+template <class Number>
+void assign(Number& value, const Field& field, const std::string& text) {
+  const double number = number_of(field.name, text);
+  if (!field.range.contains(number))
+    refuse(fmt::format("'{}' must be {}, is {}", field.name, accepted_range(field), text));
+  value = static_cast<Number>(number);
+}
+
+// Takes a setting "name=value".
+void set(render::Show& show, const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos)
+    refuse(fmt::format("'{}' is neither an option nor name=value; see ricochet render --help", setting));
+  const std::string name = setting.substr(0, equals), text = setting.substr(equals + 1);
+  std::vector<std::string> names;
+  for (const auto& member : render::Show::fields()) {
+    names.push_back(member.field.name);
+    if (member.field.name != name) continue;
+    std::visit([&](auto place) { assign(show.*place, member.field, text); }, member.place);
+    return;
+  }
+  refuse(fmt::format("pictures have no '{}'{}; ricochet reference lists them under show", name,
+                     did_you_mean(name, names)));
+}
+
+void read_size(const std::string& size, Shooting& shooting) {
+  const std::size_t by = size.find('x');
+  if (by == std::string::npos) refuse(fmt::format("--size takes WIDTHxHEIGHT, is '{}'", size));
+  const double width = number_of("--size", size.substr(0, by)), height = number_of("--size", size.substr(by + 1));
+  if (width != std::floor(width) || height != std::floor(height))
+    refuse(fmt::format("--size counts pixels, which {} does not", size));
+  shooting.width = std::abs(width) < 1e9 ? static_cast<int>(width) : 0;
+  shooting.height = std::abs(height) < 1e9 ? static_cast<int>(height) : 0;
+}
+
+Shooting shooting_of(const RenderOptions& options) {
   Shooting shooting;
   for (const std::string& setting : options.settings) set(shooting.show, setting);
-  const std::size_t by = options.size.find('x');
-  if (by == std::string::npos)
-    throw Error(fmt::format("--size takes WIDTHxHEIGHT, is '{}'", options.size), Exit::usage);
-  const double width = number_of("--size", options.size.substr(0, by)),
-               height = number_of("--size", options.size.substr(by + 1));
-  if (width != std::floor(width) || height != std::floor(height))
-    throw Error(fmt::format("--size counts pixels, which {} does not", options.size), Exit::usage);
+  read_size(options.size, shooting);
   try {
     shooting.show.check();
-    render::check_size(std::abs(width) < 1e9 ? static_cast<int>(width) : 0,
-                       std::abs(height) < 1e9 ? static_cast<int>(height) : 0);
+    render::check_size(shooting.width, shooting.height);
   } catch (const FieldError& error) {
-    throw Error(fmt::format("{}: {}", error.field, error.what()), Exit::usage);
+    refuse(fmt::format("{}: {}", error.field, error.what()));
   }
-  shooting.width = static_cast<int>(width);
-  shooting.height = static_cast<int>(height);
   shooting.threads = options.threads;
-  if (!options.film.empty() && !options.film.ends_with(".mp4"))
-    throw Error(fmt::format("--film: '{}' must end in .mp4", options.film), Exit::usage);
+  return shooting;
+}
 
-  const Trajectory trajectory = read_trajectory(options.file);
-  Provenance provenance = read_provenance(options.file);
-  shooting.origin = provenance["script_hash"];
+Sequence sequence_of(const RenderOptions& options) {
   Sequence sequence;
   if (options.film.empty() || !options.out.empty())
     sequence.folder =
@@ -105,13 +99,32 @@ void render_file(const RenderOptions& options) {
   sequence.film = options.film;
   sequence.rate = options.rate;
   sequence.go_on = options.resume;
+  return sequence;
+}
+
+void refuse_what_is_there(const fs::path& path) {
   std::error_code error;
+  if (path.empty() || !fs::exists(path, error)) return;
+  if (fs::is_directory(path, error) && fs::is_empty(path, error)) return;
+  throw FileError(
+      fmt::format("{} is there already; --force replaces it, --resume goes on with its frames, or give another name",
+                  path.string()));
+}
+
+}  // namespace
+
+void render_file(const RenderOptions& options) {
+  if (options.resume && options.force)
+    refuse("--resume keeps earlier frames and --force replaces them; give one of them");
+  Shooting shooting = shooting_of(options);
+  if (!options.film.empty() && !options.film.ends_with(run_names::film))
+    refuse(fmt::format("--film: '{}' must end in {}", options.film, run_names::film));
+  const Trajectory trajectory = read_trajectory(options.file);
+  Provenance provenance = read_provenance(options.file);
+  shooting.origin = provenance["script_hash"];
+  const Sequence sequence = sequence_of(options);
   if (!options.resume && !options.force)
-    for (const fs::path& path : {sequence.folder, sequence.film})
-      if (!path.empty() && fs::exists(path, error) && (!fs::is_directory(path, error) || !fs::is_empty(path, error)))
-        throw FileError(fmt::format(
-            "{} is there already; --force replaces it, --resume goes on with its frames, or give another name",
-            path.string()));
+    for (const fs::path& path : {sequence.folder, sequence.film}) refuse_what_is_there(path);
   if (!sequence.folder.empty()) make_folder(sequence.folder);
   if (sequence.film.has_parent_path()) make_folder(sequence.film.parent_path());
   const Source source{std::make_shared<render::Subject>(trajectory.mesh()), provenance["scene_hash"],

@@ -1,6 +1,10 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <string>
 #include <vector>
+
+#include "script/filming.hpp"
 
 namespace ricochet {
 
@@ -8,8 +12,9 @@ namespace ricochet {
 struct RenderOptions {
   std::string file;                   ///< of a trajectory
   std::vector<std::string> settings;  ///< name=value of render::Show
-  std::string size = "1280x720", out, film;
-  double rate = 30;
+  std::string size = fmt::format("{}x{}", Shooting{}.width, Shooting{}.height);
+  std::string out, film;
+  double rate = Sequence{}.rate;
   int threads = 0;
   bool resume = false, force = false, quiet = false;
 };

@@ -1,7 +1,6 @@
 #include "script/session.hpp"
 
 #include <fmt/format.h>
-#include <hdf5.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,42 +13,23 @@
 #include "core/hash.hpp"
 #include "script/version.hpp"
 #include "store/files.hpp"
+#include "store/hdf5_version.hpp"
+#include "store/run_names.hpp"
 
 namespace ricochet {
 
 namespace fs = std::filesystem;
 
-std::atomic<bool> stop_requested{false};
-
 namespace {
 
-// Seconds in which a run must have stored what is done once it is told to stop.
-constexpr unsigned grace = 20;
-
 extern "C" void on_signal(int) {
-  if (stop_requested.exchange(true)) _exit(130);
+  if (ask_to_stop()) _exit(130);
   alarm(grace);  // should something in a script not come back all the same; files are whole at any moment
 }
 
 extern "C" void on_alarm(int) { _exit(130); }
 
-bool is_product(const fs::path& entry) {
-  static const std::set<std::string> kinds{".svg", ".png", ".gp", ".h5", ".xdmf", ".mp4", ".new"};
-  if (is_of_the_run(entry.filename()) || kinds.count(entry.extension().string())) return true;
-  // A folder of frames holds nothing but frames.
-  if (!fs::is_directory(entry) || fs::is_empty(entry)) return false;
-  for (const auto& inner : fs::directory_iterator(entry))
-    if (inner.path().extension() != ".png" && inner.path().extension() != ".new") return false;
-  return true;
-}
-
 }  // namespace
-
-bool is_of_the_run(const fs::path& name) {
-  static const std::set<std::string> names{"results.h5", "results.csv", "run.log", "parts"};
-  const fs::path first = *name.begin();  // while it is written a file is called NAME.new
-  return names.count((first.extension() == ".new" ? first.stem() : first).string()) > 0;
-}
 
 void catch_signals() {
   struct sigaction action {};
@@ -72,11 +52,9 @@ std::string now_utc() {
 }
 
 std::string version_text() {
-  unsigned major = 0, minor = 0, release = 0;
-  H5get_libversion(&major, &minor, &release);
-  return fmt::format("ricochet {} (commit {})\ncompiler {}\n{} lanes, {}\nHDF5 {}.{}.{}, {}, Eigen {}.{}.{}",
-                     version_number, version_commit, version_compiler, RICOCHET_LANES, version_target, major, minor,
-                     release, LUA_RELEASE, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
+  return fmt::format("ricochet {} (commit {})\ncompiler {}\n{} lanes, {}\nHDF5 {}, {}, Eigen {}.{}.{}", version_number,
+                     version_commit, version_compiler, RICOCHET_LANES, version_target, hdf5_version(), LUA_RELEASE,
+                     EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
 }
 
 Session::Session(RunOptions run_options, fs::path script_path, std::vector<std::string> script_arguments)
@@ -114,15 +92,14 @@ void Session::claim(const fs::path& place) {
   if (options.force) {
     std::error_code error;  // of a link that leads nowhere
     for (const auto& entry : fs::directory_iterator(place))
-      if (is_product(entry.path()) && !is_of_the_run(entry.path().filename()))
-        old_[entry.path()] = fs::last_write_time(entry.path(), error);
+      if (run_names::is_product(entry.path())) old_[entry.path()] = fs::last_write_time(entry.path(), error);
   }
   claimed_.insert(place);
 }
 
 void Session::replace_results(const fs::path& place) {
   if (!options.force || !replaced_.insert(place).second) return;
-  for (const char* name : {"results.h5", "results.csv", "parts"}) fs::remove_all(place / name);
+  run_names::remove_results(place);
 }
 
 void Session::replace_product(const fs::path& path) {
@@ -139,10 +116,7 @@ void Session::finish() {
 }
 
 bool Session::something_stored() const {
-  std::error_code error;
-  return std::any_of(claimed_.begin(), claimed_.end(), [&](const fs::path& place) {
-    return fs::exists(place / "results.h5", error) || fs::exists(place / "parts", error);
-  });
+  return std::any_of(claimed_.begin(), claimed_.end(), run_names::holds_results);
 }
 
 bool Session::first_picture_named(const fs::path& path) {
@@ -174,7 +148,7 @@ void Session::warn(const std::string& text) {
 void Session::write_log() const {
   if (claimed_.empty() || options.check) return;
   const fs::path place = claimed_.count(own_folder()) ? own_folder() : *claimed_.begin();
-  write_atomically(place / "run.log", log_);
+  write_atomically(place / run_names::log, log_);
 }
 
 Provenance Session::made_by() { return {{"version", version_number}, {"commit", version_commit}}; }

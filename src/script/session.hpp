@@ -1,7 +1,6 @@
 #pragma once
 // What one run of the program knows: its options, its script, its folder and its log.
 
-#include <atomic>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -9,8 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "body/plan.hpp"
 #include "impact/scene.hpp"
+#include "body/plan.hpp"
+#include "record/row.hpp"
+#include "sandbox/sandbox.hpp"
 #include "store/files.hpp"
 #include "store/table.hpp"
 
@@ -21,16 +22,12 @@ struct RunOptions {
   int batch = 0;  ///< 0: as many lanes as there are
   std::string out = "out";
   bool resume = false, force = false, check = false, traceback = false, quiet = false, unsafe = false, help = false;
-  std::string study;     ///< Lua that studies `first_scene`: the script is then only checked
-  long long budget = 0;  ///< work in Lua instructions; 0: no limit
+  std::string study;       ///< Lua that studies `first_scene`: the script is then only checked
+  double max_seconds = 0;  ///< of the whole run; 0: no limit
 };
 
-/// Set by ^C and SIGTERM. A second signal ends the program at once.
-extern std::atomic<bool> stop_requested;
+/// ^C and SIGTERM then ask the run to stop. A second signal ends the program at once.
 void catch_signals();
-
-/// True for names of what a run leaves itself: results.h5, results.csv, run.log, and what is in parts.
-bool is_of_the_run(const std::filesystem::path& name);
 
 class Session {
  public:
@@ -42,9 +39,8 @@ class Session {
   std::map<std::string, std::string> sources;  ///< text of every Lua file read, by the name in messages
   std::vector<std::string> arguments;          ///< name=value, as given
   bool parameters_declared = false;
-  bool done = false;                 ///< the script ended early without an error: after --help
-  std::vector<std::string> loading;  ///< modules that are being required, the outermost first
-  std::string making;                ///< the values of a sweep's point while its scene is being made: "psi1 = 2"
+  bool done = false;   ///< the script ended early without an error: after --help
+  std::string making;  ///< the values of a sweep's point while its scene is being made: "psi1 = 2"
   std::map<std::string, std::shared_ptr<const NodePlan>> plans;  ///< planned nodes of bodies, by their geometry
   double planned_nodes = 0;                                      ///< in `plans`
 
@@ -70,9 +66,9 @@ class Session {
   void finish();
 
   /// Counts an impact that ran, for the exit status: 3 if some ran and none finished.
-  void count(bool impact_finished, const std::string& reason) {
-    ++(impact_finished ? finished_ : failed_);
-    if (!impact_finished && first_failure.empty()) first_failure = reason;
+  void count(const Row& row) {
+    ++(row.finished() ? finished_ : failed_);
+    if (!row.finished() && first_failure.empty()) first_failure = row.status + ": " + row.reason;
   }
   bool nothing_finished() const { return failed_ > 0 && finished_ == 0; }
   /// True if results lie in a folder of this run's.

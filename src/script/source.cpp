@@ -122,72 +122,111 @@ std::string line_of(const std::string& source, int number) {
                                                               : source.substr(start, source.find('\n', start) - start);
 }
 
-}  // namespace
+const std::vector<std::string> keywords{"and", "break",    "do",     "else", "elseif", "end",   "false",
+                                        "for", "function", "if",     "in",   "local",  "nil",   "not",
+                                        "or",  "repeat",   "return", "then", "true",   "until", "while"};
 
-std::string syntax_hint(const std::string& source, int line, const std::string& message) {
-  static const std::vector<std::string> keywords{"and", "break",    "do",     "else", "elseif", "end",   "false",
-                                                 "for", "function", "if",     "in",   "local",  "nil",   "not",
-                                                 "or",  "repeat",   "return", "then", "true",   "until", "while"};
-  const std::vector<Token> tokens = tokens_of(source);
-  const std::string text = line_of(source, line);
-  for (const char quote : {'"', '\''})
-    if (std::count(text.begin(), text.end(), quote) % 2 == 1 && text.find("--") == std::string::npos)
-      return " (is a quote missing in this line?)";
-  // From the line where the block was opened, if the message names one, to where Lua could not go on.
-  int first = std::max(line - 1, 1);
-  if (message.find("<eof> expected") != std::string::npos)
-    first = 1;  // an "end" too many: what it should close began anywhere
-  if (const std::size_t opened = message.find("at line "); opened != std::string::npos)
-    first = std::atoi(message.c_str() + opened + 8);
-  std::set<std::string> declared;  // names that are somewhere followed by "=", or stand in a list of names
-  for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
-    if (tokens[i + 1].text == "=" || tokens[i + 1].text == "," ||
-        (i > 0 && (tokens[i - 1].text == "local" || tokens[i - 1].text == "," || tokens[i - 1].text == "for")))
+bool is_keyword(const std::string& word) { return std::find(keywords.begin(), keywords.end(), word) != keywords.end(); }
+
+// Names that are somewhere followed by "=", or stand in a list of names.
+std::set<std::string> declared_names(const std::vector<Token>& tokens) {
+  std::set<std::string> declared;
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    const std::string before = i > 0 ? tokens[i - 1].text : "", after = tokens[i + 1].text;
+    if (after == "=" || after == "," || before == "local" || before == "," || before == "for")
       declared.insert(tokens[i].text);
-  const Token* suspect = nullptr;
-  std::string meant;
+  }
+  return declared;
+}
+
+// The line where the block was opened, if the message names one; from there on something may be misspelt.
+int first_suspect_line(int line, const std::string& message) {
+  if (const std::size_t opened = message.find("at line "); opened != std::string::npos)
+    return std::atoi(message.c_str() + opened + 8);
+  if (message.find("<eof> expected") != std::string::npos)
+    return 1;  // an "end" too many: what it should close began anywhere
+  return std::max(line - 1, 1);
+}
+
+// True for a name that may be a slip of a keyword.
+bool is_like_a_keyword(const std::string& word) {
+  if (word.size() < 2 || !std::isalpha(static_cast<unsigned char>(word[0])) || is_keyword(word)) return false;
+  const std::vector<std::string> near = nearest_names(word, keywords);
+  // The beginning of a longer word is no slip of a keyword.
+  return !near.empty() && near[0].size() + 1 >= word.size() && word.size() + 2 >= near[0].size();
+}
+
+// " (did you mean 'return' for 'retrun' in line 4?)", or nothing.
+std::string misspelt_keyword(const std::vector<Token>& tokens, int line, const std::string& message) {
+  const int first = first_suspect_line(line, message);
+  const std::set<std::string> declared = declared_names(tokens);
+  const Token* suspect = nullptr;  // the last one before the error is the likeliest
   for (std::size_t i = 0; i < tokens.size() && tokens[i].line <= line; ++i) {
-    const std::string& word = tokens[i].text;
-    const bool name = !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) &&
-                      std::find(keywords.begin(), keywords.end(), word) == keywords.end();
-    if (tokens[i].line < first || !name || word.size() < 2 || declared.contains(word)) continue;
+    if (tokens[i].line < first || declared.contains(tokens[i].text)) continue;
     if (i > 0 && (tokens[i - 1].text == "." || tokens[i - 1].text == ":")) continue;
-    const std::vector<std::string> near = nearest_names(word, keywords);
-    // The beginning of a longer word is no slip of a keyword.
-    if (near.empty() || near[0].size() + 1 < word.size() || word.size() + 2 < near[0].size()) continue;
-    const std::string hint = did_you_mean(word, keywords);
-    suspect = &tokens[i];
-    meant = hint;  // the last one before the error is the likeliest
+    if (is_like_a_keyword(tokens[i].text)) suspect = &tokens[i];
   }
-  if (suspect) {
-    meant.insert(meant.size() - 2, fmt::format(" for '{}'{}", suspect->text,
-                                               suspect->line == line ? "" : fmt::format(" in line {}", suspect->line)));
-    return meant;
+  if (!suspect) return "";
+  std::string meant = did_you_mean(suspect->text, keywords);
+  const std::string where = suspect->line == line ? "" : fmt::format(" in line {}", suspect->line);
+  meant.insert(meant.size() - 2, fmt::format(" for '{}'{}", suspect->text, where));
+  return meant;
+}
+
+// " (is the '{' of line 3 closed?)", or nothing.
+std::string open_bracket(const std::vector<Token>& tokens, int line) {
+  std::vector<const Token*> open;
+  for (const Token& t : tokens) {
+    if (t.line > line || (t.line == line && t.text == "end")) break;
+    if (t.text == "{" || t.text == "(" || t.text == "[") open.push_back(&t);
+    if ((t.text == "}" || t.text == ")" || t.text == "]") && !open.empty()) open.pop_back();
   }
+  if (open.empty()) return "";
+  return fmt::format(" (is the '{}' of line {} closed?)", open.back()->text, open.back()->line);
+}
+
+// What is written otherwise in other languages; or nothing.
+std::string foreign_sign(const std::string& text, const std::string& message) {
   const auto near = [&](const std::string& mark) { return message.find("near '" + mark) != std::string::npos; };
-  if (message.find("']' expected near ','") != std::string::npos || near("[")) return " (lists are written { ... })";
-  if (message.find("unexpected symbol near 'end'") != std::string::npos) {
-    std::vector<const Token*> open;
-    for (const Token& t : tokens) {
-      if (t.line > line || (t.line == line && t.text == "end")) break;
-      if (t.text == "{" || t.text == "(" || t.text == "[") open.push_back(&t);
-      if ((t.text == "}" || t.text == ")" || t.text == "]") && !open.empty()) open.pop_back();
-    }
-    if (!open.empty()) return fmt::format(" (is the '{}' of line {} closed?)", open.back()->text, open.back()->line);
-  }
   if (near("!")) return " (Lua writes ~= for 'differs from', and not for the negation)";
   if (near("&")) return " (Lua writes and, or, not)";
   for (const char* sign : {"+", "-", "*", "/"})
     if (text.find(std::string(sign) + "=") != std::string::npos)
       return fmt::format(" (Lua has no {0}=; write x = x {0} ...)", sign);
-  // A name, string or bracket that stands where a comma or the end of the table should: not a keyword.
+  return "";
+}
+
+// Of a name, string or bracket that stands where a comma or the end of the table should; or nothing.
+std::string missing_comma(const std::string& message) {
   const std::size_t at = message.find("near '");
   const std::string word = at == std::string::npos ? "" : message.substr(at + 6, message.find('\'', at + 6) - at - 6);
-  if (message.find("'}' expected") != std::string::npos && !word.empty() &&
-      (std::isalnum(static_cast<unsigned char>(word[0])) || word[0] == '_' || word[0] == '{'))
-    return std::find(keywords.begin(), keywords.end(), word) == keywords.end() ? " (is a comma missing before it?)"
-                                                                               : " (is a bracket missing before it?)";
-  return "";
+  if (message.find("'}' expected") == std::string::npos || word.empty()) return "";
+  if (!std::isalnum(static_cast<unsigned char>(word[0])) && word[0] != '_' && word[0] != '{') return "";
+  return is_keyword(word) ? " (is a bracket missing before it?)" : " (is a comma missing before it?)";
+}
+
+// What the message for `line` leaves unsaid, or nothing.
+std::string syntax_hint(const std::string& source, int line, const std::string& message) {
+  const std::vector<Token> tokens = tokens_of(source);
+  const std::string text = line_of(source, line);
+  for (const char quote : {'"', '\''})
+    if (std::count(text.begin(), text.end(), quote) % 2 == 1 && text.find("--") == std::string::npos)
+      return " (is a quote missing in this line?)";
+  if (const std::string meant = misspelt_keyword(tokens, line, message); !meant.empty()) return meant;
+  if (message.find("']' expected near ','") != std::string::npos || message.find("near '[") != std::string::npos)
+    return " (lists are written { ... })";
+  if (message.find("unexpected symbol near 'end'") != std::string::npos)
+    if (const std::string open = open_bracket(tokens, line); !open.empty()) return open;
+  if (const std::string sign = foreign_sign(text, message); !sign.empty()) return sign;
+  return missing_comma(message);
+}
+
+}  // namespace
+
+Error syntax_error(const std::string& name, const std::string& source, const std::string& message) {
+  const int line = message.starts_with(name + ":") ? std::atoi(message.c_str() + name.size() + 1) : 0;
+  if (line <= 0) return Error(message);
+  return Error(message + syntax_hint(source, line, message) + "\n" + excerpt(source, {line, 1, 0}));
 }
 
 std::string excerpt(const std::string& source, const SourcePlace& place) {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
+
 namespace ricochet {
 
 struct SourcePlace {
@@ -18,9 +20,9 @@ struct SourcePlace {
 std::optional<SourcePlace> find_field(const std::string& source, int line, const std::string& function,
                                       const std::vector<std::string>& path);
 
-/// What a syntax error's message, Lua's own for `line`, leaves unsaid: " (did you mean 'return' for 'retrun' in line
-/// 4?)", " (is a comma missing before it?)", or nothing.
-std::string syntax_hint(const std::string& source, int line, const std::string& message);
+/// The error of a file's syntax: Lua's own message, what it leaves unsaid (" (did you mean 'return' for 'retrun' in
+/// line 4?)", " (is a comma missing before it?)", or nothing), and the line.
+Error syntax_error(const std::string& name, const std::string& source, const std::string& message);
 
 /// "   14 |   radus = 0.05,\n      |   ^^^^^\n" for a place; a place of length 0 gives the line alone.
 std::string excerpt(const std::string& source, const SourcePlace& place);

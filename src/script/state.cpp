@@ -8,13 +8,52 @@
 
 #include "core/spelling.hpp"
 #include "script/reader.hpp"
-#include "script/sandbox.hpp"
+#include "store/files.hpp"
 
 namespace ricochet {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+// A value as tostring() gives it.
+std::string displayed(lua_State* L, int index) {
+  std::size_t length = 0;
+  const char* text = luaL_tolstring(L, index, &length);
+  std::string result(text, length);
+  lua_pop(L, 1);
+  return result;
+}
+
+int print(lua_State* L) {
+  std::string line;
+  for (int i = 1; i <= lua_gettop(L); ++i) line += (i > 1 ? "\t" : "") + displayed(L, i);
+  if (!session_of(L).options.check) session_of(L).print(line + "\n");  // with --check nothing ran that could be told of
+  return 0;
+}
+
+// True if some field takes this text.
+bool is_choice(const std::string& text) {
+  for (const Function& f : functions())
+    for (const Field& field : f.fields)
+      if (std::find(field.choices.begin(), field.choices.end(), text) != field.choices.end()) return true;
+  return false;
+}
+
+// What an unknown name may mean, whose nearest spelling is known.
+std::string meaning(const std::string& name, const std::string& nearest) {
+  if (name == "O" || name == "o") return " (did you mean the digit 0?)";
+  if (name == "io") return " (files are below the run's folder, through ricochet.file)";
+  if (name == "ricochet") return " (begin the script with: local ricochet = require \"ricochet\")";
+  if (!nearest.empty()) return nearest;
+  if (is_choice(name)) return fmt::format(" (if the text is meant, write \"{}\")", name);
+  return did_you_mean(name, std::vector<std::string>{"ricochet"});
+}
+
+std::string where(lua_State* L) {
+  const CallSite site = call_site(L);
+  return site.file.empty() ? "" : fmt::format("{}:{}", site.file, site.line);
+}
 
 // Wraps a Lua function of the library in a C function: the caller's frame then stays on the stack even in a tail call,
 // so that a mistake can be reported at the caller's line.
@@ -30,8 +69,8 @@ int wrap(lua_State* L) {
   return 1;
 }
 
-// check(name, table [, ours]): the table's fields checked against the specification; a copy with the defaults filled
-// in.
+// check(name, table [, ours]): the table's fields checked against those of the function; a copy with the defaults
+// filled in.
 int check(lua_State* L) {
   const Function& function = function_named(luaL_checkstring(L, 1));
   check_table(L, 2, function, lua_toboolean(L, 3));
@@ -72,7 +111,7 @@ int fail_here(lua_State* L) { throw at_line(L, luaL_checkstring(L, 1)); }
 
 // unknown(what, name, names): an error at the user's line, with the nearest of the names.
 int unknown(lua_State* L) {
-  const std::string what = luaL_checkstring(L, 1), name = shortened(displayed(L, 2));
+  const std::string what = luaL_checkstring(L, 1), name = fmt::format("{:.100}", displayed(L, 2));
   std::vector<std::string> names;
   for (lua_Integer i = 1; i <= luaL_len(L, 3); ++i) {
     lua_geti(L, 3, i);
@@ -90,7 +129,7 @@ int nearest(lua_State* L) {
     names.push_back(displayed(L, -1));
     lua_pop(L, 1);
   }
-  lua_pushstring(L, hint(L, luaL_checkstring(L, 1), names).c_str());
+  lua_pushstring(L, did_you_mean(luaL_checkstring(L, 1), names).c_str());
   return 1;
 }
 
@@ -98,8 +137,7 @@ int nearest(lua_State* L) {
 int function_names(lua_State* L) {
   std::set<std::string> names;  // those of file.write and file.read are one
   for (const Function& f : functions())
-    if (f.name.find(':') == std::string::npos && f.name != "launch" && f.name != "contact" && f.name != "show")
-      names.insert(f.name.substr(0, f.name.find('.')));
+    if (!f.is_method() && !f.is_table) names.insert(f.name.substr(0, f.name.find('.')));
   lua_newtable(L);
   for (const std::string& name : names) {
     lua_pushstring(L, name.c_str());
@@ -171,13 +209,20 @@ int traceback(lua_State* L) {
 
 }  // namespace
 
-State::State(Session& session) : session_(session) {
-  L_ = lua_newstate(allocate, limits_.get());
-  if (!L_) throw Error("no memory for Lua");
-  limits_->state = L_;
+State::State(Session& session)
+    : session_(session),
+      sandbox_({.unsafe = session.options.unsafe,
+                .library = session.library,
+                .script = session.script,
+                .native = "ricochet.core",
+                .sources = session.sources,
+                .read = read_file,
+                .where = where,
+                .at_line = at_line,
+                .syntax_error = syntax_error,
+                .meaning = meaning}) {
   *static_cast<Session**>(lua_getextraspace(L_)) = &session_;
-  limits_->budget = static_cast<double>(session.options.budget);
-  open_sandbox(L_, session.options.unsafe);
+  lua_register(L_, "print", guarded<print>);
 
   lua_newtable(L_);  // the module's native part, which lua/ricochet/init.lua requires as "ricochet.core"
   const luaL_Reg natives[] = {{"check", guarded<check>},
@@ -198,25 +243,25 @@ State::State(Session& session) : session_(session) {
     lua_pushcfunction(L_, f.func);
     lua_setfield(L_, -2, f.name);
   }
-  add_parameters(L_);
-  add_bodies(L_);
-  add_sweeps(L_);
-  add_pictures(L_);
-  add_run_files(L_);
-  add_theories(L_);
-  add_accuracy(L_);
+  add_functions(L_);
   luaL_getsubtable(L_, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   lua_insert(L_, -2);
   lua_setfield(L_, -2, "ricochet.core");
   lua_pop(L_, 1);
-  close_sandbox(L_);
-  start_counting(L_);
+  sandbox_.close();
 }
 
-State::~State() {
-  limits_->running = nullptr;
-  if (L_) lua_close(L_);
+namespace {
+
+// What was under way says "interrupted", and perhaps what of it is stored.
+Error stopped(const std::string& message) {
+  constexpr std::string_view begins = "interrupted";
+  const std::string time_is_up = Clock::time_is_up();
+  if (time_is_up.empty()) return Error(message, Exit::interrupted);
+  return Error(time_is_up + (message.starts_with(begins) ? message.substr(begins.size()) : ""));
 }
+
+}  // namespace
 
 // Calls the chunk on top of the stack.
 void State::call_chunk(int results) {
@@ -224,25 +269,22 @@ void State::call_chunk(int results) {
   lua_insert(L_, -2);
   const int handler = lua_gettop(L_) - 1;
   lua_pushinteger(L_, static_cast<int>(Exit::script));
-  lua_setfield(L_, LUA_REGISTRYINDEX, "ricochet.exit");
+  lua_setfield(L_, LUA_REGISTRYINDEX, exit_status);
   const int status = lua_pcall(L_, 0, results, handler);
   lua_remove(L_, handler);
   if (status == LUA_OK || session_.done) return;
-  if (status == LUA_ERRMEM)
-    throw limits_->over_budget
-        ? Error(fmt::format("{}the script used up its budget of {:.0f} instructions, filling memory among them; raise "
-                            "--budget or look for a loop without end",
-                            limits_->refused_at.empty() ? "" : limits_->refused_at + ": ", limits_->budget))
-        : Error(fmt::format("{}the script needs more than 2 GiB of memory; look for a table or string that grows "
-                            "without end, or recursion without end",
-                            limits_->refused_at.empty() ? "" : limits_->refused_at + ": "));
+  if (status == LUA_ERRMEM && !stop_requested)
+    throw Error(
+        fmt::format("{}the script needs more than 2 GiB of memory; look for a table or string that grows "
+                    "without end, or recursion without end",
+                    sandbox_.refused_at.empty() ? "" : sandbox_.refused_at + ": "));
   const std::string message =
       lua_isstring(L_, -1) ? lua_tostring(L_, -1) : "the script raised an error without a message";
   lua_pop(L_, 1);
-  lua_getfield(L_, LUA_REGISTRYINDEX, "ricochet.exit");
+  lua_getfield(L_, LUA_REGISTRYINDEX, exit_status);
   const Exit exit = static_cast<Exit>(lua_tointeger(L_, -1));
   lua_pop(L_, 1);
-  if (stop_requested) throw Error(message, Exit::interrupted);
+  if (stop_requested) throw stopped(message);
   // Lua's own errors name a line; show it.
   std::string shown = message;
   for (const auto& [name, text] : session_.sources)
@@ -266,12 +308,14 @@ void State::run_script() {
         "there is no script {}{}", session_.script.string(),
         hint.empty() ? fmt::format(" (looked for {})", fs::absolute(session_.script, error).string()) : hint));
   }
+  const Clock clock(L_, session_.options.max_seconds, session_.script.string());
   load_file(L_, session_.script, session_.script.string(), false);
   call_chunk(0);
   if (!session_.parameters_declared) refuse_unused_arguments(session_);
 }
 
 void State::study_first_scene() {
+  const Clock clock(L_, session_.options.max_seconds, session_.script.string());
   lua_settop(L_, 0);
   if (lua_getfield(L_, LUA_REGISTRYINDEX, "ricochet.first_scene") == LUA_TNIL)
     throw Error(fmt::format("{} makes no scene", session_.script.string()));
@@ -289,6 +333,7 @@ void State::study_first_scene() {
 }
 
 void State::run_text(const std::string& text) {
+  const Clock clock(L_, session_.options.max_seconds, session_.script.string());
   const std::string expression = "return " + text;
   lua_settop(L_, 0);
   if (luaL_loadbufferx(L_, expression.data(), expression.size(), "=repl", "t") != LUA_OK) {

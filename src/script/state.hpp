@@ -1,21 +1,16 @@
 #pragma once
 #include <lua.hpp>
-#include <memory>
 #include <string>
 
-#include "script/bounds.hpp"
+#include "sandbox/sandbox.hpp"
 #include "script/session.hpp"
 
 namespace ricochet {
 
-/// A Lua state with the module, in a sandbox: strict globals; no os.execute, io, debug, bytecode or native modules; a
-/// memory limit; an instruction budget if the session sets one.
+/// Lua with the module, in the sandbox.
 class State {
  public:
   explicit State(Session& session);
-  ~State();
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
 
   /// Runs the session's script. Throws Error.
   void run_script();
@@ -30,18 +25,9 @@ class State {
   void call_chunk(int results);
 
   Session& session_;
-  std::unique_ptr<Limits> limits_ = std::make_unique<Limits>();
-  lua_State* L_ = nullptr;
+  Sandbox sandbox_;
+  lua_State* const L_ = sandbox_.L;
 };
-
-// What the module's parts register in the table on top of the stack.
-void add_parameters(lua_State* L);
-void add_bodies(lua_State* L);
-void add_sweeps(lua_State* L);
-void add_pictures(lua_State* L);
-void add_run_files(lua_State* L);
-void add_accuracy(lua_State* L);
-void add_theories(lua_State* L);
 
 /// Throws Error if arguments were given to a script that declares no parameters.
 void refuse_unused_arguments(const Session& session);

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "core/error.hpp"
 #include "core/hash.hpp"
+#include "impact/outcome.hpp"
 #include "store/files.hpp"
-#include "store/table.hpp"
+#include "store/run_names.hpp"
+#include "store/sinks.hpp"
 
 namespace ricochet {
 
@@ -12,58 +15,64 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const Field status_field{
-    "status", "string", "",
-    "how it ended: finished, energy_drift, not_finite, unstable, tunnelled, no_contact, out_of_time"};
-const Field reason_field{"reason", "string", "", "a sentence, if it did not finish"};
-const Field hash_field{"scene_hash", "string", "", "hash of the scene's canonical text"};
-const Field seed_field{"seed", "string", "", "seed of the projectile"};
-const Field seconds_field{"wall_seconds", "number", "s",
-                          "its share of the time of the thread that ran it; impacts in lanes share it evenly"};
+// A column of what `value` gives of each row: of numbers, or of texts.
+template <class Value>
+void add_column(Table& table, const Field& field, const std::vector<const Row*>& rows, Value value) {
+  if constexpr (std::is_same_v<std::decay_t<decltype(value(*rows[0]))>, std::string>) {
+    table.texts.push_back({field, {}});
+    for (const Row* row : rows) table.texts.back().values.push_back(value(*row));
+  } else {
+    table.numbers.push_back({field, {}});
+    for (const Row* row : rows) table.numbers.back().values.push_back(static_cast<double>(value(*row)));
+  }
+}
 
 Table table_of(const std::vector<const Row*>& rows) {
   Table table;
-  for (std::size_t c = 0; c < Outcome::fields().size(); ++c) {
-    table.numbers.push_back({Outcome::fields()[c].first, {}});
-    for (const Row* row : rows) table.numbers.back().values.push_back(row->values[c]);
-  }
-  table.numbers.push_back({seconds_field, {}});
-  for (const Row* row : rows) table.numbers.back().values.push_back(row->seconds);
-  const auto text = [&](const Field& field, std::string Row::*member) {
-    table.texts.push_back({field, {}});
-    for (const Row* row : rows) table.texts.back().values.push_back(row->*member);
-  };
-  text(status_field, &Row::status);
-  text(reason_field, &Row::reason);
-  text(hash_field, &Row::hash);
-  text(seed_field, &Row::seed);
+  for (std::size_t c = 0; c < Outcome::fields().size(); ++c)
+    add_column(table, Outcome::fields()[c].first, rows, [c](const Row& row) { return row.outcomes[c]; });
+  for (const Member<Row>& member : Row::fields())
+    std::visit([&](auto place) { add_column(table, member.field, rows, [=](const Row& row) { return row.*place; }); },
+               member.place);
   return table;
+}
+
+// The column of that name in a table that was read.
+template <class Column>
+const Column& needed(const Column* column, const std::string& name, const fs::path& path) {
+  if (!column)
+    throw FileError(
+        fmt::format("{} has no column '{}' (written by another version?); run again with --force or another --out",
+                    path.string(), name));
+  return *column;
+}
+
+void read_column(const Table& table, const std::string& name, const fs::path& path, std::vector<Row>& rows,
+                 double Row::*place) {
+  const NumberColumn& column = needed(table.number(name), name, path);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*place = column.values[i];
+}
+
+void read_column(const Table& table, const std::string& name, const fs::path& path, std::vector<Row>& rows,
+                 std::string Row::*place) {
+  const TextColumn& column = needed(table.text(name), name, path);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*place = column.values[i];
 }
 
 std::vector<Row> rows_of(const fs::path& path) {
   const Table table = read_table(path);
-  const auto need = [&](const auto* column, const std::string& name) {
-    if (!column)
-      throw FileError(
-          fmt::format("{} has no column '{}' (written by another version?); run again with --force or another --out",
-                      path.string(), name));
-    return column;
-  };
   std::vector<Row> rows(table.rows());
   for (const auto& [field, value] : Outcome::fields()) {
-    const NumberColumn* column = need(table.number(field.name), field.name);
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].values.push_back(column->values[i]);
+    const NumberColumn& column = needed(table.number(field.name), field.name, path);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].outcomes.push_back(column.values[i]);
   }
-  const NumberColumn* seconds = need(table.number("wall_seconds"), "wall_seconds");
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].seconds = seconds->values[i];
-  const auto text = [&](const Field& field, std::string Row::*member) {
-    const TextColumn* column = need(table.text(field.name), field.name);
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = column->values[i];
-  };
-  text(status_field, &Row::status);
-  text(reason_field, &Row::reason);
-  text(hash_field, &Row::hash);
-  text(seed_field, &Row::seed);
+  for (const Member<Row>& member : Row::fields())
+    std::visit(
+        [&](auto place) {
+          if constexpr (requires { read_column(table, member.field.name, path, rows, place); })
+            read_column(table, member.field.name, path, rows, place);
+        },
+        member.place);
   return rows;
 }
 
@@ -98,9 +107,9 @@ void Store::add(const std::vector<std::pair<std::size_t, Row>>& batch) {
     key += row.hash;
   }
   session_.replace_results(folder_);
-  make_folder(folder_ / "parts");
-  write_table(folder_ / "parts" / (hash_text(key) + ".h5"), table_of(rows), session_.made_by());
-  for (const auto& [index, row] : batch) take(row);
+  make_folder(run_names::parts(folder_));
+  write_table(run_names::part(folder_, hash_text(key)), table_of(rows), session_.made_by());
+  for (const auto& [index, row] : batch) accept(row);
 }
 
 void Store::assemble() {
@@ -113,25 +122,26 @@ void Store::assemble() {
       scenes.push_back(i);
     }
   Table table = table_of(rows);
-  for (std::size_t p = parameters_.names.size(); p-- > 0;) {
-    const std::string& name = parameters_.names[p];
-    // An outcome of the same name is what the impact had; the parameter is what the sweep asked for: keep both.
-    const Field field{table.number(name) || table.text(name) ? "over_" + name : name, "number", "",
-                      "parameter of the sweep"};
-    if (!parameters_.texts[p].empty()) {
-      table.texts.insert(table.texts.begin(), {field, {}});
-      for (const std::size_t i : scenes) table.texts.front().values.push_back(parameters_.texts[p][i]);
-    } else {
-      table.numbers.insert(table.numbers.begin(), {field, {}});
-      for (const std::size_t i : scenes) table.numbers.front().values.push_back(parameters_.numbers[p][i]);
-    }
-  }
-  write_table(folder_ / "results.h5", table, session_.provenance());
-  write_atomically(folder_ / "results.csv", csv(table));
-  fs::remove_all(folder_ / "parts");
+  for (std::size_t p = parameters_.names.size(); p-- > 0;) add_parameter(table, p, scenes);
+  write_everywhere(run_names::results(folder_), table, session_.provenance());
+  fs::remove_all(run_names::parts(folder_));
 }
 
-bool Store::take(const Row& row) {
+void Store::add_parameter(Table& table, std::size_t p, const std::vector<std::size_t>& scenes) const {
+  const std::string& name = parameters_.names[p];
+  // An outcome of the same name is what the impact had; the parameter is what the sweep asked for: keep both.
+  const Field field{table.number(name) || table.text(name) ? "over_" + name : name, "number", "",
+                    "parameter of the sweep"};
+  if (!parameters_.texts[p].empty()) {
+    table.texts.insert(table.texts.begin(), {field, {}});
+    for (const std::size_t i : scenes) table.texts.front().values.push_back(parameters_.texts[p][i]);
+  } else {
+    table.numbers.insert(table.numbers.begin(), {field, {}});
+    for (const std::size_t i : scenes) table.numbers.front().values.push_back(parameters_.numbers[p][i]);
+  }
+}
+
+bool Store::accept(const Row& row) {
   const auto scenes = scenes_.find(row.hash);
   if (scenes == scenes_.end()) return false;
   for (const std::size_t i : scenes->second) {
@@ -143,14 +153,8 @@ bool Store::take(const Row& row) {
 }
 
 void Store::load() {
-  std::vector<fs::path> files;
-  std::error_code error;
-  if (fs::exists(folder_ / "results.h5", error)) files.push_back(folder_ / "results.h5");
-  if (fs::exists(folder_ / "parts", error))
-    for (const auto& entry : fs::directory_iterator(folder_ / "parts"))
-      if (entry.path().extension() == ".h5") files.push_back(entry.path());
   std::size_t strangers = 0;
-  for (const fs::path& file : files) {
+  for (const fs::path& file : run_names::stored(folder_)) {
     const Provenance theirs = read_provenance(file);
     for (const auto& [name, value] : session_.made_by())
       if (const auto it = theirs.find(name); it == theirs.end() || it->second != value)
@@ -158,7 +162,7 @@ void Store::load() {
             fmt::format("{} was written by {} {}, and this is {}: rows of both would stand side by side; finish it by "
                         "that one, or run again with --force or another --out",
                         file.string(), name, it == theirs.end() ? "unknown" : it->second, value));
-    for (const Row& row : rows_of(file)) strangers += !take(row);
+    for (const Row& row : rows_of(file)) strangers += !accept(row);
   }
   if (strangers > 0)
     throw FileError(fmt::format(

@@ -1,5 +1,5 @@
 #pragma once
-// A sweep's rows as they come in, in part files that survive a kill, and results.h5 and results.csv of them all.
+// A sweep's rows as they come in, in part files that survive a kill, and the results of them all.
 
 #include <filesystem>
 #include <string>
@@ -7,8 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "script/objects.hpp"
+#include "record/row.hpp"
 #include "script/session.hpp"
+#include "store/table.hpp"
 
 namespace ricochet {
 
@@ -38,12 +39,14 @@ class Store {
   /// Keeps a finished batch as a part file: from then on it survives a kill.
   void add(const std::vector<std::pair<std::size_t, Row>>& batch);
 
-  /// results.h5 and results.csv from every row there is, in the sweep's order; then the parts are not needed any more.
+  /// The results, in every format, of every row there is, in the sweep's order; then the parts are not needed any more.
   void assemble();
 
  private:
-  // Rows of equal scenes are the same row.
-  bool take(const Row& row);
+  // Fills in the row at every scene that it is of: rows of equal scenes are the same row. False if there is none.
+  bool accept(const Row& row);
+  // Puts the column of parameter `p` before all others.
+  void add_parameter(Table& table, std::size_t p, const std::vector<std::size_t>& scenes) const;
   void load();
 
   Session& session_;

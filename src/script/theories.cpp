@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "script/objects.hpp"
 #include "script/reader.hpp"
-#include "script/state.hpp"
 #include "theory/catalogue.hpp"
 
 namespace ricochet {
@@ -15,13 +15,7 @@ namespace {
 theory::Value read_value(lua_State* L, const Field& field) {
   if (field.type == "string") return std::string(lua_tostring(L, -1));
   if (field.type != "numbers") return static_cast<double>(lua_tonumber(L, -1));
-  theory::Numbers list;
-  for (lua_Integer i = 1; i <= length_of(L, -1); ++i) {
-    lua_rawgeti(L, -1, i);
-    list.push_back(lua_tonumber(L, -1));
-    lua_pop(L, 1);
-  }
-  return list;
+  return numbers_at(L, -1);
 }
 
 void push_value(lua_State* L, const theory::Value& value) {
@@ -37,20 +31,6 @@ void push_value(lua_State* L, const theory::Value& value) {
   }
 }
 
-// Lua instructions of 5 ns that a call stands for, at most: measured. A list costs its square (a fit), or its third
-// power (a spline).
-double work_of(const theory::Theory& called, const std::map<std::string, theory::Value>& given) {
-  double work = 2e4;
-  for (const auto& [name, value] : given) {
-    const double* number = std::get_if<double>(&value);
-    if (number && name == "steps") work += 20 * *number;
-    if (number && name == "count") work += 1.2e5 * *number;
-    if (const auto* list = std::get_if<theory::Numbers>(&value))
-      work += std::pow(static_cast<double>(list->size()), called.name == "tilted_curve" && name != "at" ? 3 : 2);
-  }
-  return work;
-}
-
 // Called with the theory's place in the catalogue as upvalue.
 int call_theory(lua_State* L) {
   const theory::Theory& called = theory::theories()[static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(1)))];
@@ -63,7 +43,6 @@ int call_theory(lua_State* L) {
     if (lua_getfield(L, 1, field.name.c_str()) != LUA_TNIL) given[field.name] = read_value(L, field);
     lua_pop(L, 1);
   }
-  spend(L, work_of(called, given));
   std::vector<theory::Value> values;
   try {
     values = called.evaluate(given);
@@ -93,12 +72,10 @@ int call_theory(lua_State* L) {
 int unknown_theory(lua_State* L) {
   std::vector<std::string> names;
   for (const theory::Theory& theory : theory::theories()) names.push_back(theory.name);
-  throw unknown_name(L, "ricochet.theory", lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : shown(L, 2), names);
+  throw unknown_name(L, "ricochet.theory", asked_name(L, 2), names);
 }
 
 int no_new_theory(lua_State* L) { throw at_line(L, "ricochet.theory takes no new fields"); }
-
-}  // namespace
 
 void add_theories(lua_State* L) {
   lua_newtable(L);
@@ -122,6 +99,29 @@ void add_theories(lua_State* L) {
   lua_setfield(L, -2, "__metatable");
   lua_setmetatable(L, -2);
   lua_setfield(L, -2, "theory");
+}
+
+Function function_of(const theory::Theory& theory) {
+  Function function{
+      .name = "theory." + theory.name,
+      .doc = fmt::format("{} Valid: {}. Source: {}. Units in any consistent system of mass M, length L and time T.",
+                         theory.says, theory.valid, theory.source),
+      .fields = theory.arguments,
+      .returns = "table",
+      .example = theory.example};
+  if (theory.results.size() > 1)
+    function.results = theory.results;
+  else
+    function.returns = theory.results[0].type;
+  return function;
+}
+
+}  // namespace
+
+Group theory_functions() {
+  Group group{.functions = {}, .add = add_theories};
+  for (const theory::Theory& theory : theory::theories()) group.functions.push_back(function_of(theory));
+  return group;
 }
 
 }  // namespace ricochet

@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "core/error.hpp"
+#include "store/run_names.hpp"
 
 namespace ricochet {
 namespace {
@@ -60,8 +61,7 @@ FolderLock::~FolderLock() {
 }
 
 void write_atomically(const std::filesystem::path& path, std::string_view bytes) {
-  std::filesystem::path beside = path;
-  beside += ".new";
+  const std::filesystem::path beside = run_names::unfinished(path);
   {
     unlink(beside.c_str());  // left by a run that was killed; and no link is ever followed
     const Descriptor file(open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644));

@@ -7,6 +7,7 @@
 
 #include "core/hash.hpp"
 #include "store/files.hpp"
+#include "store/hdf5_version.hpp"
 
 namespace ricochet::hdf5 {
 namespace {
@@ -40,7 +41,7 @@ Handle no_times() {
   return properties;
 }
 
-hsize_t length_of(const Handle& set) {
+hsize_t value_count(const Handle& set) {
   const Handle space(H5Dget_space(set), H5Sclose, "read a shape");
   const hsize_t length = static_cast<hsize_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
   // A file may claim any size for what it never stored.
@@ -60,7 +61,7 @@ void check(herr_t status, const char* doing) {
 template <class Number>
 std::vector<Number> read_all(hid_t parent, const char* name, hid_t type) {
   const Handle set = open_set(parent, name);
-  std::vector<Number> values(length_of(set));
+  std::vector<Number> values(value_count(set));
   if (!values.empty()) check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read a dataset");
   return values;
 }
@@ -194,7 +195,7 @@ std::vector<std::string> read_texts(hid_t parent, const char* name) {
   const Handle type(H5Dget_type(set), H5Tclose, "read a type");
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
     throw FileError("a text column is not plain text");
-  const std::size_t length = H5Tget_size(type), count = length_of(set);
+  const std::size_t length = H5Tget_size(type), count = value_count(set);
   if (length > 0 && count > most_values / length) throw FileError("a text column is larger than any of ours");
   std::string packed(count * length, '\0');
   if (count > 0) check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()), "read a dataset");
@@ -213,4 +214,15 @@ std::vector<std::string> link_names(hid_t where) {
   return names;
 }
 
+void write_provenance(hid_t file, const std::map<std::string, std::string>& provenance) {
+  const Handle origin = group(file, "provenance");
+  for (const auto& [name, text] : provenance) texts(origin, name.c_str(), std::vector<std::string>{text});
+}
+
 }  // namespace ricochet::hdf5
+
+std::string ricochet::hdf5_version() {
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return fmt::format("{}.{}.{}", major, minor, release);
+}

@@ -5,6 +5,7 @@
 #include <hdf5.h>
 
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
@@ -65,5 +66,8 @@ std::vector<std::string> link_names(hid_t group);
 /// A dataset of any shape from memory of type `memory_type`, stored as `file_type`; chunk 0 sizes make it contiguous.
 Handle dataset(hid_t parent, const char* name, hid_t file_type, hid_t memory_type, std::span<const hsize_t> shape,
                std::span<const hsize_t> chunk, const void* values);
+
+/// The group "provenance": a text for each name.
+void write_provenance(hid_t file, const std::map<std::string, std::string>& provenance);
 
 }  // namespace ricochet::hdf5

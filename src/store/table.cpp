@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "store/files.hpp"
 #include "store/hdf5.hpp"
 
@@ -13,17 +11,6 @@ namespace {
 void describe(const hdf5::Handle& set, const Field& field) {
   hdf5::attribute(set, "unit", field.unit);
   hdf5::attribute(set, "doc", field.doc);
-}
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
-std::string heading(const Field& field) {
-  return quoted(field.unit.empty() ? field.name : fmt::format("{} [{}]", field.name, field.unit));
 }
 
 }  // namespace
@@ -48,8 +35,7 @@ void write_table(const std::filesystem::path& path, const Table& table, const Pr
       describe(hdf5::numbers(rows, column.field.name.c_str(), column.values), column.field);
     for (const TextColumn& column : table.texts)
       describe(hdf5::texts(rows, column.field.name.c_str(), column.values), column.field);
-    const hdf5::Handle origin = hdf5::group(file, "provenance");
-    for (const auto& [name, text] : provenance) hdf5::texts(origin, name.c_str(), std::vector<std::string>{text});
+    hdf5::write_provenance(file, provenance);
   }
   write_atomically(path, hdf5::image(file));
 }
@@ -93,28 +79,6 @@ Provenance read_provenance(const std::filesystem::path& path) {
     throw FileError(fmt::format("{} has no readable provenance ({})", path.string(), error.what()));
   }
   return provenance;
-}
-
-std::string csv(const Table& table) {
-  std::string text;
-  const auto line = [&](auto&& number_cell, auto&& text_cell) {
-    bool first = true;
-    const auto put = [&](const std::string& cell) {
-      text += (first ? "" : ",") + cell;
-      first = false;
-    };
-    for (const auto& column : table.numbers) put(number_cell(column));
-    for (const auto& column : table.texts) put(text_cell(column));
-    text += '\n';
-  };
-  line([](const NumberColumn& c) { return heading(c.field); }, [](const TextColumn& c) { return heading(c.field); });
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    line(
-        [&](const NumberColumn& c) {
-          return std::isnan(c.values[row]) ? std::string() : fmt::format("{}", c.values[row]);
-        },
-        [&](const TextColumn& c) { return quoted(c.values[row]); });
-  return text;
 }
 
 }  // namespace ricochet

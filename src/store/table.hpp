@@ -41,7 +41,4 @@ void write_table(const std::filesystem::path& path, const Table& table, const Pr
 Table read_table(const std::filesystem::path& path);
 Provenance read_provenance(const std::filesystem::path& path);
 
-/// The rows as comma-separated text, units in the header, numbers in the shortest form that reads back exactly.
-std::string csv(const Table& table);
-
 }  // namespace ricochet

@@ -12,9 +12,9 @@
 
 #include "core/error.hpp"
 #include "store/files.hpp"
+#include "store/h5md.hpp"
 #include "store/hdf5.hpp"
 #include "store/table.hpp"
-#include "store/trajectory.hpp"
 
 namespace {
 

@@ -5,8 +5,11 @@
 #include <set>
 
 #include "effect/catalogue.hpp"
+#include "impact/scene.hpp"
+#include "script/fields.hpp"
+#include "script/functions.hpp"
 #include "script/program.hpp"
-#include "script/specification.hpp"
+#include "script/reference.hpp"
 #include "store/table.hpp"
 
 using namespace ricochet;
@@ -346,6 +349,36 @@ TEST_CASE("the reference page and the editor stubs in the tree are current") {
   };
   CHECK((text("REFERENCE.md") == reference_page()));  // else: ricochet reference > lua/REFERENCE.md
   CHECK((text("ricochet.d.lua") == editor_stubs()));  // else: ricochet reference --stubs > lua/ricochet.d.lua
+}
+
+TEST_CASE("a default that a field names is the one that its struct has") {
+  const auto check = []<class Struct>(const Struct& made) {
+    for (const Member<Struct>& member : Struct::fields()) {
+      const std::string& text = member.field.initial;
+      INFO(member.field.name);
+      if (text.empty() || text == by_struct) continue;
+      CHECK(text == std::visit([&](auto place) { return lua_text(made.*place); }, member.place));
+    }
+  };
+  check(BodyNumbers{});
+  check(Launch{});
+  check(Integration{});
+  check(ExponentialRepulsion{});
+  each_effect_kind(check);
+}
+
+TEST_CASE("every function of the reference has an example, and every field a meaning") {
+  for (const Function& f : functions()) {
+    INFO(f.name);
+    CHECK(f.example.empty() == f.is_table);
+    CHECK_FALSE(f.doc.empty());
+    for (const Field& field : f.fields) {
+      INFO(field.name);
+      CHECK(field.initial != by_struct);
+      CHECK_FALSE((field.optional && !field.initial.empty()));
+      CHECK_FALSE(field.doc.empty());
+    }
+  }
 }
 
 TEST_CASE("the repl answers and survives mistakes") {

@@ -2,21 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <set>
 
-#include "core/rng.hpp"
-#include "script/pattern.hpp"
+#include "impact/parallel.hpp"
 #include "script/program.hpp"
-#include "script/state.hpp"
 
 using namespace ricochet;
 using namespace ricochet::test;
 
 namespace {
 
-const char* const budget = "used up its budget of 10000000 instructions";
+// With the line, or without.
+const char* const stopped = "script stopped: --max-seconds 1 reached at s.lua";
 
 struct Hostile {
   const char* name;
@@ -28,15 +28,15 @@ struct Hostile {
 
 const std::vector<Hostile>& hostile_scripts() {
   static const std::vector<Hostile> list{
-      {"loop", false, R"lua(while true do end)lua", 1, budget},
-      {"loop pcall", false, R"lua(while true do pcall(function() while true do end end) end)lua", 1, budget},
+      {"loop", false, R"lua(while true do end)lua", 1, stopped},
+      {"loop pcall", false, R"lua(while true do pcall(function() while true do end end) end)lua", 1, stopped},
       {"loop coroutine", false, R"lua(local function f() while true do end end
 while true do pcall(coroutine.wrap(f)) end)lua",
-       1, budget},
+       1, stopped},
       {"coroutines", false, R"lua(local function f() return coroutine.wrap(f)() end f())lua", 1, "C stack overflow"},
       {"coroutine bomb", false, R"lua(local t = {} while true do t[#t+1] = coroutine.create(function() end) end)lua", 1,
-       budget},
-      {"recursion", false, R"lua(local function f() return 1 + f() end f())lua", 1, budget},
+       stopped},
+      {"recursion", false, R"lua(local function f() return 1 + f() end f())lua", 1, stopped},
       {"recursion pcall", false, R"lua(local function f() return pcall(f) end print(f()))lua", 0, ""},
       {"metatable recursion", false,
        R"lua(local t = setmetatable({}, {}) getmetatable(t).__index = function(_, k) return t[k] end print(t.x))lua", 1,
@@ -44,31 +44,31 @@ while true do pcall(coroutine.wrap(f)) end)lua",
       {"tostring recursion", false,
        R"lua(local t = setmetatable({}, {__tostring = function(t) return tostring(t) end}) print(t))lua", 1,
        "C stack overflow"},
-      {"string bomb", false, R"lua(local s = "x" while true do s = s .. s end)lua", 1, budget},
-      {"table bomb", false, R"lua(local t = {} for i = 1, 1e12 do t[i] = {} end)lua", 1, budget},
+      {"string bomb", false, R"lua(local s = "x" while true do s = s .. s end)lua", 1, stopped},
+      {"table bomb", false, R"lua(local t = {} for i = 1, 1e12 do t[i] = {} end)lua", 1, stopped},
       {"rep", false, R"lua(local s = ("x"):rep(1e10))lua", 1, "resulting string too large"},
-      {"rep empty", false, R"lua(local s = (""):rep(1e18))lua", 0, ""},
-      {"rep sep", false, R"lua(local s = (""):rep(1e18, ""))lua", 0, ""},
-      {"pattern", false, R"lua(print(("a"):rep(3000):find((".-"):rep(20) .. "b")))lua", 1, budget},
-      {"pattern star", false, R"lua(print(("a"):rep(100000):find(("a*"):rep(10) .. "b")))lua", 1, budget},
-      {"pattern gsub", false, R"lua(print((("a"):rep(20000):gsub(".-.-.-b", ""))))lua", 1, budget},
-      {"pattern gmatch", false, R"lua(for w in ("a"):rep(20000):gmatch(".-.-.-b") do print(w) end)lua", 1, budget},
-      {"pattern float", false, R"lua(print(("c" .. ("a"):rep(3000)):find("a*a*a*a*a*a*a*c", 2.0)))lua", 1, budget},
-      {"pattern text", false, R"lua(print(("b" .. ("a"):rep(5000)):match("a*a*a*a*a*a*b", "2")))lua", 1, budget},
-      {"pattern zero", false, R"lua(print(("a"):rep(3000):find(("%Z*"):rep(8) .. "b")))lua", 1, budget},
-      {"pattern set", false, R"lua(print(("a"):rep(3000):find(("[^b-%]]*"):rep(8) .. "c")))lua", 1, budget},
+      {"rep empty", false, R"lua(local s = (""):rep(1e18))lua", 1, stopped},
+      {"rep sep", false, R"lua(local s = (""):rep(1e18, ""))lua", 1, stopped},
+      {"pattern", false, R"lua(print(("a"):rep(3000):find((".-"):rep(20) .. "b")))lua", 1, stopped},
+      {"pattern star", false, R"lua(print(("a"):rep(100000):find(("a*"):rep(10) .. "b")))lua", 1, stopped},
+      {"pattern gsub", false, R"lua(print((("a"):rep(20000):gsub(".-.-.-b", ""))))lua", 1, stopped},
+      {"pattern gmatch", false, R"lua(for w in ("a"):rep(20000):gmatch(".-.-.-b") do print(w) end)lua", 1, stopped},
+      {"pattern float", false, R"lua(print(("c" .. ("a"):rep(3000)):find("a*a*a*a*a*a*a*c", 2.0)))lua", 1, stopped},
+      {"pattern text", false, R"lua(print(("b" .. ("a"):rep(5000)):match("a*a*a*a*a*a*b", "2")))lua", 1, stopped},
+      {"pattern zero", false, R"lua(print(("a"):rep(3000):find(("%Z*"):rep(8) .. "b")))lua", 1, stopped},
+      {"pattern set", false, R"lua(print(("a"):rep(3000):find(("[^b-%]]*"):rep(8) .. "c")))lua", 1, stopped},
       {"sort by C", false,
        R"lua(table.sort(setmetatable({}, {__len = function() return 2 ^ 31 - 2 | 0 end, __index = rawlen, __newindex = rawlen}), math.ult))lua",
-       1, "a length of its own"},
-      {"concat float", false, R"lua(while true do pcall(table.concat, {}, "", -1e9, 5) end)lua", 1, budget},
+       1, stopped},
+      {"concat float", false, R"lua(while true do pcall(table.concat, {}, "", -1e9, 5) end)lua", 1, stopped},
       {"close wrapped", false,
        R"lua(coroutine.wrap(function() local x <close> = setmetatable({}, {__close = function() while true do end end}) while true do end end)())lua",
-       1, budget},
+       1, stopped},
       {"close coroutine", false,
        R"lua(local co = coroutine.create(function() local x <close> = setmetatable({}, {__close = function() while true do end end}) while true do end end)
 coroutine.resume(co) coroutine.close(co))lua",
-       1, budget},
-      {"load spaces", false, R"lua(local s = (" "):rep(5e6) while true do load(s) end)lua", 1, budget},
+       1, stopped},
+      {"load spaces", false, R"lua(local s = (" "):rep(5e6) while true do load(s) end)lua", 1, stopped},
       {"lying list", true,
        R"lua(local l = setmetatable({}, {__len = function() return 2 ^ 53 | 0 end, __index = rawlen}) ricochet.theory.fit_walton { psi1 = l, psi2 = l, e = l })lua",
        1, "must not be empty"},
@@ -77,15 +77,14 @@ coroutine.resume(co) coroutine.close(co))lua",
        0, ""},
       {"elasticity", true,
        R"lua(local b = ricochet.body { outline = { {0, 0}, {1, 0}, {1, 4}, {0, 4} }, nodes = 20000 } while true do ricochet.elasticity { body = b } end)lua",
-       1, budget},
+       1, stopped},
       {"lammps many", true,
        R"lua(local s = ricochet.scene { projectile = ricochet.disk { nodes = 100 }, target = ricochet.wall { nodes = 200 } } while true do ricochet.lammps { scene = s } end)lua",
-       1, budget},
+       1, stopped},
       {"long names", true,
        R"lua(local s = ("x"):rep(1e6) for _, t in ipairs { _G, string, ricochet } do pcall(function() return t[s] end) end ricochet.disk { [s] = 1 })lua",
        1, "unknown field"},
-      {"too many arguments", false, R"lua(print(xpcall(select, print, "#", table.unpack({}, 1, 900000))))lua", 1,
-       "too many arguments"},
+      {"too many arguments", false, R"lua(print(xpcall(select, print, "#", table.unpack({}, 1, 900000))))lua", 0, ""},
       {"own concat in a plot", true, R"lua(table.concat = function() return "system 'touch ../../ESCAPED'\nplot x" end
 ricochet.plot { x = "x", y = { "y" }, theory = { y = function(x) return x end }, xrange = { 0, 1 }, name = "p" })lua",
        0, ""},
@@ -105,23 +104,21 @@ ricochet.plot { x = "x", y = { "y" }, theory = { y = function(x) return x end },
       {"own require", true,
        R"lua(rawset(_G, "require", function() return { gnuplot = print } end) print(require("ricochet.plot")))lua", 0,
        ""},
-      {"pattern none", false, R"lua(print((")"):rep(1e6):find((")"):rep(5e5) .. "b")))lua", 0, ""},
-      {"pattern malformed", false, R"lua(print((("a"):rep(20000):gsub(".-.-.-b[", ""))))lua", 1, budget},
-      {"pattern balance", false, R"lua(print(("("):rep(1e6):find("%b()")))lua", 1, budget},
-      {"pattern backref", false, R"lua(print(("a"):rep(5000):find("(.*)(.*)%1%2b")))lua", 1, budget},
+      {"pattern none", false, R"lua(print((")"):rep(4e6):find((")"):rep(2e6) .. "b")))lua", 1, stopped},
+      {"pattern malformed", false, R"lua(print((("a"):rep(20000):gsub(".-.-.-b[", ""))))lua", 1, stopped},
+      {"pattern balance", false, R"lua(print(("("):rep(1e6):find("%b()")))lua", 1, stopped},
+      {"pattern backref", false, R"lua(print(("a"):rep(5000):find("(.*)(.*)%1%2b")))lua", 1, stopped},
       {"table insert len", false,
-       R"lua(table.insert(setmetatable({}, {__len = function() return 1 << 60 end}), 1, 1))lua", 1,
-       "a length of its own"},
+       R"lua(table.insert(setmetatable({}, {__len = function() return 1 << 60 end}), 1, 1))lua", 1, stopped},
       {"table remove len", false, R"lua(table.remove(setmetatable({}, {__len = function() return 1 << 60 end}), 1))lua",
-       1, "a length of its own"},
+       1, stopped},
       {"table remove far", false,
-       R"lua(local t = {} for k = 0, 60 do t[1 << k], t[(1 << k) + 1] = 1, 1 end table.remove(t, 1))lua", 1,
-       "cannot be shifted"},
-      {"table move", false, R"lua(local t = {} table.move(t, 1, 1e15, 1))lua", 1, "more than 50000000 elements"},
-      {"table move2", false, R"lua(local t = {} table.move(t, 1, 1e15, 2))lua", 1, "more than 50000000 elements"},
+       R"lua(local t = {} for k = 0, 60 do t[1 << k], t[(1 << k) + 1] = 1, 1 end table.remove(t, 1))lua", 1, stopped},
+      {"table move", false, R"lua(local t = {} table.move(t, 1, 1e15, 1))lua", 1, stopped},
+      {"table move2", false, R"lua(local t = {} table.move(t, 1, 1e15, 2))lua", 1, stopped},
       {"table concat", false,
        R"lua(table.concat(setmetatable({}, {__len = function() return 1 << 60 end, __index = function() return "" end})))lua",
-       1, "a length of its own"},
+       1, stopped},
       {"table sort", false,
        R"lua(local t = {} for i = 1, 1e5 do t[i] = i % 7 end table.sort(t, function(a, b) return true end))lua", 1,
        "invalid order function"},
@@ -132,7 +129,7 @@ ricochet.plot { x = "x", y = { "y" }, theory = { y = function(x) return x end },
        "__gc is not for scripts"},
       {"close", false,
        R"lua(local x <close> = setmetatable({}, {__close = function() while true do end end}) error("x"))lua", 1,
-       budget},
+       stopped},
       {"string metatable", false, R"lua(getmetatable("").__index = function() end)lua", 1,
        "attempt to index a boolean value"},
       {"string metatable2", false, R"lua(string.format = nil; local s = ("x"):format() print(string.format))lua", 1,
@@ -146,38 +143,38 @@ ricochet.plot { x = "x", y = { "y" }, theory = { y = function(x) return x end },
       {"write dots", true, R"lua(ricochet.file.write("../../evil.txt", "x"))lua", 1,
        "is no name below the run's folder"},
       {"write link", true, R"lua(ricochet.file.write("link.txt", "x"))lua", 4, "leads out of the run's folder"},
-      {"write many", true, R"lua(for i = 1, 1e6 do ricochet.file.write("f" .. i, "x") end)lua", 1, budget},
+      {"write many", true, R"lua(for i = 1, 1e6 do ricochet.file.write("f" .. i, "x") end)lua", 1, stopped},
       {"write huge", true, R"lua(local s = ("x"):rep(1e9) for i = 1, 100 do ricochet.file.write("f" .. i, s) end)lua",
-       1, budget},
+       1, stopped},
       {"require dots", false, R"lua(require "..secret")lua", 1, "is no module name"},
       {"require slash", false, R"lua(require "/etc/passwd")lua", 1, "is no module name"},
       {"require link", false, R"lua(require "link")lua", 1, "a link that leads out of the script's folder"},
       {"require core", false, R"lua(require "ricochet.core".plot {})lua", 1, "for the library alone"},
       {"print flood", false, R"lua(local s = ("x"):rep(1e6) while true do print(s) end)lua", 1,
        "printed more than 64 MiB"},
-      {"error flood", false, R"lua(local s = ("x"):rep(1e8) error(s))lua", 1, budget},
+      {"error flood", false, R"lua(local s = ("x"):rep(1e8) error(s))lua", 1, stopped},
       {"error table", false, R"lua(error(setmetatable({}, {__tostring = function() while true do end end})))lua", 1,
-       budget},
+       stopped},
       {"sweep huge", true, R"lua(local r = ricochet.range(1e7)
 ricochet.sweep { name = "s", over = { a = r, b = r, c = r }, scene = function() end }:run())lua",
-       1, budget},
+       1, stopped},
       {"sweep million", true,
        R"lua(ricochet.sweep { name = "s", over = { a = ricochet.range(1e6) }, scene = function(at) return ricochet.scene { projectile = ricochet.disk { nodes = 60, seed = at.a }, target = ricochet.wall { nodes = 150, width = 4 } } end }:run())lua",
-       1, budget},
+       1, stopped},
       {"parameters huge", true, R"lua(local t = {} for i = 1, 1e6 do t["p" .. i] = i end ricochet.parameters(t))lua", 1,
-       budget},
+       stopped},
       {"outline huge", true,
        R"lua(local o = {} for i = 1, 3e6 do o[i] = { math.cos(i / 3e6 * 6.28), math.sin(i / 3e6 * 6.28) } end ricochet.body { outline = o, nodes = 100 })lua",
-       1, budget},
+       1, stopped},
       {"nodes huge", true, R"lua(ricochet.disk { nodes = 1e9 })lua", 1, "must be between 4 and 1e+07"},
-      {"nodes many", true, R"lua(ricochet.disk { nodes = 1e7 })lua", 1, budget},
-      {"bodies many", true, R"lua(for i = 1, 1e6 do ricochet.disk { nodes = 100000, seed = i } end)lua", 1, budget},
+      {"nodes many", true, R"lua(ricochet.disk { nodes = 1e7 })lua", 1, stopped},
+      {"bodies many", true, R"lua(for i = 1, 1e6 do ricochet.disk { nodes = 100000, seed = i } end)lua", 1, stopped},
       {"anchored loop", true,
        R"lua(ricochet.body { outline = {{0,0},{1,0},{0,1}}, nodes = 50, anchored = function() while true do end end })lua",
-       1, budget},
+       1, stopped},
       {"scene loop", true,
        R"lua(ricochet.sweep { name = "s", over = { a = {1} }, scene = function() while true do end end }:run())lua", 1,
-       budget},
+       stopped},
       {"name dots", true,
        R"lua(ricochet.sweep { name = "../../evil", over = { a = {1} }, scene = function() end }:run())lua", 1,
        "must be letters, digits"},
@@ -187,32 +184,32 @@ ricochet.sweep { name = "s", over = { a = r, b = r, c = r }, scene = function() 
       {"os execute", false, R"lua(os.execute("touch evil"))lua", 1, "os has no 'execute'"},
       {"io open", false, R"lua(io.open("evil", "w"))lua", 1, "unknown name 'io'"},
       {"debug", false, R"lua(debug.sethook())lua", 1, "unknown name 'debug'"},
-      {"randomseed", false, R"lua(for i = 1, 1e12 do math.random() end)lua", 1, budget},
-      {"date", false, R"lua(print(os.date(("%c"):rep(1e5))))lua", 1, "longer than 1000 bytes"},
-      {"utf8", false, R"lua(print(utf8.len(("x"):rep(1e9))))lua", 1, budget},
+      {"randomseed", false, R"lua(for i = 1, 1e12 do math.random() end)lua", 1, stopped},
+      {"date", false, R"lua(print(os.date(("%c"):rep(1e5))))lua", 0, ""},
+      {"utf8", false, R"lua(print(utf8.len(("x"):rep(1e9))))lua", 1, stopped},
       {"xpcall handler", false, R"lua(xpcall(function() error("x") end, function() while true do end end))lua", 1,
-       budget},
+       stopped},
       {"concat chain", false, R"lua(local t = {} for i = 1, 1e5 do t[i] = ("x"):rep(1e5) end table.concat(t))lua", 1,
-       budget},
+       stopped},
       {"plain find", false,
-       R"lua(local s = ("a"):rep(2e6) while true do s:find(("a"):rep(1e6) .. "b", 1, true) end)lua", 1, budget},
-      {"utf8", false, R"lua(local s = ("a"):rep(1e6) while true do utf8.len(s) end)lua", 1, budget},
-      {"packsize", false, R"lua(local s = ("i1"):rep(1e5) while true do string.packsize(s) end)lua", 1, budget},
-      {"unpack", false, R"lua(local s = (" "):rep(1e6) while true do string.unpack(s, "") end)lua", 1, budget},
-      {"tonumber", false, R"lua(local s = ("1"):rep(1e6) while true do tonumber(s, 10) end)lua", 1, budget},
+       R"lua(local s = ("a"):rep(2e6) while true do s:find(("a"):rep(1e6) .. "b", 1, true) end)lua", 1, stopped},
+      {"utf8", false, R"lua(local s = ("a"):rep(1e6) while true do utf8.len(s) end)lua", 1, stopped},
+      {"packsize", false, R"lua(local s = ("i1"):rep(1e5) while true do string.packsize(s) end)lua", 1, stopped},
+      {"unpack", false, R"lua(local s = (" "):rep(1e6) while true do string.unpack(s, "") end)lua", 1, stopped},
+      {"tonumber", false, R"lua(local s = ("1"):rep(1e6) while true do tonumber(s, 10) end)lua", 1, stopped},
       {"concat of nothing", false,
-       R"lua(local t = {} for i = 1, 1e5 do t[i] = "" end while true do table.concat(t) end)lua", 1, budget},
+       R"lua(local t = {} for i = 1, 1e5 do t[i] = "" end while true do table.concat(t) end)lua", 1, stopped},
       {"sort", false, R"lua(local t = {} for i = 1, 1e5 do t[i] = i end while true do table.sort(t) end)lua", 1,
-       budget},
+       stopped},
       {"equal strings", false,
        R"lua(local s = ("a"):rep(5e6) local a, b = s .. "b", s .. "b" while true do local c = a == b end)lua", 1,
-       budget},
+       stopped},
       {"ordered strings", false,
        R"lua(local s = ("a"):rep(5e6) local a, b = s .. "b", s .. "c" while true do local c = a < b end)lua", 1,
-       budget},
+       stopped},
       {"next of an emptied table", false,
        R"lua(local t = {} for i = 1, 1e5 do t[i] = i end for i = 1, 1e5 do t[i] = nil end while true do next(t) end)lua",
-       1, budget},
+       1, stopped},
       {"own results", true, R"lua(ricochet.file.write("results.h5", "oops"))lua", 1, "that runs leave themselves"},
       {"own log below", true, R"lua(ricochet.file.write("parts/x", "oops"))lua", 1, "that runs leave themselves"},
       {"name with nul", true, "ricochet.file.write('a\\0b', 'oops')", 1, "is no name below"},
@@ -224,10 +221,11 @@ ricochet.sweep { name = "s", over = { a = r, b = r, c = r }, scene = function() 
        1, "combinations"},
       {"theory without end", true,
        R"lua(while true do ricochet.theory.maw_integrated { psi1 = 1, mu = 1, e = 1, nu = 0, steps = 1e7 } end)lua", 1,
-       budget},
+       stopped},
       {"spline through 1e5 points", true,
-       R"lua(local x = ricochet.range(100000) ricochet.theory.tilted_curve { psi1 = x, mu = x, e_alpha = x, offset = x, nu = 0, at = { 1 } })lua",
-       1, budget},
+       R"lua(local x, c = ricochet.range(100000), {} for i in ipairs(x) do c[i] = 0.5 end
+ricochet.theory.tilted_curve { psi1 = x, mu = c, e_alpha = c, offset = c, nu = 0, at = { 1 } })lua",
+       1, "must hold 1000 values at most"},
       {"plot shell", true,
        R"lua(ricochet.plot { rows = {}, x = "`touch evil`", y = {"$(touch evil)"}, name = "p" })lua", 1,
        "'rows' must be rows"},
@@ -279,27 +277,27 @@ for _, name in ipairs { "outline", "placement" } do local n = {} ricochet.body(s
        "has neither rows nor points"},
       {"coroutines in coroutines", false,
        R"lua(local function f(d) if d == 0 then return end for i = 1, 30 do coroutine.wrap(f)(d - 1) end end f(30))lua",
-       1, budget},
+       1, stopped},
       {"coroutines created", false,
        R"lua(local function f(d) if d == 0 then return end for i = 1, 30 do coroutine.resume(coroutine.create(f), d - 1) end end f(30))lua",
-       1, budget},
+       1, stopped},
       {"length of two faces", false,
        R"lua(local n = 0 table.insert(setmetatable({}, { __len = function() n = n + 1 return n == 1 and 1 or 1 << 60 end }), 1, 1))lua",
-       1, "a length of its own"},
+       0, ""},
       {"sort long strings", false,
-       R"lua(local a, t = ("\0"):rep(1e6), {} for i = 1, 2000 do t[i] = a end table.sort(t))lua", 1, budget},
+       R"lua(local a, t = ("\0"):rep(1e6), {} for i = 1, 2000 do t[i] = a end table.sort(t))lua", 1, stopped},
       {"compare zeros", false,
        R"lua(local a = ("\0"):rep(3e6) local b, c = a .. "b", a .. "c" while true do local x = b < c end)lua", 1,
-       budget},
+       stopped},
       {"compare many zeros in coroutines", false,
        R"lua(while true do coroutine.wrap(function() local a = ("\0"):rep(2e7) local b, c = a .. "b", a .. "c" for i = 1, 100 do local x = b < c end end)() end)lua",
-       1, budget},
+       1, stopped},
       {"unknown name in the depth", false,
        R"lua(local function f(n) if n == 0 then return undefinedname end return 1 + f(n - 1) end print(pcall(f, 30000)))lua",
        0, ""},
       {"unknown name among many", false,
        R"lua(for i = 1, 5e4 do rawset(_G, "x" .. ("y"):rep(90) .. i, i) end while true do pcall(function() return _G["y" .. ("x"):rep(90)] end) end)lua",
-       1, budget},
+       1, stopped},
       {"coroutines closed and forgotten", false,
        R"lua(local rep, mt = string.rep, { __close = function() local s = 0 for i = 1, 3000 do s = s + i end end }
 local function body() local x <close> = setmetatable({}, mt) coroutine.yield() end
@@ -312,19 +310,19 @@ for k = 1, 3000 do
   for _, m in ipairs { 200, 190, 180, 170, 215, 216, 210, 205, 195 } do a = rep("\255", m) end
   local b = rep("b", 1100000)
 end)lua",
-       1, budget},
+       1, stopped},
       {"names among locals", false, R"lua(local names = {} for i = 1, 190 do names[i] = "v" .. i end
 print(load(("local function f() local " .. table.concat(names, ",") .. " "):rep(180) .. ("a=a "):rep(4e5) .. ("end "):rep(180))))lua",
-       1, budget},
+       1, stopped},
       {"parameters that share choices", true,
        R"lua(local c, t = {}, {} for i = 1, 1e5 do c[i] = "c" .. i end for i = 1, 1000 do t["p" .. i] = { "c1", choices = c } end ricochet.parameters(t))lua",
-       1, budget},
+       1, stopped},
       {"parameters that share a list", true,
        R"lua(local c, t = {}, {} for i = 1, 1e5 do c[i] = i end for i = 1, 1000 do t["p" .. i] = { c } end ricochet.parameters(t))lua",
-       1, budget},
+       1, stopped},
       {"fields unknown", true,
        R"lua(local t = {} for i = 1, 2e4 do t[("x"):rep(90) .. i] = i end while true do pcall(ricochet.disk, t) end)lua",
-       1, budget},
+       1, stopped},
       {"plot as an option", true,
        R"lua(ricochet.plot { x = "x", y = { "y" }, name = "-p", xrange = { 0, 1 }, theory = { y = function(x) return x end } } assert(ricochet.file.read("-p.png"):find "PNG"))lua",
        0, ""},
@@ -346,138 +344,60 @@ std::set<std::string> entries(const fs::path& folder) {
   return names;
 }
 
+// What came of one of them.
+struct Verdict {
+  const Hostile* script;
+  double seconds = 0;
+  Ended ended;
+  std::set<std::string> elsewhere;  ///< entries made outside its own folder
+  bool secret_kept = false;
+};
+
+void judge(Verdict& verdict) {
+  const Hostile& h = *verdict.script;
+  const Workplace here;
+  here.write("secret.txt", "hidden words");
+  here.write("work/s.lua", (h.module ? "local ricochet = require \"ricochet\"\n" : "") + std::string(h.script));
+  fs::create_directories(here.path / "work/out/s");
+  for (const char* link : {"work/out/s/link.txt", "work/link.lua"})
+    fs::create_symlink(here.path / "secret.txt", here.path / link);
+  const auto before = entries(here.path);
+  const auto began = std::chrono::steady_clock::now();
+  // What ends by itself may take longer beside the others.
+  const char* limit = h.words == stopped ? "1" : "50";
+  verdict.ended = here.shell(
+      fmt::format("cd work && timeout -s KILL 60 '" RICOCHET_PROGRAM "' run s.lua --max-seconds {} --resume", limit));
+  verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  for (const std::string& entry : entries(here.path))
+    if (!before.count(entry) && entry != "out.txt" && entry != "err.txt" && !entry.starts_with("work/out/s/"))
+      verdict.elsewhere.insert(entry);
+  const auto silent = [](const std::string& text) { return text.find("hidden words") == std::string::npos; };
+  verdict.secret_kept =
+      here.read("secret.txt") == "hidden words" && silent(verdict.ended.out) && silent(verdict.ended.err);
+}
+
 }  // namespace
 
 TEST_CASE("hostile scripts are refused or bounded, and touch nothing") {
-  REQUIRE(hostile_scripts().size() >= 40);
-  double slowest = 0;
-  std::string name;
+  constexpr int at_once = 6;  // most of them wait for their time to be up, some with 2 GiB
+  std::vector<Verdict> verdicts;
+  for (const Hostile& h : hostile_scripts()) verdicts.push_back({&h});
+  REQUIRE(verdicts.size() >= 140);
+  in_parallel(verdicts, at_once, judge);
   int held = 0;
-  for (const Hostile& h : hostile_scripts()) {
-    const Workplace here;
-    here.write("secret.txt", "hidden words");
-    here.write("work/s.lua", (h.module ? "local ricochet = require \"ricochet\"\n" : "") + std::string(h.script));
-    fs::create_directories(here.path / "work/out/s");
-    for (const char* link : {"work/out/s/link.txt", "work/link.lua"})
-      fs::create_symlink(here.path / "secret.txt", here.path / link);
-    const auto before = entries(here.path);
-    const auto began = std::chrono::steady_clock::now();
-    const Ended ended =
-        here.shell("cd work && timeout -s KILL 60 '" RICOCHET_PROGRAM "' run s.lua --budget 10000000 --resume");
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    if (seconds > slowest) {
-      slowest = seconds;
-      name = h.name;
-    }
-    INFO(h.name << ": " << ended.err.substr(0, 1000));
-    const bool right = ended.status == h.status && ended.err.find(h.words) != std::string::npos &&
-                       (h.status == 0 || ended.err.starts_with("error: "));
+  for (const auto& [script, seconds, ended, elsewhere, secret_kept] : verdicts) {
+    INFO(script->name << " (" << seconds << " s, status " << ended.status << "): " << ended.err.substr(0, 1000));
+    const bool right = ended.status == script->status && ended.err.find(script->words) != std::string::npos &&
+                       (script->status == 0 || ended.err.starts_with("error: "));
     CHECK(right);
     held += right;
-    // Below its own folder a script may write; nowhere else.
-    for (const std::string& entry : entries(here.path))
-      if (!before.count(entry) && entry != "out.txt" && entry != "err.txt")
-        CHECK_THAT(entry, Catch::Matchers::StartsWith("work/out/s/"));
-    CHECK(here.read("secret.txt") == "hidden words");
-    CHECK(ended.out.find("hidden words") == std::string::npos);
-    CHECK(ended.err.find("hidden words") == std::string::npos);
+    CHECK(elsewhere == std::set<std::string>{});
+    CHECK(secret_kept);
   }
-  fmt::print("{} of {} hostile scripts refused or bounded; the slowest took {:.1f} s ({})\n", held,
-             hostile_scripts().size(), slowest, name);
-}
-
-TEST_CASE("without a budget what runs in the libraries is bounded, and the repl lives on") {
-  const Workplace here;
-  here.write("in.txt",
-             "(\"a\"):rep(3000):find((\".-\"):rep(20) .. \"b\")\n(\"\"):rep(1e18)\ntable.move({}, 1, 1e15, "
-             "2)\nsetmetatable({}, {__gc = print})\n"
-             "(function() local t = {} for k = 0, 60 do t[1 << k], t[(1 << k) + 1] = 1, 1 end table.remove(t, 1) "
-             "end)()\n(function() local function f() return 1 + f() end return f() end)()\n1 + 1\n");
-  const Ended ended = here.shell("timeout 60 '" RICOCHET_PROGRAM "' repl <in.txt");
-  CHECK(ended.status == 0);
-  for (const char* words :
-       {"the pattern takes more than 100 million steps on this text of 3000 bytes", "more than 50000000 elements",
-        "__gc is not for scripts", "cannot be shifted", "stack overflow"})
-    CHECK_THAT(ended.err, Catch::Matchers::Contains(words));
-  CHECK_THAT(ended.out, Catch::Matchers::Contains("> 2\n"));
-}
-
-TEST_CASE("a plain search finds what a search for the escaped words finds") {
-  const Workplace here;
-  here.write("s.lua", R"lua(
-local state = 1
-local function random(n) state = (state * 1103515245 + 12345) % 2147483648 return state // 65536 % n end
-local function text(n) local t = {} for i = 1, random(n + 1) do t[i] = ({ "a", "b", ".", "%", "\0" })[random(5) + 1] end return table.concat(t) end
-local found = 0
-for trial = 1, 20000 do
-  local where, words, from = text(12), text(3), random(30) - 15
-  local a, b = where:find(words, from, true)
-  local c, d = where:find(words:gsub("%W", "%%%0"), from)
-  if a ~= c or b ~= d then error(("%q %q %d: %s %s, not %s %s"):format(where, words, from, a, b, c, d)) end
-  if a then found = found + 1 end
-end
-print("found", found)
-assert(found > 5000 and found < 19000)
-assert(select("#", ("a"):find("b", 1, true)) == 1)
-)lua");
-  const Ended ended = here.run("s.lua");
-  INFO(ended.err);
-  CHECK(ended.status == 0);
-}
-
-TEST_CASE("searches find what Lua's own do, so that their steps are those it would take") {
-  lua_State* L = luaL_newstate();
-  luaL_openlibs(L);
-  Random random(7, 7);
-  int found = 0, refused = 0, wrong = 0;
-  for (int trial = 0; trial < 200000; ++trial) {
-    const auto draw = [&](const char* letters, int most) {
-      const std::string_view from = letters;
-      std::string text;
-      for (int n = static_cast<int>(random.uniform(0, most + 1)); n > 0; --n)
-        text += from[static_cast<std::size_t>(random.uniform(0, static_cast<double>(from.size())))];
-      return text;
-    };
-    const std::string text = draw("aab1( )x", 12);
-    std::string pattern = random.uniform() < 0.2 ? "^" : "";
-    for (int n = static_cast<int>(random.uniform(0, 6)); n >= 0; --n) {
-      const char* parts[] = {"a", "b", ".",  "%a", "%d",   "%s",   "[ab]",   "[^a]",   "[%w(]", "[a-x]",
-                             "(", ")", "()", "(a", "%1",   "%b()", "%f[%a]", "%f[^a]", "%(",    "$",
-                             "x", "-", "]",  "%D", "[]a]", "[a-]", "%",      "["};
-      pattern += parts[static_cast<std::size_t>(
-          random.uniform(0, static_cast<double>(std::size(parts)) - (random.uniform() < 0.98 ? 2 : 0)))];
-      pattern += draw("*+-?", 1);
-    }
-    const auto begin = static_cast<std::size_t>(random.uniform(0, 4));
-    if (pattern.find_first_of("^$*+?.([%-") == std::string::npos) continue;  // string.find takes it as it stands
-    lua_getglobal(L, "string");
-    lua_getfield(L, -1, "find");
-    lua_pushlstring(L, text.data(), text.size());
-    lua_pushlstring(L, pattern.data(), pattern.size());
-    lua_pushinteger(L, static_cast<lua_Integer>(begin) + 1);
-    const bool fine = lua_pcall(L, 3, 2, 0) == LUA_OK;
-    const PatternSearch search = search_pattern(text, pattern, begin, 1, true, 1e9);
-    bool same = true;
-    // Lua reads a pattern as it goes and may match, or fail, before it comes to what is wrong; so must we.
-    if (!fine || search.refused) {
-      same = !fine && search.refused;
-      ++refused;
-    } else if (lua_isnil(L, -2))
-      same = !search.first;
-    else {
-      ++found;
-      same = search.first && lua_tointeger(L, -2) == static_cast<lua_Integer>(search.first->begin) + 1 &&
-             lua_tointeger(L, -1) == static_cast<lua_Integer>(search.first->end);
-    }
-    INFO("'" << text << "' '" << pattern << "' from " << begin);
-    if (!same && wrong++ < 10) CHECK(same);
-    lua_settop(L, 0);
-  }
-  lua_close(L);
-  CHECK(wrong == 0);
-  CHECK(found > 20000);
-  CHECK(refused > 1000);
-  CHECK(refused < 100000);
+  const auto slowest = std::max_element(verdicts.begin(), verdicts.end(),
+                                        [](const Verdict& a, const Verdict& b) { return a.seconds < b.seconds; });
+  fmt::print("{} of {} hostile scripts refused or bounded; the slowest took {:.1f} s ({})\n", held, verdicts.size(),
+             slowest->seconds, slowest->script->name);
 }
 
 TEST_CASE("gnuplot starts no programs, and writes through no link") {

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "script/program.hpp"
-#include "script/specification.hpp"
+#include "script/reference.hpp"
 #include "theory/catalogue.hpp"
 #include "theory/errata.hpp"
 

@@ -3,10 +3,13 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "store/csv.hpp"
 #include "store/files.hpp"
+#include "store/h5md.hpp"
 #include "store/hdf5.hpp"
+#include "store/run_names.hpp"
+#include "store/sinks.hpp"
 #include "store/table.hpp"
-#include "store/trajectory.hpp"
 
 using namespace ricochet;
 namespace fs = std::filesystem;
@@ -132,7 +135,7 @@ Trajectory small_trajectory() {
 TEST_CASE("a trajectory reads back as it was written") {
   const Folder folder;
   const Trajectory written = small_trajectory();
-  written.write(folder.path / "t.h5", {{"version", "1"}});
+  write_h5md(folder.path / "t.h5", written, {{"version", "1"}});
   const Trajectory read = read_trajectory(folder.path / "t.h5");
   CHECK(read.mesh().rest == written.mesh().rest);
   CHECK(read.mesh().anchored == written.mesh().anchored);
@@ -171,7 +174,7 @@ TEST_CASE("a sealed trajectory whose parts are missing, of another size, or numb
       const bool numbers = name.find("rim") != std::string::npos || name.starts_with("connectivity");
       if (std::string(harm) == "numbers nothing" && !numbers) continue;
       if (std::string(harm) == "missing" && name == "ricochet/elongation") continue;  // it may be
-      small_trajectory().write(path, {});
+      write_h5md(path, small_trajectory(), {});
       const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
       REQUIRE(H5Ldelete(file, set, H5P_DEFAULT) >= 0);
       if (std::string(harm) != "missing") {
@@ -192,4 +195,41 @@ TEST_CASE("a sealed trajectory whose parts are missing, of another size, or numb
       CHECK_THROWS_WITH(read_trajectory(path),
                         Catch::Matchers::Contains("t.h5 is no trajectory that this version can draw"));
     }
+}
+
+TEST_CASE("results in every format are the run's own, are found by their names, and go together") {
+  const Folder folder;
+  write_everywhere(run_names::results(folder.path), example(), {});
+  for (const RowsSink& sink : rows_sinks()) {
+    const std::string name = std::string("results") + sink.extension;
+    INFO(name);
+    CHECK(fs::exists(folder.path / name));
+    CHECK(run_names::is_of_the_run(name));
+    CHECK(run_names::is_of_the_run(name + ".new"));
+    CHECK_FALSE(run_names::is_product(folder.path / name));
+  }
+  CHECK(run_names::holds_results(folder.path));
+  CHECK(run_names::stored(folder.path) == std::vector<fs::path>{run_names::readable_results(folder.path)});
+  CHECK(read_table(run_names::readable_results(folder.path)).rows() == 3);
+  run_names::remove_results(folder.path);
+  CHECK(fs::is_empty(folder.path));
+}
+
+TEST_CASE("a recorded impact in every format is a product, and so is a folder of frames, but no other folder") {
+  const Folder folder;
+  write_everywhere(folder.path / "a.b", small_trajectory(), {});
+  for (const TrajectorySink& sink : trajectory_sinks()) {
+    const fs::path path = folder.path / (std::string("a.b") + sink.extension);
+    INFO(path);
+    CHECK(fs::exists(path));
+    CHECK(run_names::is_product(path));
+    CHECK_FALSE(run_names::is_of_the_run(path.filename()));
+  }
+  fs::create_directories(folder.path / "frames");
+  CHECK_FALSE(run_names::is_product(folder.path / "frames"));
+  write_atomically(run_names::frame(folder.path / "frames", 7), "x");
+  CHECK(run_names::is_product(folder.path / "frames"));
+  write_atomically(folder.path / "frames" / "note.txt", "x");
+  CHECK_FALSE(run_names::is_product(folder.path / "frames"));
+  CHECK_FALSE(run_names::is_product(folder.path / "note.txt"));
 }

@@ -1,0 +1,38 @@
+#include "record/row.hpp"
+
+#include <fmt/format.h>
+
+#include "impact/outcome.hpp"
+#include "impact/scene.hpp"
+
+namespace ricochet {
+
+const std::vector<Member<Row>>& Row::fields() {
+  static const std::vector<Member<Row>> list{
+      {{"wall_seconds", "number", "s",
+        "its share of the time of the thread that ran it; impacts in lanes share it evenly"},
+       &Row::seconds},
+      {{"status", "string", "",
+        "how it ended: finished, energy_drift, not_finite, unstable, tunnelled, no_contact, out_of_time"},
+       &Row::status},
+      {{"reason", "string", "", "a sentence, if it did not finish"}, &Row::reason},
+      {{"scene_hash", "string", "", "hash of the scene's canonical text"}, &Row::hash},
+      {{"seed", "string", "", "seed of the projectile"}, &Row::seed},
+  };
+  return list;
+}
+
+bool Row::finished() const { return status == name_of(Status::finished); }
+
+Row row_of(const Scene& scene, const Outcome& outcome, double seconds) {
+  Row row;
+  for (const auto& [field, value] : Outcome::fields()) row.outcomes.push_back(value(outcome));
+  row.seconds = seconds;
+  row.status = name_of(outcome.status);
+  row.reason = outcome.reason;
+  row.hash = scene.hash();
+  row.seed = fmt::format("{}", scene.projectile->numbers.seed);
+  return row;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,26 @@
+#pragma once
+// A result: what is kept of one impact, as a line of a table.
+
+#include <string>
+#include <vector>
+
+#include "core/field.hpp"
+
+namespace ricochet {
+
+struct Outcome;
+struct Scene;
+
+struct Row {
+  std::vector<double> outcomes;  ///< in the order of Outcome::fields()
+  double seconds = 0;
+  std::string status, reason, hash, seed;
+
+  /// The columns beside the outcomes.
+  static const std::vector<Member<Row>>& fields();
+  bool finished() const;
+};
+
+Row row_of(const Scene& scene, const Outcome& outcome, double seconds);
+
+}  // namespace ricochet

@@ -1,0 +1,109 @@
+#include "script/listings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/spelling.hpp"
+#include "effect/catalogue.hpp"
+#include "script/fields.hpp"
+#include "store/h5md.hpp"
+#include "store/table.hpp"
+#include "theory/catalogue.hpp"
+#include "theory/errata.hpp"
+
+namespace ricochet {
+namespace {
+
+// Lines of at most `width` bytes, each after `indent`.
+std::string wrapped(const std::string& text, const std::string& indent, std::size_t width = 120) {
+  std::string result, line;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!line.empty() && indent.size() + line.size() + 1 + word.size() > width) {
+      result += indent + line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return result + indent + line + "\n";
+}
+
+void print_table(const Table& table) {
+  fmt::print("{} rows\n", table.rows());
+  if (const TextColumn* status = table.text("status")) {
+    std::map<std::string, int> counts;
+    for (const std::string& value : status->values) ++counts[value];
+    for (const auto& [value, count] : counts) fmt::print("  {:<14} {}\n", value, count);
+  }
+  for (const TextColumn& column : table.texts) fmt::print("  {:<28} {}\n", column.field.name, column.field.doc);
+  for (const NumberColumn& column : table.numbers)
+    fmt::print(
+        "  {:<28} {}\n",
+        column.field.unit.empty() ? column.field.name : fmt::format("{} [{}]", column.field.name, column.field.unit),
+        column.field.doc);
+}
+
+}  // namespace
+
+void print_effects() {
+  each_effect_kind([]<class E>(const E&) {
+    fmt::print("{}: {}\n  {}\n", E::name, E::doc, E::example);
+    for (const Field& f : fields_of<E>())
+      fmt::print("    {:<12}{}{}{}\n", f.name, f.doc, f.unit.empty() ? "" : " [" + f.unit + "]",
+                 f.initial.empty() ? "" : " (default " + f.initial + ")");
+    if (E::energy_doc) fmt::print("  column {}_energy: {}\n", E::name, E::energy_doc);
+    if constexpr (SpringChange<E>) fmt::print("  column {}_springs: {}\n", E::name, E::count_doc);
+    fmt::print("\n");
+  });
+  fmt::print(
+      "What a scene does not name in `effects = {{ ... }}` is not computed; ricochet effects --cost measures what each "
+      "costs.\n");
+}
+
+void print_theories(const std::string& name) {
+  std::vector<std::string> known;
+  for (const theory::Theory& t : theory::theories()) {
+    known.push_back(t.name);
+    if (!name.empty() && t.name != name) continue;
+    std::string names;
+    for (const Field& f : t.arguments) names += (names.empty() ? "" : ", ") + f.name;
+    fmt::print("{} {{ {} }}\n{}{}{}", t.name, names, wrapped(t.says, "  "), wrapped("valid: " + t.valid, "  "),
+               wrapped("source: " + t.source, "  "));
+  }
+  if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end()) {
+    known.push_back("errata");
+    throw Error(
+        fmt::format(
+            "there is no theory '{}'{}; ricochet theory lists them, ricochet theory errata the paper's misprints", name,
+            did_you_mean(name, known)),
+        Exit::usage);
+  }
+  fmt::print(
+      "\nAs ricochet.theory.NAME {{ field = value, ... }} in a script; fields, units and results in lua/REFERENCE.md, "
+      "sources in src/theory/references.bib.\n"
+      "Misprints of the paper: ricochet theory errata\n");
+}
+
+void print_errata() {
+  int number = 0;
+  for (const theory::Misprint& m : theory::errata())
+    fmt::print("{}. {}\n{}{}{}\n", ++number, m.where, wrapped(std::string("printed: ") + m.printed, "   "),
+               wrapped(std::string("right:   ") + m.right, "   "),
+               wrapped(std::string("checked: ") + m.checked, "   "));
+}
+
+void print_info(const std::string& path) {
+  for (const auto& [name, text] : read_provenance(path))
+    if (name != "script" && !text.empty()) fmt::print("{:<14} {}\n", name, text.substr(0, text.find('\n')));
+  if (is_trajectory(path))
+    fmt::print("a trajectory (H5MD)\n");
+  else
+    print_table(read_table(path));
+}
+
+}  // namespace ricochet

@@ -1,0 +1,84 @@
+// ricochet.plot (lua/ricochet/plot.lua), and gnuplot, which draws it.
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+#include <filesystem>
+
+#include "script/gnuplot.hpp"
+#include "script/reader.hpp"
+#include "script/run_files.hpp"
+#include "store/files.hpp"
+#include "store/run_names.hpp"
+
+namespace ricochet {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// gnuplot(name, text): writes NAME.gp into the run's folder and lets gnuplot draw NAME.svg and NAME.png.
+int gnuplot(lua_State* L) {
+  Session& session = session_of(L);
+  const fs::path script = below_folder(L, luaL_checkstring(L, 1) + std::string(run_names::plot_script));
+  const auto beside = [&](const char* extension) { return fs::path(script).replace_extension(extension); };
+  session.claim(session.own_folder());
+  write_atomically(script, luaL_checkstring(L, 2));
+  for (const char* kind : {run_names::picture, run_names::vector_picture})  // gnuplot would write through a link
+    if (fs::is_symlink(beside(kind))) fs::remove(beside(kind));
+  const int status = run_gnuplot(script.parent_path(), "./" + script.filename().string(), !session.options.unsafe);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw FileError(fmt::format("gnuplot could not draw {} (its message stands above)", script.string()));
+  const fs::path picture = beside(run_names::picture);
+  if (!fs::exists(picture))
+    throw FileError(fmt::format("gnuplot has not drawn {}; is the gnuplot in PATH the real one?", picture.string()));
+  session.print(fmt::format("plot: {}\n", picture.string()));
+  return 0;
+}
+
+}  // namespace
+
+Group plot_functions() {
+  return {
+      .functions =
+          {{.name = "plot",
+            .doc = "Draws the mean and standard error of columns against a column, lines of theory and published "
+                   "points, as "
+                   "NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.",
+            .fields =
+                {{"rows", "rows", "", "rows of a sweep; none for a picture of theory alone", any_number, "", true},
+                 {"x", "string", "", "column along x; rows are grouped by it"},
+                 {"y", "strings", "", "columns along y, one panel each"},
+                 {"by", "string", "", "column whose values are drawn as a line each", any_number, "", true},
+                 {"log",
+                  "string",
+                  "",
+                  "axes with a logarithmic scale",
+                  any_number,
+                  "none",
+                  false,
+                  {"none", "x", "y", "xy"}},
+                 {"theory", "table", "",
+                  "column = function (x), points { {x, y}, ... }, or a list of { name =, f = } and { name =, points = "
+                  "}: drawn dashed beside that column",
+                  any_number, "{}"},
+                 {"theory_name", "string", "", "in the key, of a line that has no name of its own", any_number,
+                  "theory"},
+                 {"published", "table", "",
+                  "column = points { {x, y}, ... } or a list of { name =, points = }: drawn as open marks", any_number,
+                  "{}"},
+                 {"name", "string", "", "file name without extension"},
+                 {"title", "string", "", "above the plot", any_number, "", true},
+                 {"caption", "string", "", "below the title: parameters; how many impacts finished and failed is added",
+                  any_number, "", true},
+                 {"xlabel", "string", "", "instead of the column's name and unit", any_number, "", true},
+                 {"ylabel", "table", "", "column = text instead of its name and unit", any_number, "{}"},
+                 {"xrange", "numbers", "", "{ from, to } along x; all rows and points unless given", any_number, "",
+                  true},
+                 {"yrange", "table", "", "column = { from, to }", any_number, "{}"}},
+            .returns = "nothing",
+            .example = "ricochet.plot { rows = rows, x = \"psi1\", y = { \"e\", \"mu\" }, name = \"angles\" }"}},
+      .natives = {{"gnuplot", guarded<gnuplot>}}};
+}
+
+}  // namespace ricochet

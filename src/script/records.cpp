@@ -1,0 +1,95 @@
+// ricochet.record, ricochet.lammps: impacts as files for other programs.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "impact/film.hpp"
+#include "impact/lammps.hpp"
+#include "script/fields.hpp"
+#include "script/filmed.hpp"
+#include "script/run_files.hpp"
+#include "store/files.hpp"
+#include "store/sinks.hpp"
+
+namespace ricochet {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Without pictures the free flight before the impact is of no use, and fewer frames will do.
+const FrameTimes record_times{.frames = 120, .from = 0};
+const FileName trajectory_name{"trajectory"}, lammps_name{"impact"};
+
+Trajectory trajectory_of(const FilmedScene& filmed, const std::vector<double>& times) {
+  Trajectory trajectory(frame_mesh(filmed.scene, filmed.solids));
+  if (!film_scene(filmed.solids, filmed.scene, times, stop_requested,
+                  [&](Frame frame) { trajectory.add(std::move(frame)); }))
+    throw Error("interrupted", Exit::interrupted);
+  return trajectory;
+}
+
+int record(lua_State* L) {
+  check_table(L, 1, function_named("record"));
+  Session& session = session_of(L);
+  std::vector<FilmedScene> scenes = filmed_scenes(L);
+  const FilmedScene& filmed = scenes[0];
+  if (session.options.check) return push_filmed_rows(L, scenes);
+  const std::string name = members_of_call(L, trajectory_name).out;
+  const fs::path path = claimed_path(L, "out", name + trajectory_sinks().front().extension);
+  const FrameTimes wanted = members_of_call(L, record_times);
+  follow(L, scenes);
+  const CallSite call = call_site(L);
+  at_scene(session, call, filmed, [&] {
+    const Trajectory trajectory = trajectory_of(filmed, times_of(scenes, wanted));
+    Provenance provenance = session.provenance();
+    provenance["scene"] = filmed.scene.text();
+    provenance["scene_hash"] = filmed.scene.hash();
+    write_everywhere(fs::path(path).replace_extension(), trajectory, provenance);
+    session.print(fmt::format("{} frames in {}\n", trajectory.frames().size(), path.string()));
+  });
+  return push_filmed_rows(L, scenes);
+}
+
+// Writes OUT.data and OUT.in.
+int lammps(lua_State* L) {
+  check_table(L, 1, function_named("lammps"));
+  Session& session = session_of(L);
+  const std::vector<FilmedScene> scenes = filmed_scenes(L);
+  const FilmedScene& filmed = scenes[0];
+  if (session.options.check) return 0;
+  at_scene(session, call_site(L), filmed, [&] {
+    const fs::path data = below_folder(L, members_of_call(L, lammps_name).out + ".data");
+    const LammpsFiles files = lammps_files(filmed.scene, filmed.solids, data.stem().string());
+    session.claim(session.own_folder());
+    make_folder(data.parent_path());
+    write_atomically(data, files.data);
+    write_atomically(fs::path(data).replace_extension(".in"), files.input);
+    session.print(fmt::format("LAMMPS files: {}, beside it .in\n", data.string()));
+  });
+  return 0;
+}
+
+}  // namespace
+
+Group record_functions() {
+  return {.functions = {
+              {.name = "record",
+               .doc = "Stores an impact as H5MD (OUT.h5, for MDAnalysis and `ricochet render`) and OUT.xdmf (for "
+                      "ParaView). Returns the impact's row.",
+               .fields = std::vector<Field>{scene_field()} + fields_of(record_times) + fields_of(trajectory_name),
+               .returns = "table",
+               .example = "ricochet.record { scene = scene, frames = 200 }",
+               .call = guarded<record>},
+              {.name = "lammps",
+               .doc = "Exports a scene without effects for LAMMPS: OUT.data and the input script OUT.in, with every "
+                      "spring as a bond of bond_style class2, which carries the quartic term. "
+                      "LAMMPS repels node from node, not from segment.",
+               .fields = std::vector<Field>{scene_field()} + fields_of(lammps_name),
+               .returns = "nothing",
+               .example = "ricochet.lammps { scene = scene }",
+               .call = guarded<lammps>}}};
+}
+
+}  // namespace ricochet

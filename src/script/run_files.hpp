@@ -1,0 +1,11 @@
+#pragma once
+#include <filesystem>
+#include <lua.hpp>
+#include <string>
+
+namespace ricochet {
+
+/// A path below the run's own folder. Throws Error if the name, or a link, leads out of it.
+std::filesystem::path below_folder(lua_State* L, const std::string& name);
+
+}  // namespace ricochet

@@ -1,0 +1,246 @@
+// ricochet.scene, its tables and its effects.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "impact/batch.hpp"
+#include "impact/outcome.hpp"
+#include "script/fields.hpp"
+#include "script/objects.hpp"
+#include "script/reader.hpp"
+#include "script/step_choice.hpp"
+
+namespace ricochet {
+namespace {
+
+// A function of the catalogue: reads the fields of an effect.
+template <class E>
+int effect(lua_State* L) {
+  check_table(L, 1, function_named(E::name));
+  E made;
+  read_members(L, 1, made);
+  push_object(L, "ricochet.effect", EffectObject{made});
+  return 1;
+}
+
+// Fields that contradict each other give no velocity.
+void check_launch(const Launch& launch) { static_cast<void>(launch.velocity()); }
+
+// Throws FieldError for what no field is wrong in by itself.
+void check_scene(const Scene& scene) {
+  check_launch(scene.launch);
+  scene.integration.check();
+  if (const std::string conflict = conflict_of(scene.effects); !conflict.empty()) throw FieldError("effects", conflict);
+  if (const std::string conflict = scene.conflict_with(scene.method()); !conflict.empty())
+    throw FieldError("method", conflict);
+  const auto& held = scene.projectile->anchored;
+  if (std::find(held.begin(), held.end(), true) != held.end())
+    throw FieldError("projectile", "must be free, but this body has anchored nodes");
+}
+
+Scene read_scene(lua_State* L) {
+  Scene scene;
+  lua_getfield(L, 1, "projectile");
+  lua_getfield(L, 1, "target");
+  scene.projectile = body_at(L, -2).body;
+  scene.target = body_at(L, -1).body;
+  read_members(L, 1, scene.integration);
+  read_inner_members(L, 1, "launch", scene.launch);
+  read_inner_members(L, 1, "contact", scene.contact);
+  each_in_field(L, 1, "effects", [&](lua_Integer) { scene.effects.push_back(effect_at(L, -1).effect); });
+  return scene;
+}
+
+// A study is about the first scene that a script makes; here the newest, on top of the stack.
+void keep_first_scene(lua_State* L) {
+  if (has_field(L, LUA_REGISTRYINDEX, "ricochet.first_scene")) return;
+  lua_pushvalue(L, -1);
+  lua_setfield(L, LUA_REGISTRYINDEX, "ricochet.first_scene");
+}
+
+int scene(lua_State* L) {
+  check_table(L, 1, function_named("scene"));
+  Session& session = session_of(L);
+  SceneObject made{read_scene(L), call_site(L)};
+  try {
+    check_scene(made.scene);
+  } catch (const FieldError& error) {
+    throw_at(session, made.site, error);
+  }
+  if (const Method& method = made.scene.method(); !method.symplectic())
+    session.warn(
+        fmt::format("{} is a control: it is not symplectic, so the energy of an impact drifts for good", method.name));
+  push_object(L, "ricochet.scene", std::move(made));
+  if (!session.options.study.empty()) keep_first_scene(L);
+  return 1;
+}
+
+Outcome run_one(Session& session, Scene& scene) {
+  scene = with_chosen_step(session, scene);
+  const BuiltSolids solids(scene);
+  if (!session.options.check) return run_scene(solids, scene, stop_requested);
+  check_start(solids, scene);
+  return {};
+}
+
+int scene_run(lua_State* L) {
+  const SceneObject& object = scene_at(L, 1);
+  Session& session = session_of(L);
+  Scene scene = object.scene;
+  Outcome outcome;
+  try {
+    outcome = run_one(session, scene);
+  } catch (const FieldError& error) {
+    throw_at(session, object.site, error);
+  }
+  if (stop_requested) throw Error("interrupted", Exit::interrupted);
+  const Method& method = scene.method();
+  if (!session.options.check && outcome.status != Status::no_contact)
+    session.print_first(fmt::format("{}:{}", object.site.file, object.site.line),
+                        fmt::format("scene: {}, time step {:.4g} R/c, theta {:.4g} and at most {:.3g} (stable "
+                                    "below {:.4g}); frequency bound {:.4g} c/R\n",
+                                    method.name, outcome.step, outcome.theta, outcome.theta_most,
+                                    method.stability_limit, outcome.theta / outcome.step));
+  const Row row = row_of(scene, outcome, 0);
+  if (!session.options.check) session.count(row);
+  push_row(L, row);
+  return 1;
+}
+
+int scene_text(lua_State* L) {
+  lua_pushstring(L, scene_at(L, 1).scene.text().c_str());
+  return 1;
+}
+
+int scene_hash(lua_State* L) {
+  lua_pushstring(L, scene_at(L, 1).scene.hash().c_str());
+  return 1;
+}
+
+// given(body or scene): a copy of the table it was made from.
+int given(lua_State* L) {
+  if (!is_object(L, 1, "body") && !is_object(L, 1, "scene"))
+    throw std::logic_error("given: neither a body nor a scene");
+  lua_getiuservalue(L, 1, 1);
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, 2) != 0;) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_settable(L, 3);
+  }
+  return 1;
+}
+
+// catalogue(): { { name =, example = }, ... } of every kind of effect.
+int catalogue(lua_State* L) {
+  lua_newtable(L);
+  each_effect_kind([&]<class E>(const E&) {
+    lua_createtable(L, 0, 2);
+    lua_pushstring(L, E::name);
+    lua_setfield(L, -2, "name");
+    lua_pushstring(L, E::example);
+    lua_setfield(L, -2, "example");
+    lua_seti(L, -2, list_length(L, -2) + 1);
+  });
+  return 1;
+}
+
+// effect_name(effect): that of its kind.
+int effect_name(lua_State* L) {
+  lua_pushstring(L, std::visit([]<class E>(const E&) { return E::name; }, effect_at(L, 1).effect));
+  return 1;
+}
+
+// reseeded(effect, shift): the effect, with its seed moved on if it has one.
+int reseeded(lua_State* L) {
+  Effect effect = effect_at(L, 1).effect;
+  const lua_Integer shift = luaL_checkinteger(L, 2);
+  std::visit(
+      [&](auto& e) {
+        if constexpr (requires { e.seed; }) e.seed += shift;
+      },
+      effect);
+  lua_newtable(L);
+  lua_replace(L, 1);  // what it was made from: nothing that is asked for
+  push_object(L, "ricochet.effect", EffectObject{effect});
+  return 1;
+}
+
+// nodes(scene): of both bodies.
+int nodes(lua_State* L) {
+  const Scene& scene = scene_at(L, 1).scene;
+  lua_pushinteger(L, scene.projectile->numbers.nodes + scene.target->numbers.nodes);
+  return 1;
+}
+
+// strict(table, what): the table, in which names that it has not are errors.
+int strict(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  const std::string what = luaL_checkstring(L, 2);
+  lua_settop(L, 1);
+  push_strict(L, what);
+  return 1;
+}
+
+Function scene_function() {
+  const std::vector<Field> parts{
+      {"projectile", "body", "", "the body that flies in; free"},
+      {"target", "body", "", "the body that is hit; free or anchored"},
+      {"launch", "launch", "", "how the projectile comes in", any_number, "{}"},
+      {"contact", "contact", "", "how the bodies repel each other", any_number, "{}"},
+      {"effects", "effects", "",
+       "list of what else acts, e.g. { ricochet.gravity { g = 1e-4 } }; what is not named is not computed", any_number,
+       "{}"}};
+  return {.name = "scene",
+          .doc =
+              "One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream "
+              "so that its smooth outline would touch the "
+              "target's at x = launch.at. `scene:run()` runs it and returns a row; `scene:text()` is its canonical "
+              "text, `scene:hash()` that text's hash.",
+          .fields = parts + fields_of<Integration>(),
+          .returns = "scene",
+          .example =
+              "ricochet.scene { projectile = ricochet.disk {}, target = ricochet.wall { stiffness = 100 }, "
+              "launch = { psi1 = 3 } }",
+          .call = guarded<scene>};
+}
+
+template <class E>
+Function effect_function() {
+  std::string doc = std::string("An effect, for the `effects` of a scene. ") + E::doc;
+  if (is_split(E{})) doc += fmt::format(" Goes with verlet only: outcomes converge at order {}.", order_beside(E{}));
+  return {.name = E::name,
+          .doc = doc,
+          .fields = fields_of<E>(),
+          .returns = "effect",
+          .example = E::example,
+          .call = guarded<effect<E>>};
+}
+
+void make_types(lua_State* L) {
+  make_type(L, "ricochet.effect", collect_object<EffectObject>);
+  make_type(L, "ricochet.scene", collect_object<SceneObject>,
+            {{"run", guarded<scene_run>}, {"text", guarded<scene_text>}, {"hash", guarded<scene_hash>}});
+}
+
+}  // namespace
+
+Group scene_functions() {
+  Group group;
+  group.functions = {
+      scene_function(),
+      {.name = "launch", .doc = "The `launch` table of a scene.", .fields = fields_of<Launch>(), .is_table = true},
+      {.name = "contact",
+       .doc = "The `contact` table of a scene: V0 exp(-xi d), summed over the rim segments within reach of each rim "
+              "node.",
+       .fields = fields_of<ExponentialRepulsion>(),
+       .is_table = true}};
+  each_effect_kind([&]<class E>(const E&) { group.functions.push_back(effect_function<E>()); });
+  group.natives = {{"given", guarded<given>}, {"strict", strict}, {"catalogue", catalogue},
+                   {"reseeded", reseeded},    {"nodes", nodes},   {"effect_name", effect_name}};
+  group.add = make_types;
+  return group;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,84 @@
+#include "script/sweep_report.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "impact/outcome.hpp"
+
+namespace ricochet {
+namespace {
+
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  void include(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  std::string text() const {
+    return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high);
+  }
+};
+
+struct Steps {
+  Extent step, theta, most, bound;
+};
+
+std::size_t column(const std::string& name) {
+  std::size_t i = 0;
+  while (Outcome::fields()[i].first.name != name) ++i;
+  return i;
+}
+
+}  // namespace
+
+Progress::Progress(const Session& session, std::string name, std::size_t total, std::size_t before)
+    : name_(std::move(name)),
+      total_(total),
+      before_(before),
+      done_(before),
+      quiet_(session.options.quiet),
+      terminal_(isatty(STDERR_FILENO)) {}
+
+void Progress::add(std::size_t count, std::size_t failed) {
+  done_ += count;
+  failed_ += failed;
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  const double rate = static_cast<double>(done_ - before_) / std::max(seconds, 1e-9);
+  const std::string line = fmt::format("{}: {}/{}  {:.2f}/s  {:.0f} s left  {} failed", name_, done_, total_, rate,
+                                       static_cast<double>(total_ - done_) / rate, failed_);
+  if (quiet_) return;
+  if (terminal_) {
+    fmt::print(stderr, "\r\033[K{}{}", line, done_ == total_ ? "\n" : "");
+  } else if (done_ * 10 / total_ > tenth_) {
+    tenth_ = done_ * 10 / total_;
+    fmt::print(stderr, "{}\n", line);
+  }
+}
+
+std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>& rows) {
+  const std::size_t step = column("step"), theta = column("theta"), most = column("theta_most");
+  std::map<std::string, Steps> methods;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<double>& values = rows[i].outcomes;
+    if (std::isnan(values[step])) continue;  // passed by
+    Steps& of = methods[scenes[i].method().name];
+    of.step.include(values[step]);
+    of.theta.include(values[theta]);
+    of.most.include(values[most]);
+    of.bound.include(values[theta] / values[step]);
+  }
+  std::string text;
+  for (const auto& [name, s] : methods)
+    text += fmt::format(
+        "  {}, time step {} R/c, theta {} and at most {:.3g} (stable below {:.4g}); frequency bound {} c/R\n", name,
+        s.step.text(), s.theta.text(), s.most.high, method_named(name).stability_limit, s.bound.text());
+  return text;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,33 @@
+#pragma once
+// What a sweep tells its user, while it runs and at its end.
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "impact/scene.hpp"
+#include "record/row.hpp"
+#include "script/session.hpp"
+
+namespace ricochet {
+
+/// One line on a terminal, plain lines elsewhere, nothing with --quiet.
+class Progress {
+ public:
+  Progress(const Session& session, std::string name, std::size_t total, std::size_t before);
+
+  void add(std::size_t count, std::size_t failed);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string name_;
+  std::size_t total_, before_, done_, failed_ = 0, tenth_ = 0;
+  bool quiet_, terminal_;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// "pefrl, time step 0.0052 R/c, theta 1.6 and at most 1.68 (stable below 2.99)" for each method that ran.
+std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>& rows);
+
+}  // namespace ricochet

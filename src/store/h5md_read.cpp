@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "store/h5md.hpp"
+#include "store/hdf5.hpp"
+
+namespace ricochet {
+namespace {
+
+// Whole numbers below a bound.
+std::vector<int> indices(hid_t group, const char* name, std::size_t below) {
+  std::vector<int> list;
+  for (const double value : hdf5::read_numbers(group, name)) {
+    if (!(value >= 0 && value < static_cast<double>(below) && value == std::floor(value)))
+      throw FileError(fmt::format("{} holds {}, which numbers nothing", name, value));
+    list.push_back(static_cast<int>(value));
+  }
+  return list;
+}
+
+template <std::size_t N>
+std::vector<std::array<int, N>> tuples(const std::vector<int>& flat) {
+  if (flat.size() % N != 0) throw FileError(fmt::format("{} numbers are no groups of {}", flat.size(), N));
+  std::vector<std::array<int, N>> list(flat.size() / N);
+  for (std::size_t i = 0; i < list.size() * N; ++i) list[i / N][i % N] = flat[i];
+  return list;
+}
+
+void must_be(bool fits, const char* what) {
+  if (!fits) throw FileError(fmt::format("the sizes of {} do not fit together", what));
+}
+
+FrameMesh read_mesh(const hdf5::Handle& file) {
+  const hdf5::Handle own = hdf5::open_group(file, "ricochet"), connectivity = hdf5::open_group(file, "connectivity");
+  FrameMesh mesh;
+  const std::vector<double> rest = hdf5::read_numbers(own, "rest"), bodies = hdf5::read_numbers(own, "bodies"),
+                            launch = hdf5::read_numbers(own, "launch");
+  must_be(bodies.size() == 5 && launch.size() == 1 && rest.size() % 2 == 0 && !rest.empty(), "the bodies");
+  for (std::size_t i = 0; i + 1 < rest.size(); i += 2) mesh.rest.emplace_back(rest[i], rest[i + 1]);
+  const std::size_t nodes = mesh.rest.size();
+  must_be(bodies[0] >= 1 && bodies[0] < static_cast<double>(nodes), "the bodies");
+  mesh.psi1 = launch[0];
+  mesh.projectile_nodes = static_cast<int>(bodies[0]);
+  mesh.mass = {bodies[1], bodies[2]};
+  mesh.quartic = {bodies[3], bodies[4]};
+  for (const int held : indices(own, "anchored", 2)) mesh.anchored.push_back(held != 0);
+  mesh.springs = tuples<2>(indices(connectivity, "springs", nodes));
+  mesh.triangles = tuples<3>(indices(connectivity, "triangles", nodes));
+  mesh.length = hdf5::read_numbers(own, "rest_length");
+  mesh.stiffness = hdf5::read_numbers(own, "stiffness");
+  mesh.rims = {indices(own, "projectile_rim", nodes), indices(own, "target_rim", nodes)};
+  must_be(mesh.anchored.size() == nodes && mesh.length.size() == mesh.springs.size() &&
+              mesh.stiffness.size() == mesh.springs.size() && mesh.rims[0].size() >= 3 && mesh.rims[1].size() >= 3,
+          "nodes, springs and rims");
+  return mesh;
+}
+
+std::vector<Frame> read_frames(const hdf5::Handle& file, const FrameMesh& mesh) {
+  const hdf5::Handle particles = hdf5::open_group(file, "particles"), all = hdf5::open_group(particles, "trajectory"),
+                     own = hdf5::open_group(file, "ricochet");
+  const hdf5::Handle position = hdf5::open_group(all, "position"), velocity = hdf5::open_group(all, "velocity"),
+                     observed = hdf5::open_group(file, "observables");
+  const std::vector<double> time = hdf5::read_numbers(position, "time"), step = hdf5::read_numbers(position, "step");
+  std::vector<Frame> frames(time.size());
+  const std::size_t nodes = mesh.rest.size();
+  must_be(step.size() == time.size(), "times and steps");
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    frames[k].time = time[k];
+    frames[k].step = static_cast<std::int64_t>(step[k]);
+  }
+  const auto spread = [&](const std::vector<float>& values, std::vector<Eigen::Vector2f> Frame::*member) {
+    must_be(values.size() == frames.size() * nodes * 3, "frames and nodes");
+    for (std::size_t k = 0; k < frames.size(); ++k)
+      for (std::size_t i = 0; i < nodes; ++i)
+        (frames[k].*member).emplace_back(values[(k * nodes + i) * 3], values[(k * nodes + i) * 3 + 1]);
+  };
+  spread(hdf5::read_floats(position, "value"), &Frame::position);
+  spread(hdf5::read_floats(velocity, "value"), &Frame::velocity);
+  spread(hdf5::read_floats(own, "contact_force"), &Frame::contact_force);
+  for (std::size_t e = 0; e < frame_energies.size(); ++e) {
+    const hdf5::Handle element = hdf5::open_group(observed, frame_energies[e]);
+    const std::vector<double> values = hdf5::read_numbers(element, "value");
+    must_be(values.size() == frames.size(), "frames and energies");
+    for (std::size_t k = 0; k < frames.size(); ++k) frames[k].energy[e] = values[k];
+  }
+  if (H5Lexists(own, "elongation", H5P_DEFAULT) > 0) {
+    const std::vector<float> values = hdf5::read_floats(own, "elongation");
+    must_be(values.size() == frames.size() * mesh.springs.size(), "frames and springs");
+    for (std::size_t k = 0; k < frames.size(); ++k)
+      frames[k].elongation.assign(values.begin() + static_cast<std::ptrdiff_t>(k * mesh.springs.size()),
+                                  values.begin() + static_cast<std::ptrdiff_t>((k + 1) * mesh.springs.size()));
+  }
+  return frames;
+}
+
+}  // namespace
+
+Trajectory read_trajectory(const std::filesystem::path& path) {
+  const hdf5::Handle file = hdf5::open_file(path);
+  if (H5Lexists(file, "h5md", H5P_DEFAULT) <= 0)
+    throw FileError(fmt::format("{} holds no trajectory (ricochet.record writes one)", path.string()));
+  try {
+    Trajectory trajectory(read_mesh(file));
+    for (Frame& frame : read_frames(file, trajectory.mesh())) trajectory.add(std::move(frame));
+    return trajectory;
+  } catch (const FileError& error) {
+    throw FileError(fmt::format("{} is no trajectory that this version can draw: {}; record it again", path.string(),
+                                error.what()));
+  }
+}
+
+bool is_trajectory(const std::filesystem::path& path) {
+  return H5Lexists(hdf5::open_file(path), "h5md", H5P_DEFAULT) > 0;
+}
+
+}  // namespace ricochet
