@@ -41,8 +41,9 @@ function ricochet.parameters(t) end
 ---@field mass? number mass of one node [m0] (default 1)
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
+---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
---- A random mass-spring lattice in a closed outline.
+--- A random mass-spring lattice in a closed outline, or a rigid body.
 ---@param t ricochet.body_fields
 ---@return ricochet.body
 function ricochet.body(t) end
@@ -57,6 +58,7 @@ function ricochet.body(t) end
 ---@field mass? number mass of one node [m0] (default 1)
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
+---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
 --- A disk around the origin.
 ---@param t ricochet.disk_fields
@@ -74,10 +76,16 @@ function ricochet.disk(t) end
 ---@field mass? number mass of one node [m0] (default 1)
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
+---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
 --- A rectangular block whose top is y = 0, held at both sides and at the bottom.
 ---@param t ricochet.wall_fields
 ---@return ricochet.body
 function ricochet.wall(t) end
+
+--- The rigid half-plane y <= 0, as a target: a projectile's rim node at the height y has the energy V0 exp(-xi y). Nothing in it moves, so a scene costs the projectile alone.
+---@param t table
+---@return ricochet.body
+function ricochet.plane(t) end
 
 ---@class ricochet.scene_fields
 ---@field projectile ricochet.body the body that flies in; free

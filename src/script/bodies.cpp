@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "core/hash.hpp"
-#include "shape/outline.hpp"
 #include "script/fields.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
+#include "shape/outline.hpp"
 
 namespace ricochet {
 namespace {
@@ -67,7 +67,7 @@ class PlaceFunction {
 
 std::string plan_key(const Body& body, const std::vector<bool>& anchored_rim) {
   const BodyNumbers& n = body.numbers;
-  std::string text = fmt::format("{} {} {} {};", n.nodes, n.placement, n.seed, n.roughness);
+  std::string text = fmt::format("{} {} {} {} {};", n.interior, n.nodes, n.placement, n.seed, n.roughness);
   for (const Vec2& p : body.outline) text += fmt::format("{} {};", p.x(), p.y());
   for (const bool held : anchored_rim) text += held ? '1' : '0';
   return hash_text(text);
@@ -87,6 +87,24 @@ std::shared_ptr<const NodePlan> planned(Session& session, const Body& body, cons
   return plan;
 }
 
+// Refuses what says nothing of a rigid body; `by_place`: its stiffness was given as a function.
+void check_rigid(const BodyNumbers& given, bool by_place) {
+  const BodyNumbers usual;
+  const auto refuse = [](const char* field) {
+    throw FieldError(field, "says nothing of a rigid body, inside which nothing moves; leave it out");
+  };
+  if (by_place || given.stiffness != usual.stiffness) refuse("stiffness");
+  if (given.mass != usual.mass) refuse("mass");
+  if (given.placement != usual.placement) refuse("placement");
+  if (given.prestress != usual.prestress) refuse("prestress");
+  for (const auto& [field, place] : SpringLawNumbers::fields())
+    std::visit(
+        [&](auto number) {
+          if (given.*number != usual.*number) refuse(field.name.c_str());
+        },
+        place);
+}
+
 // The body of the table at index 1.
 Body read_body(lua_State* L) {
   Body made;
@@ -95,6 +113,7 @@ Body read_body(lua_State* L) {
   made.outline = points_at(L, -1);
   if (signed_area(made.outline) < 0) std::reverse(made.outline.begin(), made.outline.end());
   const PlaceFunction anchored(L, "anchored"), stiffness(L, "stiffness");
+  if (made.rigid()) check_rigid(made.numbers, stiffness.given());
   std::vector<bool> anchored_rim;
   const Points rim = plan_rim(made.outline, made.numbers);
   if (anchored.given())
@@ -104,8 +123,8 @@ Body read_body(lua_State* L) {
     made.anchored = anchored_rim;
     for (std::size_t i = made.anchored.size(); i < plan->points.size(); ++i)
       made.anchored.push_back(anchored.truth_at(plan->points[i]));
-    if (std::count(made.anchored.begin(), made.anchored.end(), false) == 0)
-      throw FieldError("anchored", "holds every node; nothing could move");
+    if (std::count(made.anchored.begin(), made.anchored.end(), false) == 0 && !made.rigid())
+      throw FieldError("anchored", "holds every node; nothing could move: give interior = \"rigid\" instead");
   }
   if (stiffness.given()) {
     for (const Vec2& p : plan->points) made.node_stiffness.push_back(stiffness.positive_number_at(p, "stiffness"));
@@ -127,6 +146,14 @@ int body(lua_State* L) {
       made->outline.size() * sizeof(Vec2) + made->anchored.size() / 8 + made->node_stiffness.size() * sizeof(double);
   push_object(L, "ricochet.body", BodyObject{made});
   lua_gc(L, LUA_GCSTEP, static_cast<int>(bytes / 1024 + 1));  // Lua does not see what its object holds
+  return 1;
+}
+
+int plane(lua_State* L) {
+  check_table(L, 1, function_named("plane"));
+  Body made;
+  made.plane = Plane{};
+  push_object(L, "ricochet.body", BodyObject{std::make_shared<const Body>(made)});
   return 1;
 }
 
@@ -155,7 +182,7 @@ Group body_functions() {
   of_wall.nodes = 4000;
   return {
       .functions = {{.name = "body",
-                     .doc = "A random mass-spring lattice in a closed outline.",
+                     .doc = "A random mass-spring lattice in a closed outline, or a rigid body.",
                      .fields = outline + number_fields() + anchored,
                      .returns = "body",
                      .example = "ricochet.body { outline = { {0, 0}, {2, 0}, {1, 2} }, nodes = 300 }",
@@ -169,7 +196,14 @@ Group body_functions() {
                      .doc = "A rectangular block whose top is y = 0, held at both sides and at the bottom.",
                      .fields = extent + number_fields(of_wall),
                      .returns = "body",
-                     .example = "ricochet.wall { nodes = 4000, stiffness = 100, roughness = 0.03, seed = 7 }"}},
+                     .example = "ricochet.wall { nodes = 4000, stiffness = 100, roughness = 0.03, seed = 7 }"},
+                    {.name = "plane",
+                     .doc = "The rigid half-plane y <= 0, as a target: a projectile's rim node at the height y has the "
+                            "energy V0 exp(-xi y). Nothing in it moves, so a scene costs the projectile alone.",
+                     .fields = {},
+                     .returns = "body",
+                     .example = "ricochet.plane {}",
+                     .call = guarded<plane>}},
       .natives = {{"own_body", guarded<body<true>>}},
       .add = [](lua_State* L) { make_type(L, "ricochet.body", collect_object<BodyObject>); },
   };
