@@ -4,8 +4,10 @@
 #include <string>
 
 #define GL_GLEXT_PROTOTYPES  // declared, never linked: for their types
-#include <GL/glext.h>
 #include <GL/osmesa.h>
+
+// After it: the types of GL come from there.
+#include <GL/glext.h>
 
 namespace ricochet::render {
 

@@ -68,12 +68,20 @@ int run(RunOptions options, const std::string& script, const std::vector<std::st
   return 0;
 }
 
+// The user's next line; false at the end.
+bool prompted(std::string& line) {
+  fmt::print("> ");
+  std::fflush(stdout);
+  return static_cast<bool>(std::getline(std::cin, line));
+}
+
 int repl() {
   Session session({}, "repl", {});
   State state(session);
   state.run_text("rawset(_G, 'ricochet', require 'ricochet')");
   fmt::print("{}\nLua with `ricochet` loaded; end with ^D.\n", version_text().substr(0, version_text().find('\n')));
-  for (std::string line; fmt::print("> "); std::fflush(stdout); std::getline(std::cin, line);) {
+  std::string line;
+  while (prompted(line)) {
     try {
       state.run_text(line);
     } catch (const Error& error) {
