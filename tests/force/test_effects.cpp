@@ -267,8 +267,8 @@ TEST_CASE("a plastic spring yields at its limit, hardens, and yields the other w
   const Spring spring{0, 1, false, 2.0, 1.0};
   SpringMemory<1> memory{one(0), one(0)};
   const auto tension_at = [&](double x) {
-    return plastic.change(Linear{}, spring, one(x), memory);
-    tension_of(plastic, Linear{}, one(x), memory)[0];
+    plastic.change(Linear{}, spring, one(x), memory);
+    return tension_of(plastic, Linear{}, one(x), memory)[0];
   };
   CHECK(tension_at(0.19) == Catch::Detail::Approx(0.19));
   // Past 0.2 the tension grows with slope H / (1 + H) = 1/3.
