@@ -142,7 +142,7 @@ void check_size(int width, int height) {
 }
 
 struct Context::Implementation {
-  int width, height, scale, samples;
+  int width = 0, height = 0, scale = 1, samples = 1;
   OSMesaContext context = nullptr;
   std::vector<std::uint8_t> pixels;  // RGBA
   std::unique_ptr<Gl> gl;

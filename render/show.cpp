@@ -76,14 +76,21 @@ Smoothing Show::how_smooth() const {
                                       : Smoothing::lines;
 }
 
-const std::vector<Member<Show>>& Show::fields() {
-  const auto flag = [](const char* name, bool on, const char* doc) {
-    return Field{name, "boolean", "", doc, any_number, on ? "true" : "false"};
-  };
-  const auto choice = [](const char* name, const char* initial, std::string doc, std::vector<std::string> choices) {
-    return Field{name, "string", "", std::move(doc), any_number, initial, false, std::move(choices)};
-  };
-  static const std::vector<Member<Show>> list{
+namespace {
+
+using Members = std::vector<Member<Show>>;
+
+Field flag(const char* name, bool on, const char* doc) {
+  return {name, "boolean", "", doc, any_number, on ? "true" : "false"};
+}
+
+Field choice(const char* name, const char* initial, std::string doc, std::vector<std::string> choices) {
+  return {name, "string", "", std::move(doc), any_number, initial, false, std::move(choices)};
+}
+
+// What is drawn of the bodies.
+Members fields_of_the_scene() {
+  return {
       {{"title", "string", "", "above the picture", any_number, "", true}, &Show::title},
       {choice("material", "energy_density",
               "what colours the bodies: none (nothing is filled), plain" + docs_of(material_quantities()),
@@ -103,6 +110,12 @@ const std::vector<Member<Show>>& Show::fields() {
       {flag("ghost", false, "outlines of the bodies as if they were rigid"), &Show::ghost},
       {{"magnify", "number", "", "factor of the deformation, the difference from a rigid motion", {0, 1e6}, "1"},
        &Show::magnify},
+  };
+}
+
+// What stands beside them.
+Members fields_of_the_texts() {
+  return {
       {flag("colour_bar", true, "what the colours mean, with unit"), &Show::colour_bar},
       {flag("clock", true, "time and Psi1"), &Show::clock},
       {flag("ledger", false,
@@ -112,6 +125,12 @@ const std::vector<Member<Show>>& Show::fields() {
       {choice("plot", "none", "a plot that grows with time" + docs_of(plot_quantities()),
               names_of(plot_quantities(), {"none"})),
        &Show::plot},
+  };
+}
+
+// How it is seen and coloured.
+Members fields_of_the_view() {
+  return {
       {choice("colours", "auto", "of the colour bar; auto: ylgnbu, or puor for a quantity of both signs",
               {"auto", "ylgnbu", "puor", "cividis"}),
        &Show::colours},
@@ -141,6 +160,17 @@ const std::vector<Member<Show>>& Show::fields() {
               {"lines", "multisample", "supersample"}),
        &Show::smoothing},
   };
+}
+
+}  // namespace
+
+const std::vector<Member<Show>>& Show::fields() {
+  static const Members list = [] {
+    Members all = fields_of_the_scene();
+    for (const Members& more : {fields_of_the_texts(), fields_of_the_view()})
+      all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }();
   return list;
 }
 
