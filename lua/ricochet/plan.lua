@@ -1,4 +1,5 @@
--- ricochet.plan: the error budget of a sweep (time step, lattice size, samples), and the cheapest way to a wanted standard error.
+-- ricochet.plan: the error budget of a sweep (time step, lattice size, samples), and the cheapest way to a wanted
+-- standard error.
 local core = require "ricochet.core"
 local sweeps = require "ricochet.sweep"
 local refine = require "ricochet.refine"
@@ -33,7 +34,9 @@ local function points_of(sweep, sample)
   local count = 0
   for value in pairs(samples) do
     count = count + 1
-    if math.type(value) ~= "integer" then core.fail(("over.%s must hold whole numbers to be counted on, has %s"):format(sample, tostring(value)), "samples") end
+    if math.type(value) ~= "integer" then
+      core.fail(("over.%s must hold whole numbers to be counted on, has %s"):format(sample, tostring(value)), "samples")
+    end
   end
   return list, count
 end
@@ -45,8 +48,8 @@ local function spread_out(list, most)
   return few
 end
 
--- The variance that is exceeded in one of ten cases, over the one that n degrees of freedom measured: n / chi^2 at 0.1, by
--- Wilson and Hilferty's approximation, good to 1 % from 5 degrees on.
+-- The variance that is exceeded in one of ten cases, over the one that n degrees of freedom measured: n / chi^2 at 0.1,
+-- by Wilson and Hilferty's approximation, good to 1 % from 5 degrees on.
 local function cautious(n)
   return 1 / math.max(0.05, 1 - 2 / (9 * n) - 1.2816 * math.sqrt(2 / (9 * n))) ^ 3
 end
@@ -74,8 +77,8 @@ local function making_seconds(sweep, sample, points, count)
   return (core.clock() - began) / count
 end
 
--- Every point with samples 1 ... count on lattices of `factor` times the nodes: rows by point, and seconds a sample of all points, from
--- the sweep's own scenes to the outcomes.
+-- Every point with samples 1 ... count on lattices of `factor` times the nodes: rows by point, and seconds a sample of
+-- all points, from the sweep's own scenes to the outcomes.
 local function pilot(sweep, sample, points, count, factor, changes)
   local began, scenes = core.clock(), {}
   for i = 1, count do  -- points that share a lattice beside each other, as in the sweep
@@ -114,7 +117,8 @@ local function seconds_at(sizes, factor)
     local nearest = below or above
     return nearest.seconds * (factor / nearest.factor) ^ 1.5
   end
-  return below.seconds * (factor / below.factor) ^ (math.log(above.seconds / below.seconds) / math.log(above.factor / below.factor))
+  return below.seconds * (factor / below.factor) ^ (
+    math.log(above.seconds / below.seconds) / math.log(above.factor / below.factor))
 end
 
 local function nearest_size(sizes, factor)
@@ -128,21 +132,29 @@ end
 -- Deviation of a point's outcome over lattices, from all sizes of the pilot, and the one to plan with.
 local function deviation(sizes, k)
   local square, freedom = 0, 0
-  for _, size in ipairs(sizes) do square, freedom = square + size[k].sd ^ 2 * size[k].freedom, freedom + size[k].freedom end
+  for _, size in ipairs(sizes) do
+    square, freedom = square + size[k].sd ^ 2 * size[k].freedom, freedom + size[k].freedom
+  end
   return math.sqrt(square / freedom), math.sqrt(square / freedom * cautious(freedom))
 end
 
 local function name_of(point, names, sample)
   local parts = {}
   for _, name in ipairs(names) do
-    if name ~= sample then parts[#parts + 1] = ("%s=%s"):format(name, type(point[name]) == "number" and ("%.4g"):format(point[name]) or tostring(point[name])) end
+    if name ~= sample then
+      parts[#parts + 1] = ("%s=%s"):format(name, type(point[name]) == "number" and ("%.4g"):format(point[name])
+        or tostring(point[name]))
+    end
   end
   return #parts > 0 and table.concat(parts, " ") or "all"
 end
 
 local Plan = { __name = "a plan", __metatable = false }
 local held = setmetatable({}, { __mode = "k" })  -- what each plan is, where no script can change it
-Plan.__index = function(_, name) return rawget(Plan, name) or core.unknown("a plan", name, { "run", "points", "samples", "nodes", "method", "theta", "choices", "predicted_seconds" }) end
+Plan.__index = function(_, name)
+  return rawget(Plan, name) or core.unknown("a plan", name,
+    { "run", "points", "samples", "nodes", "method", "theta", "choices", "predicted_seconds" })
+end
 
 local function print_plan(plan)
   local function line(...) print((...):format(select(2, ...))) end
@@ -150,31 +162,46 @@ local function print_plan(plan)
   line("pilot: %d samples at %d points, %d sizes; %.1f s", plan.pilot, #plan.points, #plan.sizes, plan.pilot_seconds)
   line("error budget of the sweep as it is: %d samples a point", plan.samples_now)
   line("%-20s %9s %9s %18s %10s  %s", "point", plan.of, "sampling", "lattice size", "time step", "dominates")
-  for _, p in ipairs(plan.points) do line("%-20s %9.4f %9.2g %18s %10.2g  %s", p.name, p.mean, p.sampling, ("%+.2g +- %.2g"):format(-p.slope, p.slope_se), p.step, p.dominates) end
-  line("  lattice size: what an infinitely fine lattice would change, extrapolated in the spacing, and what the pilot leaves unknown of it")
+  for _, p in ipairs(plan.points) do
+    line("%-20s %9.4f %9.2g %18s %10.2g  %s", p.name, p.mean, p.sampling,
+      ("%+.2g +- %.2g"):format(-p.slope, p.slope_se), p.step, p.dominates)
+  end
+  line("  lattice size: what an infinitely fine lattice would change, extrapolated in the spacing, and what the " ..
+    "pilot leaves unknown of it")
   if plan.samples then
     local alike = true
-    for _, choice in ipairs(plan.choices) do alike = alike and choice.method == plan.method and choice.theta == plan.theta end
-    line("cheapest: %s with theta %.3g%s, %.3g times the nodes, %d samples a point; predicted %.1f s on %s", plan.method, plan.theta, alike and "" or " at the hardest point", plan.nodes, plan.samples,
+    for _, choice in ipairs(plan.choices) do
+      alike = alike and choice.method == plan.method and choice.theta == plan.theta
+    end
+    line("cheapest: %s with theta %.3g%s, %.3g times the nodes, %d samples a point; predicted %.1f s on %s",
+      plan.method, plan.theta, alike and "" or " at the hardest point", plan.nodes, plan.samples,
       plan.predicted_seconds, plan.machine)
     if not alike then
-      for _, choice in ipairs(plan.choices) do line("  %s: %s with theta %.3g", choice.name, choice.method, choice.theta) end
+      for _, choice in ipairs(plan.choices) do
+        line("  %s: %s with theta %.3g", choice.name, choice.method, choice.theta)
+      end
     end
     if #plan.sizes == 1 then line "  of the lattice's own error one size tells nothing: the nodes stay as they are" end
-    line("  leaves %.2g from samples (less nine times of ten), %.2g from the lattice's size, %.2g from the time step", plan.budget.sampling, plan.budget.lattice, plan.budget.step)
+    line("  leaves %.2g from samples (less nine times of ten), %.2g from the lattice's size, %.2g from the time step",
+      plan.budget.sampling, plan.budget.lattice, plan.budget.step)
   else
-    line("no plan: with %.2g from the lattice's size alone, %g is out of reach of %.3g times the nodes and %.0g samples; raise 'pilot' or 'sizes', ask for less, or leave 'continuum' out", plan.budget.lattice,
+    line("no plan: with %.2g from the lattice's size alone, %g is out of reach of %.3g times the nodes and %.0g " ..
+      "samples; raise 'pilot' or 'sizes', ask for less, or leave 'continuum' out", plan.budget.lattice,
       plan.standard_error, #plan.sizes > 1 and factors[#factors] or plan.sizes[1].factor, most_samples)
   end
 end
 
--- Measured times differ between runs, and with them the cheapest plan: what a run decided is kept, so that --resume goes on with it.
+-- Measured times differ between runs, and with them the cheapest plan: what a run decided is kept, so that --resume
+-- goes on with it.
 local function plan_file(sweep) return sweep.name .. "_plan.txt" end
 local function request(plan) return ("standard_error %.15g of %s"):format(plan.standard_error, plan.of) end
 
 local function keep(plan)
-  local lines = { request(plan), ("samples %d\nnodes %.17g\npredicted_seconds %.3g"):format(plan.samples, plan.nodes, plan.predicted_seconds) }
-  for _, choice in ipairs(plan.choices) do lines[#lines + 1] = ("point %s: %s theta %.17g"):format(choice.name, choice.method, choice.theta) end
+  local lines = { request(plan), ("samples %d\nnodes %.17g\npredicted_seconds %.3g"):format(plan.samples, plan.nodes,
+    plan.predicted_seconds) }
+  for _, choice in ipairs(plan.choices) do
+    lines[#lines + 1] = ("point %s: %s theta %.17g"):format(choice.name, choice.method, choice.theta)
+  end
   lines[#lines + 1] = ("others: %s theta %.17g\n"):format(plan.method, plan.theta)
   core.file_write(plan_file(plan.sweep), table.concat(lines, "\n"))
 end
@@ -184,17 +211,22 @@ local function go_on_with_kept(plan)
   if not known then return end
   local kept = text:match "^[^\n]*"
   if kept ~= request(plan) then
-    core.fail(("%s keeps the plan of the earlier run, for a %s; give --resume the same, or run anew with --force"):format(plan_file(plan.sweep), kept), "standard_error")
+    core.fail(("%s keeps the plan of the earlier run, for a %s; give --resume the same, or run anew with " ..
+      "--force"):format(plan_file(plan.sweep), kept), "standard_error")
   end
   local samples, nodes, seconds = text:match "samples (%S+)\nnodes (%S+)\npredicted_seconds (%S+)\n"
-  plan.samples, plan.nodes, plan.predicted_seconds, plan.choices = math.tointeger(samples), tonumber(nodes), tonumber(seconds), {}
-  for name, method, theta in text:gmatch "\npoint ([^\n]-): (%S+) theta ([^\n]+)" do plan.choices[#plan.choices + 1] = { name = name, method = method, theta = tonumber(theta) } end
+  plan.samples, plan.nodes, plan.predicted_seconds, plan.choices = math.tointeger(samples), tonumber(nodes),
+    tonumber(seconds), {}
+  for name, method, theta in text:gmatch "\npoint ([^\n]-): (%S+) theta ([^\n]+)" do
+    plan.choices[#plan.choices + 1] = { name = name, method = method, theta = tonumber(theta) }
+  end
   local method, theta = text:match "\nothers: (%S+) theta (%S+)"
   plan.method, plan.theta = method, tonumber(theta)
   if not (plan.samples and plan.nodes and plan.predicted_seconds and plan.method and plan.theta) then
     core.fail(("%s is damaged; restore it from a copy, or run anew with --force"):format(plan_file(plan.sweep)))
   end
-  print(("goes on with the plan of the earlier run: %.3g times the nodes, %d samples a point"):format(plan.nodes, plan.samples))
+  print(("goes on with the plan of the earlier run: %.3g times the nodes, %d samples a point"):format(plan.nodes,
+    plan.samples))
 end
 
 local function plan(given)
@@ -210,7 +242,9 @@ local function plan(given)
   for _, name in ipairs(sweep.names) do known = known or name == sample end
   if not known then core.fail(("the sweep's 'over' has no '%s' to count samples by"):format(sample), "samples") end
   for _, factor in ipairs(t.sizes) do
-    if not (factor > 0 and factor <= 16) then core.fail(("a size is a factor of the nodes, above 0 and at most 16, not %g"):format(factor), "sizes") end
+    if not (factor > 0 and factor <= 16) then
+      core.fail(("a size is a factor of the nodes, above 0 and at most 16, not %g"):format(factor), "sizes")
+    end
   end
   if #t.sizes == 0 then core.fail("'sizes' is empty; give factors of the nodes", "sizes") end
   t.sizes = copy(t.sizes)
@@ -222,7 +256,8 @@ local function plan(given)
     local names = {}
     for name in pairs(core.accuracy_outcomes) do names[#names + 1] = name end
     table.sort(names)
-    core.fail(("the time step's error of '%s' cannot be estimated; plans are for one of %s"):format(column, table.concat(names, ", ")), "of")
+    core.fail(("the time step's error of '%s' cannot be estimated; plans are for one of %s"):format(column,
+      table.concat(names, ", ")), "of")
   end
   local all, samples_now = points_of(sweep, sample)
   local points = spread_out(all, most_points)
@@ -239,39 +274,52 @@ local function plan(given)
   local making = making_seconds(sweep, sample, points, t.pilot)
   local sizes = {}
   for i, factor in ipairs(t.sizes) do
-    local rows, seconds = pilot(sweep, sample, points, t.pilot, factor, { accuracy = math.min(0.1, step_share * t.standard_error), accuracy_of = column })
+    local rows, seconds = pilot(sweep, sample, points, t.pilot, factor,
+      { accuracy = math.min(0.1, step_share * t.standard_error), accuracy_of = column })
     sizes[i] = { factor = factor, rows = rows, seconds = (making + seconds) * #all / #points }
     for k in ipairs(points) do
       local values = finished(rows[k], column)
-      if #values < 2 then core.fail(("fewer than two impacts of the pilot finished at %s with %g times the nodes: %s"):format(name_of(points[k], sweep.names, sample), factor, rows[k][1].reason), "sweep") end
+      if #values < 2 then
+        core.fail(("fewer than two impacts of the pilot finished at %s with %g times the nodes: %s"):format(
+          name_of(points[k], sweep.names, sample), factor, rows[k][1].reason), "sweep")
+      end
       local mean, sd = mean_and_deviation(values)
       sizes[i][k] = { mean = mean, sd = sd, se = sd / math.sqrt(#values), freedom = #values - 1 }
     end
   end
   -- The sweep's own time step: the same samples by it and by the pilot's fine one.
   local own = pilot(sweep, sample, points, math.min(t.pilot, 2), 1, {})
-  local fine = pilot(sweep, sample, points, math.min(t.pilot, 2), 1, { accuracy = math.min(0.1, 0.01 * t.standard_error), accuracy_of = column })
+  local fine = pilot(sweep, sample, points, math.min(t.pilot, 2), 1,
+    { accuracy = math.min(0.1, 0.01 * t.standard_error), accuracy_of = column })
 
   local nearest = nearest_size(sizes, 1)
 
   local processor, cores = core.machine()
-  local result = { sweep = sweep, sample = sample, of = column, standard_error = t.standard_error, pilot = t.pilot, sizes = sizes, samples_now = samples_now, all = all,
+  local result = { sweep = sweep, sample = sample, of = column, standard_error = t.standard_error, pilot = t.pilot,
+    sizes = sizes, samples_now = samples_now, all = all,
     points = {}, budget = {}, samples = false, machine = ("%s (%d cores)"):format(processor, cores) }
   for k, point in ipairs(points) do
     local square, count = 0, 0
     for i, row in ipairs(own[k]) do
-      if row.status == "finished" and fine[k][i].status == "finished" then square, count = square + (row[column] - fine[k][i][column]) ^ 2, count + 1 end
+      if row.status == "finished" and fine[k][i].status == "finished" then
+        square, count = square + (row[column] - fine[k][i][column]) ^ 2, count + 1
+      end
     end
     local sd, sd_cautious = deviation(sizes, k)
-    -- What the lattice's size changes, per unit of the spacing over the scene's own: as seen, and together with what is not known of it.
+    -- What the lattice's size changes, per unit of the spacing over the scene's own: as seen, and together with what is
+    -- not known of it.
     local by_spacing = {}
-    for i, size in ipairs(sizes) do by_spacing[i] = { x = size.factor ^ -0.5, value = size[k].mean, se = math.max(size[k].se, 1e-12) } end
+    for i, size in ipairs(sizes) do
+      by_spacing[i] = { x = size.factor ^ -0.5, value = size[k].mean, se = math.max(size[k].se, 1e-12) }
+    end
     local slope, slope_se = 0, 0
     if #sizes > 1 then slope, slope_se = refine.fitted_line(by_spacing) end  -- of one size nothing is known
-    local p = { name = name_of(point, sweep.names, sample), mean = nearest[k].mean, sd = sd, sd_cautious = sd_cautious, sampling = sd / math.sqrt(samples_now), slope = slope, slope_se = slope_se,
+    local p = { name = name_of(point, sweep.names, sample), mean = nearest[k].mean, sd = sd, sd_cautious = sd_cautious,
+      sampling = sd / math.sqrt(samples_now), slope = slope, slope_se = slope_se,
       lattice = math.sqrt(slope ^ 2 + slope_se ^ 2),
       step = count > 0 and math.sqrt(square / count) or 0 / 0 }
-    p.dominates = p.sampling >= p.lattice and p.sampling >= p.step and "samples" or p.lattice >= p.step and "lattice size" or "time step"
+    p.dominates = p.sampling >= p.lattice and p.sampling >= p.step and "samples"
+      or p.lattice >= p.step and "lattice size" or "time step"
     result.points[k] = p
   end
 
@@ -283,18 +331,22 @@ local function plan(given)
     for _, p in ipairs(result.points) do
       local left = t.standard_error ^ 2 - step_error ^ 2 - (p.lattice * strayed) ^ 2
       samples = left > 0 and math.max(samples, math.ceil(p.sd_cautious ^ 2 / left)) or math.huge
-      budget.sampling, budget.lattice = math.max(budget.sampling, p.sd_cautious), math.max(budget.lattice, p.lattice * strayed)
+      budget.sampling, budget.lattice = math.max(budget.sampling, p.sd_cautious),
+        math.max(budget.lattice, p.lattice * strayed)
     end
     budget.sampling = budget.sampling / math.sqrt(samples)
     local size = nearest_size(sizes, factor)
     local seconds = samples * seconds_at(sizes, factor)
     if samples <= most_samples and (not result.samples or seconds < result.predicted_seconds) then
-      result.samples, result.nodes, result.predicted_seconds, result.budget, result.choices = samples, factor, seconds, budget, {}
+      result.samples, result.nodes, result.predicted_seconds, result.budget, result.choices = samples, factor, seconds,
+        budget, {}
       for k, point in ipairs(points) do
         local row = size.rows[k][1]
         result.choices[k] = { name = name_of(point, sweep.names, sample), method = row.method, theta = row.theta }
         -- Shown, and taken by points that the pilot left out: the choice with the shortest step.
-        if k == 1 or row.step < result.shortest then result.shortest, result.method, result.theta = row.step, row.method, row.theta end
+        if k == 1 or row.step < result.shortest then
+          result.shortest, result.method, result.theta = row.step, row.method, row.theta
+        end
       end
     elseif not result.samples then
       result.budget = budget
@@ -341,11 +393,15 @@ Plan.run = core.wrap(function(plan)
   for name, list in pairs(by_point) do
     local values = finished(list, self.of)
     local _, sd = mean_and_deviation(values)
-    if #values > 1 and sd / math.sqrt(#values) > worst.se then worst = { name = name, se = sd / math.sqrt(#values), sd = sd } end
+    if #values > 1 and sd / math.sqrt(#values) > worst.se then
+      worst = { name = name, se = sd / math.sqrt(#values), sd = sd }
+    end
   end
-  print(("predicted %.1f s, took %.1f s; largest standard error %.2g of %s at %s, wanted %g"):format(self.predicted_seconds, took, worst.se, self.of, worst.name, self.standard_error))
+  print(("predicted %.1f s, took %.1f s; largest standard error %.2g of %s at %s, wanted %g"):format(
+    self.predicted_seconds, took, worst.se, self.of, worst.name, self.standard_error))
   if worst.se > self.standard_error then
-    print(("  more than the pilot of %d had shown: %d samples would do"):format(self.pilot, math.ceil((worst.sd / self.standard_error) ^ 2)))
+    print(("  more than the pilot of %d had shown: %d samples would do"):format(self.pilot,
+      math.ceil((worst.sd / self.standard_error) ^ 2)))
   end
   return rows
 end)

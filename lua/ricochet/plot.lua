@@ -1,17 +1,20 @@
--- ricochet.plot: means with standard errors, lines of theory and published points, drawn by gnuplot; the script it used stays beside the picture.
+-- ricochet.plot: means with standard errors, lines of theory and published points, drawn by gnuplot; the script it used
+-- stays beside the picture.
 local core = require "ricochet.core"
 local summarise = require("ricochet.rows").summarise
 
 -- Colours that the colour-blind can tell apart [Okabe & Ito 2008].
 local colours = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9" }
-local greek = { mu = "μ", beta = "β", psi1 = "Ψ_1", psi2 = "Ψ_2", tan_alpha = "tan α", e_alpha = "e_α", theta = "θ", omega = "ω", cot_gamma = "cot γ" }
+local greek = { mu = "μ", beta = "β", psi1 = "Ψ_1", psi2 = "Ψ_2", tan_alpha = "tan α", e_alpha = "e_α", theta = "θ",
+  omega = "ω", cot_gamma = "cot γ" }
 -- Lines of theory: shades that also differ in their dashes; published points: open marks.
 local dashes = { { "#555555", 2 }, { "#000000", 1 }, { "#882255", 4 }, { "#44AA99", 3 }, { "#999933", 5 } }
 local open_marks = { 6, 4, 8, 12, 10 }
 
 -- In single quotes: within double ones gnuplot runs what stands in backquotes as a shell command.
 local function quoted(text)
-  if type(text) ~= "string" then core.fail(("takes texts for names and labels, one is a %s"):format(type(text))) end  -- a table may call anything gsub
+  -- a table may call anything gsub
+  if type(text) ~= "string" then core.fail(("takes texts for names and labels, one is a %s"):format(type(text))) end
   return "'" .. text:gsub("'", "''"):gsub("%c", " ") .. "'"
 end
 
@@ -37,13 +40,15 @@ local function series_of(rows, by)
   local list = {}
   for _, group in ipairs(summarise(rows, by, {}, { by = "by" })) do
     local value = group[by]
-    local name = type(value) == "string" and value or ("%s = %s"):format(greek[by] or by, type(value) == "number" and ("%.6g"):format(value) or tostring(value))
+    local name = type(value) == "string" and value or ("%s = %s"):format(greek[by] or by,
+      type(value) == "number" and ("%.6g"):format(value) or tostring(value))
     list[#list + 1] = { rows = rows:where { [by] = value }, name = name }
   end
   return list
 end
 
--- A list of { name =, f = } or { name =, points = } for each column of `t[field]`. A function or a list of points alone is one entry.
+-- A list of { name =, f = } or { name =, points = } for each column of `t[field]`. A function or a list of points alone
+-- is one entry.
 local function entries_of(t, field, initial_name)
   local function is_points(v) return type(v) == "table" and type(v[1]) == "table" and type(v[1][1]) == "number" end
   local result = {}
@@ -53,17 +58,26 @@ local function entries_of(t, field, initial_name)
     if type(value) == "function" then list = { { name = initial_name, f = value } } end
     if is_points(value) then list = { { name = initial_name, points = value } } end
     if type(list) ~= "table" then
-      core.fail(("'%s' takes column = function (x), '%s' is a %s; points { {x, y}, ... } or a list of { name =, f = or points = } will do too"):format(field, tostring(column), type(value)), field)
+      core.fail(("'%s' takes column = function (x), '%s' is a %s; points { {x, y}, ... } or a list of { name =, f = " ..
+        "or points = } will do too"):format(field, tostring(column), type(value)), field)
     end
     local drawn = false
     for _, name in ipairs(t.y) do drawn = drawn or name == column end
-    if not drawn then core.fail(("'%s' has a curve for '%s', which is not among 'y'"):format(field, tostring(column)), field) end
+    if not drawn then
+      core.fail(("'%s' has a curve for '%s', which is not among 'y'"):format(field, tostring(column)), field)
+    end
     for i, entry in ipairs(list) do
-      if type(entry) ~= "table" or type(entry.name) ~= "string" then bad(("must be a list of { name =, f = or points = }; entry %d has no name"):format(i)) end
-      if (type(entry.f) == "function") == is_points(entry.points) then bad(("needs f = function (x) or points = { {x, y}, ... } for '%s'"):format(entry.name)) end
+      if type(entry) ~= "table" or type(entry.name) ~= "string" then
+        bad(("must be a list of { name =, f = or points = }; entry %d has no name"):format(i))
+      end
+      if (type(entry.f) == "function") == is_points(entry.points) then
+        bad(("needs f = function (x) or points = { {x, y}, ... } for '%s'"):format(entry.name))
+      end
       if field == "published" and entry.f then bad(("takes points, and '%s' is a function"):format(entry.name)) end
       for _, point in ipairs(entry.points or {}) do
-        if type(point[1]) ~= "number" or type(point[2]) ~= "number" then bad(("holds a point of '%s' that is not {x, y}"):format(entry.name)) end
+        if type(point[1]) ~= "number" or type(point[2]) ~= "number" then
+          bad(("holds a point of '%s' that is not {x, y}"):format(entry.name))
+        end
       end
     end
     result[column] = list
@@ -73,13 +87,16 @@ end
 
 -- A range {low, high} of the user's.
 local function given_range(range, field, ...)
-  if type(range) ~= "table" or type(range[1]) ~= "number" or type(range[2]) ~= "number" or range[1] >= range[2] then core.fail(("'%s' takes { from, to }"):format(field), field, ...) end
+  if type(range) ~= "table" or type(range[1]) ~= "number" or type(range[2]) ~= "number" or range[1] >= range[2] then
+    core.fail(("'%s' takes { from, to }"):format(field), field, ...)
+  end
   return { low = range[1], high = range[2] }
 end
 
 local function widen(range, low, high) range.low, range.high = math.min(range.low, low), math.max(range.high, high) end
 
--- The data of simulated series as gnuplot's $data1, $data2 ...; widens the ranges. Returns how many impacts finished and failed, and the most at one point.
+-- The data of simulated series as gnuplot's $data1, $data2 ...; widens the ranges. Returns how many impacts finished
+-- and failed, and the most at one point.
 local function write_series(t, list, lines, xs, ys)
   local finished, failed, samples = 0, 0, 0
   for k, series in ipairs(list) do
@@ -107,19 +124,26 @@ local function write_series(t, list, lines, xs, ys)
   return finished, failed, samples
 end
 
--- The data of lines and marks, as $theory1_2 (column 1, entry 2) and so on. They widen the range along y, by no more than `most` of it on either side.
+-- The data of lines and marks, as $theory1_2 (column 1, entry 2) and so on. They widen the range along y, by no more
+-- than `most` of it on either side.
 local function write_entries(t, kind, entries, lines, xs, ys, most)
   for i, column in ipairs(t.y) do
     local low, high = -math.huge, math.huge
     if most < math.huge and ys[i].low <= ys[i].high then
       local room = t.log:find "y" and (ys[i].high / ys[i].low) ^ most or most * (ys[i].high - ys[i].low)
-      if t.log:find "y" then low, high = ys[i].low / room, ys[i].high * room else low, high = ys[i].low - room, ys[i].high + room end
+      if t.log:find "y" then
+        low, high = ys[i].low / room, ys[i].high * room
+      else
+        low, high = ys[i].low - room, ys[i].high + room
+      end
     end
     for k, entry in ipairs(entries[column] or {}) do
       lines[#lines + 1] = ("$%s%d_%d << END"):format(kind, i, k)
       local function put(x, y)
         local seen = math.max(low, math.min(high, y))
-        if y == y and math.abs(seen) < math.huge and not (t.log:find "y" and seen <= 0) then widen(ys[i], seen, seen) end
+        if y == y and math.abs(seen) < math.huge and not (t.log:find "y" and seen <= 0) then
+          widen(ys[i], seen, seen)
+        end
         lines[#lines + 1] = ("%.17g %.17g"):format(x, y)
       end
       for _, point in ipairs(entry.points or {}) do put(point[1], point[2]) end
@@ -127,7 +151,10 @@ local function write_entries(t, kind, entries, lines, xs, ys, most)
         local first, last = xs.low, xs.high
         local x = t.log:find "x" and first * (last / first) ^ (j / 200) or first + (last - first) * j / 200
         local y = entry.f(x)
-        if type(y) ~= "number" then core.fail(("the theory of '%s' must return a number, returned a %s at x = %g"):format(column, type(y), x), "theory") end
+        if type(y) ~= "number" then
+          core.fail(("the theory of '%s' must return a number, returned a %s at x = %g"):format(column, type(y), x),
+            "theory")
+        end
         put(x, y)
       end
       lines[#lines + 1] = "END"
@@ -145,7 +172,8 @@ local function roomy(low, high, share, log)
   return ("[%.17g:%.17g]"):format(low - room, high + room)
 end
 
--- Along a logarithmic axis of less than three decades 1, 2 and 5 of each are marked; gnuplot's own ticks might be one or none.
+-- Along a logarithmic axis of less than three decades 1, 2 and 5 of each are marked; gnuplot's own ticks might be one
+-- or none.
 local function log_tics(log, axis, low, high)
   if not log:find(axis) then return "" end
   if high / low > 1e3 then return ("\nset %stics autofreq"):format(axis) end
@@ -164,29 +192,38 @@ local function parts_of(t, i, list, theory, published)
   local function title(name) return name and "title " .. quoted(name) .. " noenhanced" or "notitle" end
   for k, entry in ipairs(theory[column] or {}) do
     local colour, dash = table.unpack(dashes[(k - 1) % #dashes + 1])
-    parts[#parts + 1] = ("$theory%d_%d using 1:2 with lines dt %d lw 2 lc rgb '%s' %s"):format(i, k, dash, colour, title(entry.name))
+    parts[#parts + 1] = ("$theory%d_%d using 1:2 with lines dt %d lw 2 lc rgb '%s' %s"):format(i, k, dash, colour,
+      title(entry.name))
   end
   for k, series in ipairs(list) do
     local colour = quoted(colours[((t.by and k or i) - 1) % #colours + 1])
     local shape = t.by and ({ 7, 5, 9, 11, 13, 15 })[(k - 1) % 6 + 1] or 7  -- filled shapes, beside colour
-    parts[#parts + 1] = ("$data%d using 1:%d:%d with yerrorbars pt %d ps 0.8 lw 1.5 lc rgb %s %s"):format(k, 2 * i, 2 * i + 1, shape, colour, title(i == 1 and series.name or nil))
-    if not theory[column] or t.by then parts[#parts + 1] = ("$data%d using 1:%d with lines lw 1 lc rgb %s notitle"):format(k, 2 * i, colour) end
+    parts[#parts + 1] = ("$data%d using 1:%d:%d with yerrorbars pt %d ps 0.8 lw 1.5 lc rgb %s %s"):format(k, 2 * i,
+      2 * i + 1, shape, colour, title(i == 1 and series.name or nil))
+    if not theory[column] or t.by then
+      parts[#parts + 1] = ("$data%d using 1:%d with lines lw 1 lc rgb %s notitle"):format(k, 2 * i, colour)
+    end
   end
   for k, entry in ipairs(published[column] or {}) do
-    parts[#parts + 1] = ("$published%d_%d using 1:2 with points pt %d ps 1.2 lw 1.5 lc rgb '#000000' %s"):format(i, k, open_marks[(k - 1) % #open_marks + 1], title(entry.name))
+    parts[#parts + 1] = ("$published%d_%d using 1:2 with points pt %d ps 1.2 lw 1.5 lc rgb '#000000' %s"):format(i, k,
+      open_marks[(k - 1) % #open_marks + 1], title(entry.name))
   end
   return table.concat(parts, ", \\\n     ")
 end
 
 local function plot(given)
   local t = core.check("plot", given)
-  if not t.name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name") end
+  if not t.name:match "^[%w_%-]+$" then
+    core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name")
+  end
   local theory, published = entries_of(t, "theory", t.theory_name), entries_of(t, "published", "published")
   for field, table_of in pairs { yrange = t.yrange, ylabel = t.ylabel } do
     for column in pairs(table_of) do
       local drawn = false
       for _, name in ipairs(t.y) do drawn = drawn or name == column end
-      if not drawn then core.fail(("'%s' names '%s', which is not among 'y'"):format(field, tostring(column)), field) end
+      if not drawn then
+        core.fail(("'%s' names '%s', which is not among 'y'"):format(field, tostring(column)), field)
+      end
     end
   end
   if t.by and not t.rows then core.fail("'by' groups rows, and there are none", "by") end
@@ -194,7 +231,9 @@ local function plot(given)
   for _, series in ipairs(list) do series.summary = summarise(series.rows, t.x, t.y, { by = "x", of = "y" }) end
   if core.is_check() then return end
   if t.rows and (#list == 0 or #list[1].summary == 0) then core.fail "there are no rows to plot" end
-  if t.rows and type(list[1].summary[1][t.x]) ~= "number" then core.fail(("'x' must be a column of numbers, '%s' is not"):format(t.x), "x") end
+  if t.rows and type(list[1].summary[1][t.x]) ~= "number" then
+    core.fail(("'x' must be a column of numbers, '%s' is not"):format(t.x), "x")
+  end
 
   local lines, xs, ys = {}, { low = math.huge, high = -math.huge }, {}
   for i in ipairs(t.y) do ys[i] = { low = math.huge, high = -math.huge } end
@@ -208,39 +247,56 @@ local function plot(given)
   end
   if t.xrange then xs = given_range(t.xrange, "xrange") end
   if xs.low > xs.high then core.fail "has neither rows nor points; give xrange = { from, to } for the functions" end
-  if t.log:find "x" and xs.low <= 0 then core.fail(("'log' along x needs values above 0, %s goes down to %g"):format(t.x, xs.low), "log") end
-  -- Where theory diverges it leaves the picture: beside rows, the range is that of the impacts and published points and at most half as much on either side.
+  if t.log:find "x" and xs.low <= 0 then
+    core.fail(("'log' along x needs values above 0, %s goes down to %g"):format(t.x, xs.low), "log")
+  end
+  -- Where theory diverges it leaves the picture: beside rows, the range is that of the impacts and published points and
+  -- at most half as much on either side.
   write_entries(t, "published", published, lines, xs, ys, math.huge)
   write_entries(t, "theory", theory, lines, xs, ys, t.rows and 0.5 or math.huge)
   for i, column in ipairs(t.y) do
     if t.yrange[column] then ys[i] = given_range(t.yrange[column], "yrange", column) end
-    if t.log:find "y" and (ys[i].low > ys[i].high or ys[i].low <= 0) then core.fail(("'log' along y needs values above 0, and %s has none"):format(column), "log") end
+    if t.log:find "y" and (ys[i].low > ys[i].high or ys[i].low <= 0) then
+      core.fail(("'log' along y needs values above 0, and %s has none"):format(column), "log")
+    end
     if ys[i].low > ys[i].high then ys[i] = { low = 0, high = 1 } end
   end
 
   local titles = {}
   if t.title then titles[1] = quoted(t.title) end
   for _, line in ipairs(t.caption and wrapped(t.caption, 92) or {}) do titles[#titles + 1] = quoted(line) end
-  if t.rows then titles[#titles + 1] = quoted((samples > 1 and "mean and standard error of %d impacts, %d failed" or "%d impacts, one a point, %d failed"):format(finished, failed)) end
+  if t.rows then
+    titles[#titles + 1] = quoted((samples > 1 and "mean and standard error of %d impacts, %d failed"
+      or "%d impacts, one a point, %d failed"):format(finished, failed))
+  end
   local most = 1  -- entries of a key; it stands above its panel
-  for i, column in ipairs(t.y) do most = math.max(most, #(theory[column] or {}) + #(published[column] or {}) + (i == 1 and t.by and #list or 0)) end
+  for i, column in ipairs(t.y) do
+    most = math.max(most, #(theory[column] or {}) + #(published[column] or {}) + (i == 1 and t.by and #list or 0))
+  end
   local height = 70 + 20 * #titles + (285 + 18 * most) * #t.y
   local function panels()
-    lines[#lines + 1] = ("set multiplot layout %d,1 title %s noenhanced"):format(#t.y, #titles > 0 and table.concat(titles, '."\\n".') or "''")
+    lines[#lines + 1] = ("set multiplot layout %d,1 title %s noenhanced"):format(#t.y,
+      #titles > 0 and table.concat(titles, '."\\n".') or "''")
     for i, column in ipairs(t.y) do
       -- The same margins and range along x in every panel.
       local y = ys[i]
       local xroom, yroom = t.xrange and 0 or 0.04, t.yrange[column] and 0 or 0.08
-      lines[#lines + 1] = ("set lmargin 11\nset xrange %s\nset yrange %s"):format(roomy(xs.low, xs.high, xroom, t.log:find "x"), roomy(y.low, y.high, yroom, t.log:find "y")) .. log_tics(t.log, "x", xs.low, xs.high) .. log_tics(t.log, "y", y.low, y.high)
-      lines[#lines + 1] = ("set xlabel %s%s"):format(i == #t.y and quoted(t.xlabel or label(t.x)) or "''", t.xlabel and " noenhanced" or " enhanced")
-      lines[#lines + 1] = ("set ylabel %s%s"):format(quoted(t.ylabel[column] or label(column)), t.ylabel[column] and " noenhanced" or " enhanced")
+      lines[#lines + 1] = ("set lmargin 11\nset xrange %s\nset yrange %s"):format(roomy(xs.low, xs.high, xroom,
+        t.log:find "x"), roomy(y.low, y.high, yroom, t.log:find "y")) .. log_tics(t.log, "x", xs.low, xs.high)
+        .. log_tics(t.log, "y", y.low, y.high)
+      lines[#lines + 1] = ("set xlabel %s%s"):format(i == #t.y and quoted(t.xlabel or label(t.x)) or "''",
+        t.xlabel and " noenhanced" or " enhanced")
+      lines[#lines + 1] = ("set ylabel %s%s"):format(quoted(t.ylabel[column] or label(column)),
+        t.ylabel[column] and " noenhanced" or " enhanced")
       lines[#lines + 1] = "plot " .. parts_of(t, i, list, theory, published)
     end
     lines[#lines + 1] = "unset multiplot"
   end
-  lines[#lines + 1] = "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb \"#cccccc\"\nset tics nomirror\nset border 3\nset key outside top right horizontal"
+  lines[#lines + 1] = "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb \"#cccccc\"\nset tics nomirror\n" ..
+    "set border 3\nset key outside top right horizontal"
   if t.log ~= "none" then lines[#lines + 1] = "set logscale " .. t.log .. "\nset format " .. t.log .. " '%g'" end
-  for _, terminal in ipairs { { "pngcairo size 800,%d font \"DejaVu Sans,12\"", "png" }, { "svg size 800,%d font \"DejaVu Sans,12\" background \"white\"", "svg" } } do
+  for _, terminal in ipairs { { "pngcairo size 800,%d font \"DejaVu Sans,12\"", "png" },
+      { "svg size 800,%d font \"DejaVu Sans,12\" background \"white\"", "svg" } } do
     lines[#lines + 1] = "set terminal " .. terminal[1]:format(height)
     lines[#lines + 1] = ("set output %s"):format(quoted(t.name .. "." .. terminal[2]))
     panels()

@@ -87,8 +87,11 @@ TEST_CASE("a file that is not formatted is found") {
 }
 
 TEST_CASE("no line is longer than 120 columns") {
+  std::vector<File> all = cpp_files();
+  for (const File& file : files({"lua", "scripts", "examples"}, {".lua"}))
+    if (file.name != "lua/ricochet.d.lua") all.push_back(file);  // `ricochet reference --stubs` wrote it
   Findings found;
-  for (const File& file : cpp_files())
+  for (const File& file : all)
     for (const std::string& one : over_width(file)) found.push_back(one);
   CHECK(listed(found) == "");
 }
