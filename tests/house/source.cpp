@@ -29,7 +29,9 @@ std::vector<File> files(const std::vector<std::string>& folders, const std::vect
   return found;
 }
 
-std::vector<File> cpp_files() { return files({"src", "render", "tests"}, {".cpp", ".hpp"}); }
+std::vector<File> cpp_files(const std::vector<std::string>& folders) {
+  return files(folders, {".cpp", ".hpp", ".inl"});
+}
 
 namespace {
 

@@ -18,8 +18,8 @@ struct File {
 
 /// The files below these folders of the project whose names end so, in order of name.
 std::vector<File> files(const std::vector<std::string>& folders, const std::vector<std::string>& endings);
-/// Every .cpp and .hpp of src, render and tests.
-std::vector<File> cpp_files();
+/// The C++ files below these folders.
+std::vector<File> cpp_files(const std::vector<std::string>& folders = {"src", "render", "tests"});
 
 struct Word {
   std::string_view text;

@@ -101,7 +101,7 @@ bool is_exempt(const File& file) {
 
 TEST_CASE("at most five functions of the program are longer than 60 lines") {
   Findings found;
-  for (const File& file : files({"src", "render"}, {".cpp", ".hpp"})) {
+  for (const File& file : cpp_files({"src", "render"})) {
     if (is_exempt(file)) continue;
     for (const Function& f : functions(file))
       if (f.lines > 60) found.push_back(at(file, f.line, f.name + ", " + std::to_string(f.lines) + " lines"));
@@ -112,7 +112,7 @@ TEST_CASE("at most five functions of the program are longer than 60 lines") {
 
 TEST_CASE("no file of the program is longer than 400 lines") {
   Findings found;
-  for (const File& file : files({"src", "render"}, {".cpp", ".hpp"}))
+  for (const File& file : cpp_files({"src", "render"}))
     if (!is_exempt(file) && lines_of(file) > 400) found.push_back(file.name + ": " + std::to_string(lines_of(file)));
   CHECK(listed(found) == "");
 }
