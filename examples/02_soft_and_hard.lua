@@ -1,4 +1,5 @@
--- The same disk strikes a soft and a hard wall, side by side on one clock: the soft one gives way for long, the hard one throws the disk back at once.
+-- The same disk strikes a soft and a hard wall, side by side on one clock: the soft one gives way for long, the hard
+-- one throws the disk back at once.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -13,14 +14,21 @@ local p = ricochet.parameters {
 local function scene(ratio)
   return ricochet.scene {
     projectile = ricochet.disk { nodes = p.nodes, placement = "poisson_disk", roughness = 0.03, seed = 1 },
-    target = ricochet.wall { width = 6, nodes = 5 * p.nodes, stiffness = 1e4 * ratio, placement = "poisson_disk", roughness = 0.03, seed = 1 },
+    target = ricochet.wall { width = 6, nodes = 5 * p.nodes, stiffness = 1e4 * ratio, placement = "poisson_disk",
+      roughness = 0.03, seed = 1 },
     launch = { psi1 = p.psi1 },
     accuracy = 1e-3,
   }
 end
 
-local scenes, titles = { scene(p.soft), scene(p.hard) }, { ("wall %g times as stiff"):format(p.soft), ("wall %g times as stiff"):format(p.hard) }
+local scenes, titles = { scene(p.soft), scene(p.hard) },
+  { ("wall %g times as stiff"):format(p.soft), ("wall %g times as stiff"):format(p.hard) }
 local show = { material = "speed", velocity = true, trail = true, ledger = true, title = "One disk, two walls" }
-local rows = ricochet.animate { scenes = scenes, titles = titles, frames = p.frames, duration = 14, show = show, out = "frames", film = p.film ~= "" and p.film or nil }
-for i, row in ipairs(rows) do print(("%s: e = %.3f, in contact for %.2f R/c, %.3f R deep"):format(titles[i], row.e, row.contact_time, row.indentation)) end
-ricochet.contact_sheet { scenes = scenes, titles = { "soft", "hard" }, moments = 3, out = "moments", size = { 800, 400 }, show = { material = "speed" } }
+local rows = ricochet.animate { scenes = scenes, titles = titles, frames = p.frames, duration = 14, show = show,
+  out = "frames", film = p.film ~= "" and p.film or nil }
+for i, row in ipairs(rows) do
+  print(("%s: e = %.3f, in contact for %.2f R/c, %.3f R deep"):format(titles[i], row.e, row.contact_time,
+    row.indentation))
+end
+ricochet.contact_sheet { scenes = scenes, titles = { "soft", "hard" }, moments = 3, out = "moments",
+  size = { 800, 400 }, show = { material = "speed" } }

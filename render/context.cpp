@@ -77,7 +77,10 @@ out vec4 pixel;
 void main() {
   float cover = 1.0;
   if (shape.x < 0.0) cover = texelFetch(atlas, ivec2(at), 0).r;
-  else if (shape.x > 0.0) cover = clamp(shape.x + 0.5 - length(vec2(at.x, max(0.0, max(-at.y, at.y - shape.y)))), 0.0, 1.0);
+  else if (shape.x > 0.0) {
+    float along = max(0.0, max(-at.y, at.y - shape.y));
+    cover = clamp(shape.x + 0.5 - length(vec2(at.x, along)), 0.0, 1.0);
+  }
   pixel = vec4(colour.rgb, colour.a * cover);
 })";
 
@@ -139,7 +142,7 @@ void check_size(int width, int height) {
 }
 
 struct Context::Implementation {
-  int width, height, scale, samples;
+  int width = 0, height = 0, scale = 1, samples = 1;
   OSMesaContext context = nullptr;
   std::vector<std::uint8_t> pixels;  // RGBA
   std::unique_ptr<Gl> gl;

@@ -37,7 +37,7 @@ const Font::Glyph& Font::glyph(char32_t character, int size) {
   }
   if (FT_Load_Char(face_->face, character, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT))
     throw Error(fmt::format("FreeType cannot draw the character U+{:04X}", static_cast<unsigned>(character)));
-  const FT_GlyphSlot slot = face_->face->glyph;
+  const FT_GlyphSlotRec* slot = face_->face->glyph;
   const FT_Bitmap& bitmap = slot->bitmap;
   Glyph glyph;
   glyph.width = static_cast<int>(bitmap.width);

@@ -76,14 +76,19 @@ Smoothing Show::how_smooth() const {
                                       : Smoothing::lines;
 }
 
-const std::vector<Member<Show>>& Show::fields() {
-  const auto flag = [](const char* name, const char* doc) {
-    return Field{name, "boolean", "", doc, any_number, by_struct};
-  };
-  const auto choice = [](const char* name, std::string doc, std::vector<std::string> choices) {
-    return Field{name, "string", "", std::move(doc), any_number, by_struct, false, std::move(choices)};
-  };
-  static const std::vector<Member<Show>> list{
+namespace {
+
+using Members = std::vector<Member<Show>>;
+
+Field flag(const char* name, const char* doc) { return {name, "boolean", "", doc, any_number, by_struct}; }
+
+Field choice(const char* name, std::string doc, std::vector<std::string> choices) {
+  return {name, "string", "", std::move(doc), any_number, by_struct, false, std::move(choices)};
+}
+
+// What is drawn of the bodies.
+Members fields_of_the_scene() {
+  return {
       {{"title", "string", "", "above the picture", any_number, "", true}, &Show::title},
       {choice("material", "what colours the bodies: none (nothing is filled), plain" + docs_of(material_quantities()),
               names_of(material_quantities(), {"none", "plain"})),
@@ -100,8 +105,14 @@ const std::vector<Member<Show>>& Show::fields() {
       {flag("spin", "the projectile's turn since the start: a radius that turns with it"), &Show::spin},
       {flag("trail", "the path of the projectile's centre"), &Show::trail},
       {flag("ghost", "outlines of the bodies as if they were rigid"), &Show::ghost},
-      {{"magnify", "number", "", "factor of the deformation, the difference from a rigid motion", {0, 1e6}, by_struct},
+      {{"magnify", "number", "", "factor of the deformation, the difference from a rigid motion", {0, 1e6}, "1"},
        &Show::magnify},
+  };
+}
+
+// What stands beside them.
+Members fields_of_the_texts() {
+  return {
       {flag("colour_bar", "what the colours mean, with unit"), &Show::colour_bar},
       {flag("clock", "time and Psi1"), &Show::clock},
       {flag("ledger",
@@ -111,6 +122,12 @@ const std::vector<Member<Show>>& Show::fields() {
       {choice("plot", "a plot that grows with time" + docs_of(plot_quantities()),
               names_of(plot_quantities(), {"none"})),
        &Show::plot},
+  };
+}
+
+// How it is seen and coloured.
+Members fields_of_the_view() {
+  return {
       {choice("colours", "of the colour bar; auto: ylgnbu, or puor for a quantity of both signs",
               {"auto", "ylgnbu", "puor", "cividis"}),
        &Show::colours},
@@ -140,6 +157,17 @@ const std::vector<Member<Show>>& Show::fields() {
               {"lines", "multisample", "supersample"}),
        &Show::smoothing},
   };
+}
+
+}  // namespace
+
+const std::vector<Member<Show>>& Show::fields() {
+  static const Members list = [] {
+    Members all = fields_of_the_scene();
+    for (const Members& more : {fields_of_the_texts(), fields_of_the_view()})
+      all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }();
   return list;
 }
 

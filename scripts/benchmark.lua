@@ -1,6 +1,7 @@
--- What impacts cost on this machine: the paper's figure by the paper's method and step, by the default and for an accuracy of e, each
--- timed on a few impacts and multiplied up; and how the cost of a node and step grows with the lattice.
--- `./workbench bench` measures what lies below: the spring sweep against the processor's limit, and LAMMPS beside it.
+-- What impacts cost on this machine: the paper's figure by the paper's method and step, by the default and for an
+-- accuracy of e, each timed on a few impacts and multiplied up; and how the cost of a node and step grows with the
+-- lattice. `./workbench bench` measures what lies below: the spring sweep against the processor's limit, and LAMMPS
+-- beside it.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -14,7 +15,8 @@ local p = ricochet.parameters {
 local function scene(nodes, sample, psi1, how)
   local given = {
     projectile = ricochet.disk { nodes = nodes // 6, roughness = 0.03, placement = "poisson_disk", seed = sample },
-    target = ricochet.wall { nodes = nodes // 6 * 5, stiffness = 100, roughness = 0.03, placement = "poisson_disk", seed = sample },
+    target = ricochet.wall { nodes = nodes // 6 * 5, stiffness = 100, roughness = 0.03, placement = "poisson_disk",
+      seed = sample },
     launch = { speed = 0.1, psi1 = psi1 },
   }
   for field, value in pairs(how) do given[field] = value end
@@ -41,7 +43,8 @@ for _, way in ipairs(ways) do
     scene = function(at) return scene(6 * p.nodes, at.sample, at.psi1, way.how) end,
   }:run()
   local seconds = seconds_an_impact(rows)
-  lines[#lines + 1] = ("%-40s %8.3f s an impact %8.2f a second and core  %g impacts: %.1f core minutes"):format(way.label, seconds, 1 / seconds, p.figure, p.figure * seconds / 60)
+  lines[#lines + 1] = ("%-40s %8.3f s an impact %8.2f a second and core  %g impacts: %.1f core minutes"):format(
+    way.label, seconds, 1 / seconds, p.figure, p.figure * seconds / 60)
 end
 
 local growth = ricochet.sweep {

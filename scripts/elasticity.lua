@@ -1,5 +1,5 @@
--- Young's modulus and Poisson's ratio of the random lattice, from a stretched band: Hayakawa & Kuninaka 2003, section V A,
--- which gives E = (9.54 +- 0.23)e3 m0 c^2/R^2 and nu = 0.075 without saying how its lattice's rim was made.
+-- Young's modulus and Poisson's ratio of the random lattice, from a stretched band: Hayakawa & Kuninaka 2003, section V
+-- A, which gives E = (9.54 +- 0.23)e3 m0 c^2/R^2 and nu = 0.075 without saying how its lattice's rim was made.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {

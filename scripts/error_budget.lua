@@ -1,5 +1,5 @@
--- What a standard error of e costs on the paper's soft wall: the errors of time step, lattice size and samples from a pilot, the
--- cheapest plan, its predicted and its real time, and e with the error that was wanted.
+-- What a standard error of e costs on the paper's soft wall: the errors of time step, lattice size and samples from a
+-- pilot, the cheapest plan, its predicted and its real time, and e with the error that was wanted.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -16,13 +16,15 @@ local sweep = ricochet.sweep {
   scene = function(at)
     return ricochet.scene {
       projectile = ricochet.disk { nodes = p.nodes, placement = "poisson_disk", roughness = 0.03, seed = at.sample },
-      target = ricochet.wall { nodes = 5 * p.nodes, placement = "poisson_disk", stiffness = 100, roughness = 0.03, seed = at.sample },
+      target = ricochet.wall { nodes = 5 * p.nodes, placement = "poisson_disk", stiffness = 100, roughness = 0.03,
+        seed = at.sample },
       launch = { speed = 0.1, psi1 = at.psi1 },
     }
   end,
 }
 
-local plan = ricochet.plan { sweep = sweep, standard_error = p.standard_error, pilot = p.pilot, continuum = p.continuum }
+local plan = ricochet.plan { sweep = sweep, standard_error = p.standard_error, pilot = p.pilot,
+  continuum = p.continuum }
 if plan and plan.samples then
   local rows = plan:run()
   rows:summary { by = "psi1", of = { "e", "mu" } }:print()

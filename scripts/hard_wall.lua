@@ -1,5 +1,6 @@
--- e against Psi1 for a soft disk on a wall ten times harder: Hayakawa & Kuninaka 2003, section V D, figure "hard". There e is almost constant and exceeds unity suddenly near Psi1 = 4.5;
--- here it rises all along, and exceeds unity from Psi1 = 2 on.
+-- e against Psi1 for a soft disk on a wall ten times harder: Hayakawa & Kuninaka 2003, section V D, figure "hard".
+-- There e is almost constant and exceeds unity suddenly near Psi1 = 4.5; here it rises all along, and exceeds unity
+-- from Psi1 = 2 on.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 

@@ -1,8 +1,9 @@
 -- e and contact time against the speed of a smooth disk on a rigid plane, head on, beside the laws in two dimensions:
 -- Hayakawa & Kuninaka 2003, section II B, eq. t_c, and Johnson's disk on a plane integrated. The plane repels each rim
--- node by V0 exp(-xi y); c is the sound speed sqrt(E/rho) of the disk's lattice, whose plane E is the theory's E*. A row's
--- contact lasts while the repulsion holds 1e-6 of the energy. What its tail takes, before the force on a node is what it
--- is on average at the deepest point, is subtracted: a free flight over ln(force/(1e-6 energy xi))/xi on either side.
+-- node by V0 exp(-xi y); c is the sound speed sqrt(E/rho) of the disk's lattice, whose plane E is the theory's E*. A
+-- row's contact lasts while the repulsion holds 1e-6 of the energy. What its tail takes, before the force on a node is
+-- what it is on average at the deepest point, is subtracted: a free flight over ln(force/(1e-6 energy xi))/xi on either
+-- side.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 
@@ -10,7 +11,8 @@ local p = ricochet.parameters(figures.parameters {
   psi1 = false, roughness = false,
   speed   = { { 0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6 }, unit = "c", min = 1e-4, max = 1.5, doc = "impact speeds" },
   samples = { 20, int = true, min = 1, doc = "random lattices per speed" },
-  xi      = { 3000, unit = "1/R", min = 100, max = 7000, doc = "inverse range of the repulsion; a softer one adds to the contact" },
+  xi      = { 3000, unit = "1/R", min = 100, max = 7000,
+    doc = "inverse range of the repulsion; a softer one adds to the contact" },
 })
 
 local function energy(speed) return p.nodes * speed ^ 2 / 2 end
@@ -46,10 +48,12 @@ rows:summary { by = "v", of = { "e", "t_c", "tail" } }:print()
 local function log_law(v) return theory.disk_log_law { R = 1, E = 1, nu = 0, rho = 1, v = v }.t_c end
 local function johnson(v) return theory.disk_impact { R = 1, E = 1, nu = 0, rho = 1, v = v }.t_c end
 for _, line in ipairs(rows:summary { by = "v", of = { "t_c" } }) do
-  print(("v = %.4f c: t_c c/R = %.3f, log law %.3f (%+.1f %%), Johnson integrated %.3f (%+.1f %%)"):format(line.v, line.t_c.mean, log_law(line.v), 100 * (log_law(line.v) / line.t_c.mean - 1),
+  print(("v = %.4f c: t_c c/R = %.3f, log law %.3f (%+.1f %%), Johnson integrated %.3f (%+.1f %%)"):format(line.v,
+    line.t_c.mean, log_law(line.v), 100 * (log_law(line.v) / line.t_c.mean - 1),
     johnson(line.v), 100 * (johnson(line.v) / line.t_c.mean - 1)))
 end
--- The dissipative law's tau0 by least squares of 1 - e = (pi/2) tau0 / sqrt(ln(4c/v)), below 0.05 c: at 0.09 c six lattices of twenty lose far more (e < 0.95).
+-- The dissipative law's tau0 by least squares of 1 - e = (pi/2) tau0 / sqrt(ln(4c/v)), below 0.05 c: at 0.09 c six
+-- lattices of twenty lose far more (e < 0.95).
 local xy, xx = 0, 0
 for _, row in ipairs(rows) do
   local x = math.pi ^ 2 / 2 / log_law(row.v)
@@ -60,9 +64,11 @@ local function dissipative(v) return theory.disk_log_law { R = 1, E = 1, nu = 0,
 print(("dissipative law fitted: tau0 = %.4f R/c"):format(tau0))
 figures.compare(rows, "v", "e", "dissipative law", dissipative)
 ricochet.plot {
-  rows = rows, x = "v", y = { "e", "t_c" }, name = "normal_speed", log = "x", xlabel = "v / c, c = sqrt(E / ρ) of the disk", ylabel = { t_c = "t_c c / R" },
+  rows = rows, x = "v", y = { "e", "t_c" }, name = "normal_speed", log = "x",
+    xlabel = "v / c, c = sqrt(E / ρ) of the disk", ylabel = { t_c = "t_c c / R" },
   theory = { e = { { name = ("dissipative law, τ0 = %.3f R/c"):format(tau0), f = dissipative } },
              t_c = { { name = "eq. t_c", f = log_law }, { name = "Johnson's law integrated", f = johnson } } },
   title = "Smooth disk on a rigid plane, head on",
-  caption = ("Disk of %d nodes (%s), E = %.3g m0c²/R², ξ = %g/R, %d lattices a speed. Contact times less the repulsion's tail."):format(p.nodes, p.placement, material.E, p.xi, p.samples),
+  caption = ("Disk of %d nodes (%s), E = %.3g m0c²/R², ξ = %g/R, %d lattices a speed. Contact times less the " ..
+    "repulsion's tail."):format(p.nodes, p.placement, material.E, p.xi, p.samples),
 }

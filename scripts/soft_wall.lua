@@ -1,15 +1,17 @@
--- e, mu and beta against Psi1 for a hard disk on a soft wall: Hayakawa & Kuninaka 2003, section V, figures fig2 and fig4, with the curve of the tilted
--- surface (eqs. ratio1 to CORmod2) from the run's own mu, e_alpha and |x_c - x_a|: as printed; with the friction angle turned with the surface (see
--- ricochet theory errata); and as printed with the e_alpha of the first angle throughout, which predicts e instead of using it.
--- The paper places its nodes "at random". Independent uniform points leave voids that make the wall 15 % softer near the rim
--- than Poisson-disk points; only the latter give the paper's indentation of 0.17 R at Psi1 = 1, so they are the default.
--- The stiffness of the disk is 1e4 m0 c^2/R^2: the 1.0 the paper prints cannot be, the disk would fall through the wall.
+-- e, mu and beta against Psi1 for a hard disk on a soft wall: Hayakawa & Kuninaka 2003, section V, figures fig2 and
+-- fig4, with the curve of the tilted surface (eqs. ratio1 to CORmod2) from the run's own mu, e_alpha and |x_c - x_a|:
+-- as printed; with the friction angle turned with the surface (see ricochet theory errata); and as printed with the
+-- e_alpha of the first angle throughout, which predicts e instead of using it. The paper places its nodes "at random".
+-- Independent uniform points leave voids that make the wall 15 % softer near the rim than Poisson-disk points; only the
+-- latter give the paper's indentation of 0.17 R at Psi1 = 1, so they are the default. The stiffness of the disk is 1e4
+-- m0 c^2/R^2: the 1.0 the paper prints cannot be, the disk would fall through the wall.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 
 local p = ricochet.parameters(figures.parameters {
   ratio    = { 1 / 100, min = 1e-6, doc = "wall stiffness over disk stiffness" },
-  accuracy = { 0, min = 0, max = 0.1, doc = "wanted error of e from the time step, which chooses method and step; 0: none (1e-3 is fastest)" },
+  accuracy = { 0, min = 0, max = 0.1, doc = "wanted error of e from the time step, which chooses method and step; " ..
+    "0: none (1e-3 is fastest)" },
 })
 
 local sweep = ricochet.sweep {
@@ -17,8 +19,10 @@ local sweep = ricochet.sweep {
   over = { sample = ricochet.range(p.samples), psi1 = p.psi1 },
   scene = function(at)
     return ricochet.scene {
-      projectile = ricochet.disk { nodes = p.nodes, stiffness = 1e4, placement = p.placement, roughness = p.roughness, seed = at.sample },
-      target = ricochet.wall { nodes = 5 * p.nodes, stiffness = 1e4 * p.ratio, placement = p.placement, roughness = p.roughness, seed = at.sample },
+      projectile = ricochet.disk { nodes = p.nodes, stiffness = 1e4, placement = p.placement, roughness = p.roughness,
+        seed = at.sample },
+      target = ricochet.wall { nodes = 5 * p.nodes, stiffness = 1e4 * p.ratio, placement = p.placement,
+        roughness = p.roughness, seed = at.sample },
       launch = { speed = p.speed, psi1 = at.psi1 },
       method = p.method,
       step = p.step > 0 and p.step or nil,
@@ -33,7 +37,8 @@ local material = figures.material(p)
 local tilted = figures.tilted(rows, material.nu_strain)
 local lines = {}
 if tilted then
-  for i, line in ipairs { { "printed", "tilted surface, as printed" }, { "rotated", "friction angle turned with it" }, { "constant", "as printed, constant e_α" } } do
+  for i, line in ipairs { { "printed", "tilted surface, as printed" }, { "rotated", "friction angle turned with it" },
+      { "constant", "as printed, constant e_α" } } do
     figures.compare(rows, "psi1", "e", line[2], tilted.at[line[1]])
     lines[i] = { name = line[2], points = tilted[line[1]] }
   end
@@ -41,12 +46,16 @@ if tilted then
   figures.compare(rows, "psi1", "tan_alpha", "slope of the chord", tilted.at.tan_alpha)
   print(("%6s %26s %10s %34s %10s"):format("psi1", "tan_alpha", "theory", "(x_c - x_a)/l", "theory"))
   for _, line in ipairs(rows:summary { by = "psi1", of = { "tan_alpha", "centre_offset", "contact_length", "mu" } }) do
-    local slope, theta = line.tan_alpha, math.atan(1 - 2 * material.nu_strain, math.max(0, line.mu.mean) * (2 - 2 * material.nu_strain)) / math.pi
-    print(("%6.4g %14.4f +- %8.4f %10.4f %34.3f %10.3f"):format(line.psi1, slope.mean, slope.se, tilted.at.tan_alpha(line.psi1) or 0 / 0, line.centre_offset.mean / line.contact_length.mean, 1 - theta))
+    local slope, theta = line.tan_alpha,
+      math.atan(1 - 2 * material.nu_strain, math.max(0, line.mu.mean) * (2 - 2 * material.nu_strain)) / math.pi
+    print(("%6.4g %14.4f +- %8.4f %10.4f %34.3f %10.3f"):format(line.psi1, slope.mean, slope.se,
+      tilted.at.tan_alpha(line.psi1) or 0 / 0, line.centre_offset.mean / line.contact_length.mean, 1 - theta))
   end
 end
 ricochet.plot {
   rows = rows, x = "psi1", y = { "e", "mu", "beta" }, name = "soft_wall", theory = #lines > 0 and { e = lines } or {},
-  title = ("Hard disk on a soft wall: stiffness ratio %g, speed %g c, roughness %g R"):format(p.ratio, p.speed, p.roughness),
-  caption = ("Lines: eq. CORmod2 from the run's own μ and |x_c − x_a|, ν = %.3f; cubic splines. The first two use e itself, through e_α; only the third predicts it. %s"):format(material.nu_strain, figures.caption(p, p.ratio)),
+  title = ("Hard disk on a soft wall: stiffness ratio %g, speed %g c, roughness %g R"):format(p.ratio, p.speed,
+    p.roughness),
+  caption = ("Lines: eq. CORmod2 from the run's own μ and |x_c − x_a|, ν = %.3f; cubic splines. The first two use e " ..
+    "itself, through e_α; only the third predicts it. %s"):format(material.nu_strain, figures.caption(p, p.ratio)),
 }

@@ -1,5 +1,5 @@
--- "Gravity and dissipation do not matter at 0.1 c" (Hayakawa & Kuninaka 2003, section V): what each changes of e, beta and mu of the paper's scene
--- beside the sampling error, then the speeds at which each may.
+-- "Gravity and dissipation do not matter at 0.1 c" (Hayakawa & Kuninaka 2003, section V): what each changes of e, beta
+-- and mu of the paper's scene beside the sampling error, then the speeds at which each may.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -14,7 +14,8 @@ local p = ricochet.parameters {
 local function scene(speed)
   return ricochet.scene {
     projectile = ricochet.disk { nodes = p.nodes, placement = "poisson_disk", roughness = 0.03, seed = 1 },
-    target = ricochet.wall { nodes = 5 * p.nodes, stiffness = 100, placement = "poisson_disk", roughness = 0.03, seed = 1 },
+    target = ricochet.wall { nodes = 5 * p.nodes, stiffness = 100, placement = "poisson_disk", roughness = 0.03,
+      seed = 1 },
     launch = { speed = speed, psi1 = 1 },
   }
 end
@@ -24,7 +25,8 @@ for _, speed in ipairs(p.speed) do
   print(("impact speed %g c"):format(speed))
   local found = ricochet.relevance {
     scene = scene(speed), samples = p.samples,
-    effects = { ricochet.gravity { g = p.g }, ricochet.damping { time = p.tau }, ricochet.absorbing { width = 1, rate = 5 } },
+    effects = { ricochet.gravity { g = p.g }, ricochet.damping { time = p.tau },
+      ricochet.absorbing { width = 1, rate = 5 } },
   }
   for _, effect in ipairs(found or {}) do
     if not may[effect.name] then may[effect.name], not_yet[effect.name], names[#names + 1] = {}, {}, effect.name end
@@ -35,5 +37,6 @@ end
 
 local function list(speeds) return #speeds > 0 and table.concat(speeds, ", ") .. " c" or "none of these speeds" end
 for _, name in ipairs(names) do
-  print(("%-10s may change the mean e by %g or more at %s; stays below it, by two standard errors, at %s"):format(name, p.wanted, list(may[name]), list(not_yet[name])))
+  print(("%-10s may change the mean e by %g or more at %s; stays below it, by two standard errors, at %s"):format(name,
+    p.wanted, list(may[name]), list(not_yet[name])))
 end

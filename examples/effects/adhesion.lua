@@ -1,4 +1,5 @@
--- A sticky, viscous disk on a hard wall: attraction takes from slow impacts what they need to part, and below some speed the disk stays.
+-- A sticky, viscous disk on a hard wall: attraction takes from slow impacts what they need to part, and below some
+-- speed the disk stays.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -14,7 +15,8 @@ local rows = ricochet.sweep {
   scene = function(at)
     return ricochet.scene {
       projectile = ricochet.disk { nodes = 200, placement = "poisson_disk", seed = at.sample },
-      target = ricochet.wall { nodes = 600, width = 4, depth = 1.5, stiffness = 1e4, placement = "poisson_disk", seed = at.sample },
+      target = ricochet.wall { nodes = 600, width = 4, depth = 1.5, stiffness = 1e4, placement = "poisson_disk",
+        seed = at.sample },
       launch = { speed = at.speed }, contact = { xi = 300, reach = 0.15 }, time_limit = 100,
       effects = at.strength > 0 and { ricochet.adhesion { strength = at.strength, xi = 150 }, viscous } or { viscous },
     }
@@ -29,4 +31,5 @@ for _, strength in ipairs(p.strength) do
   print(("strength %g: %d of %d stick"):format(strength, stuck, #of_it))
   of_it:summary { by = "speed", of = { "e", "contact_time" } }:print()
 end
-ricochet.plot { rows = rows, x = "speed", y = { "e" }, by = "strength", log = "x", name = "adhesion", xlabel = "impact speed [c]", title = "A sticky disk on a hard wall" }
+ricochet.plot { rows = rows, x = "speed", y = { "e" }, by = "strength", log = "x", name = "adhesion",
+  xlabel = "impact speed [c]", title = "A sticky disk on a hard wall" }

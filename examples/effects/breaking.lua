@@ -1,4 +1,5 @@
--- A brittle disk on a hard wall: springs break when drawn out too far, and what they held is lost. Pictures of one impact, then e against speed.
+-- A brittle disk on a hard wall: springs break when drawn out too far, and what they held is lost. Pictures of one
+-- impact, then e against speed.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -12,7 +13,8 @@ local p = ricochet.parameters {
 local function scene(speed, sample)
   return ricochet.scene {
     projectile = ricochet.disk { nodes = p.nodes, placement = "poisson_disk", seed = sample },
-    target = ricochet.wall { nodes = 2 * p.nodes, width = 4, depth = 1.5, stiffness = 1e5, placement = "poisson_disk", seed = sample },
+    target = ricochet.wall { nodes = 2 * p.nodes, width = 4, depth = 1.5, stiffness = 1e5, placement = "poisson_disk",
+      seed = sample },
     launch = { speed = speed }, contact = { sides = "two" }, effects = { ricochet.breaking { strain = p.strain } },
   }
 end
@@ -22,5 +24,6 @@ local rows = ricochet.sweep {
   scene = function(at) return scene(at.speed, at.sample) end,
 }:run()
 rows:summary { by = "speed", of = { "e", "breaking_springs", "breaking_energy" } }:print()
-ricochet.plot { rows = rows, x = "speed", y = { "e", "breaking_springs" }, log = "x", name = "breaking", xlabel = "impact speed [c]", title = ("A disk whose springs break at a strain of %g"):format(p.strain) }
+ricochet.plot { rows = rows, x = "speed", y = { "e", "breaking_springs" }, log = "x", name = "breaking",
+  xlabel = "impact speed [c]", title = ("A disk whose springs break at a strain of %g"):format(p.strain) }
 ricochet.animate { scene = scene(p.speed[#p.speed], 1), frames = p.frames, duration = 6, size = { 640, 480 } }

@@ -1,4 +1,5 @@
--- A disk that flies through a medium on to a wall and back: what drag takes depends on how long the impact lasts, so slow impacts lose more.
+-- A disk that flies through a medium on to a wall and back: what drag takes depends on how long the impact lasts, so
+-- slow impacts lose more.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -13,10 +14,12 @@ local rows = ricochet.sweep {
   scene = function(at)
     return ricochet.scene {
       projectile = ricochet.disk { nodes = 200, placement = "poisson_disk", seed = at.sample },
-      target = ricochet.wall { nodes = 800, width = 6, depth = 2, stiffness = 1e4, placement = "poisson_disk", seed = at.sample },
+      target = ricochet.wall { nodes = 800, width = 6, depth = 2, stiffness = 1e4, placement = "poisson_disk",
+        seed = at.sample },
       launch = { speed = at.speed }, effects = { ricochet.drag { rate = at.rate } },
     }
   end,
 }:run()
 rows:where { rate = p.rate[#p.rate] }:summary { by = "speed", of = { "e", "time", "drag_energy" } }:print()
-ricochet.plot { rows = rows, x = "speed", y = { "e" }, by = "rate", log = "x", name = "drag", xlabel = "speed [c]", title = "A disk that hits a wall in a medium" }
+ricochet.plot { rows = rows, x = "speed", y = { "e" }, by = "rate", log = "x", name = "drag", xlabel = "speed [c]",
+  title = "A disk that hits a wall in a medium" }

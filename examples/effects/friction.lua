@@ -1,4 +1,5 @@
--- Friction of a smooth disk on a smooth wall. Without friction or roughness no tangential impulse passes: beta = -1 (line at the bottom). With it beta leaves
+-- Friction of a smooth disk on a smooth wall. Without friction or roughness no tangential impulse passes: beta = -1
+-- (line at the bottom). With it beta leaves
 -- -1: where the disk slides all along, Walton's beta = -1 + mu (1 + e) (1 + m R^2 / I) / psi1, with m R^2 / I = 2.
 local ricochet = require "ricochet"
 
@@ -15,7 +16,8 @@ local rows = ricochet.sweep {
   scene = function(at)
     return ricochet.scene {
       projectile = ricochet.disk { nodes = p.nodes, placement = "poisson_disk", seed = at.sample },
-      target = ricochet.wall { width = 6, depth = 2, nodes = 4 * p.nodes, stiffness = 1e4, placement = "poisson_disk", seed = at.sample },
+      target = ricochet.wall { width = 6, depth = 2, nodes = 4 * p.nodes, stiffness = 1e4, placement = "poisson_disk",
+        seed = at.sample },
       launch = { normal_speed = 0.05, psi1 = at.psi1 }, contact = { xi = 1000, reach = 0.03 }, method = "verlet",
       effects = at.rims == "with friction" and { ricochet.friction { mu = p.mu } } or {},
     }
@@ -32,5 +34,7 @@ e = e / count
 ricochet.plot {
   rows = rows, x = "psi1", y = { "beta", "mu" }, by = "rims", name = "friction",
   title = ("A smooth disk on a smooth wall, friction coefficient %g"):format(p.mu),
-  theory = { beta = function(psi1) return -1 + p.mu * (1 + e) * 3 / psi1 end, mu = function() return p.mu end }, theory_name = "sliding all along (Walton)",
+  theory = { beta = function(psi1)
+    return -1 + p.mu * (1 + e) * 3 / psi1
+  end, mu = function() return p.mu end }, theory_name = "sliding all along (Walton)",
 }

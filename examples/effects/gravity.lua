@@ -1,5 +1,5 @@
--- A disk falls on a soft wall under gravity. At the speeds of the paper the weight is nothing beside the force of the impact; the slower the
--- impact, the longer the weight acts in it, and what it changes of e grows.
+-- A disk falls on a soft wall under gravity. At the speeds of the paper the weight is nothing beside the force of the
+-- impact; the slower the impact, the longer the weight acts in it, and what it changes of e grows.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -15,7 +15,8 @@ local rows = ricochet.sweep {
   scene = function(at)
     return ricochet.scene {
       projectile = ricochet.disk { nodes = p.nodes, placement = "poisson_disk", seed = at.sample },
-      target = ricochet.wall { nodes = 4 * p.nodes, width = 6, depth = 2, stiffness = 1000, placement = "poisson_disk", seed = at.sample },
+      target = ricochet.wall { nodes = 4 * p.nodes, width = 6, depth = 2, stiffness = 1000, placement = "poisson_disk",
+        seed = at.sample },
       launch = { speed = at.speed }, method = "pefrl",
       effects = at.weight == "with" and { ricochet.gravity { g = p.g } } or {},
     }
@@ -29,4 +30,5 @@ for _, row in ipairs(heavy) do row.change = math.abs(row.e - without[row.sample 
 heavy:summary { by = "speed", of = { "e", "change", "contact_time" } }:print()
 local law = heavy:power_law { x = "speed", y = "change" }
 print(("change of e ~ v^(%.2f +- %.2f)"):format(law.exponent, law.se))
-ricochet.plot { rows = heavy, x = "speed", y = { "change", "contact_time" }, log = "xy", name = "gravity", xlabel = "speed [c]", title = ("What gravity, g = %g c²/R, changes of e"):format(p.g) }
+ricochet.plot { rows = heavy, x = "speed", y = { "change", "contact_time" }, log = "xy", name = "gravity",
+  xlabel = "speed [c]", title = ("What gravity, g = %g c²/R, changes of e"):format(p.g) }

@@ -1,5 +1,5 @@
--- A shaken wall: what an impact gives or takes depends on the phase at which the disk meets it. Dashed: a rigid wall that moves with the
--- velocity it has when the rims come within reach, e = e0 + (1 + e0) u / v.
+-- A shaken wall: what an impact gives or takes depends on the phase at which the disk meets it. Dashed: a rigid wall
+-- that moves with the velocity it has when the rims come within reach, e = e0 + (1 + e0) u / v.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -13,7 +13,8 @@ local p = ricochet.parameters {
 local function scene(sample, effects)
   return ricochet.scene {
     projectile = ricochet.disk { nodes = 200, placement = "poisson_disk", seed = sample },
-    target = ricochet.wall { nodes = 600, width = 4, depth = 1.5, stiffness = 1e4, placement = "poisson_disk", seed = sample },
+    target = ricochet.wall { nodes = 600, width = 4, depth = 1.5, stiffness = 1e4, placement = "poisson_disk",
+      seed = sample },
     launch = { speed = p.speed }, effects = effects, method = "verlet",
   }
 end
@@ -29,5 +30,7 @@ rows:summary { by = "phase", of = { "e", "moving_anchor_energy" } }:print()
 ricochet.plot {
   rows = rows, x = "phase", y = { "e", "moving_anchor_energy" }, name = "moving_anchor", xlabel = "phase [degrees]",
   title = ("A disk on a wall shaken by %g R sin(%g t)"):format(p.amplitude, p.omega),
-  theory = { e = function(phase) return still + (1 + still) * p.amplitude * p.omega * math.cos(math.rad(phase)) / p.speed end }, theory_name = "rigid wall at that phase",
+  theory = { e = function(phase)
+    return still + (1 + still) * p.amplitude * p.omega * math.cos(math.rad(phase)) / p.speed
+  end }, theory_name = "rigid wall at that phase",
 }

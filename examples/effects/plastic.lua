@@ -1,7 +1,8 @@
--- A disk whose springs yield, on a hard wall: e falls with the speed. Spheres that deform plastically have e ~ v^(-1/4) (Johnson, Contact Mechanics,
--- 1985, section 11.5). The same argument for disks: a constant pressure over a width ~ sqrt(depth) gives a depth ~ v^(4/3), a force ~ v^(2/3), and from an
--- elastic energy ~ force^2 that pushes back e ~ v^(-1/3). But springs that yield at a constant tension are crushed: a network of springs does not
--- keep its area, and e falls faster. Hardening stands for the rest.
+-- A disk whose springs yield, on a hard wall: e falls with the speed. Spheres that deform plastically have e ~ v^(-1/4)
+-- (Johnson, Contact Mechanics, 1985, section 11.5). The same argument for disks: a constant pressure over a width ~
+-- sqrt(depth) gives a depth ~ v^(4/3), a force ~ v^(2/3), and from an elastic energy ~ force^2 that pushes back e ~
+-- v^(-1/3). But springs that yield at a constant tension are crushed: a network of springs does not keep its area, and
+-- e falls faster. Hardening stands for the rest.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -18,7 +19,8 @@ local rows = ricochet.sweep {
   scene = function(at)
     return ricochet.scene {
       projectile = ricochet.disk { nodes = p.nodes, placement = "poisson_disk", seed = at.sample },
-      target = ricochet.wall { width = 4, depth = 1.5, nodes = 2 * p.nodes, stiffness = 1e5, placement = "poisson_disk", seed = at.sample },
+      target = ricochet.wall { width = 4, depth = 1.5, nodes = 2 * p.nodes, stiffness = 1e5,
+        placement = "poisson_disk", seed = at.sample },
       launch = { speed = at.speed }, contact = { xi = 3000, reach = 0.01 },
       effects = { ricochet.plastic { yield = p.yield, hardening = at.hardening } },
     }

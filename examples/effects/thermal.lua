@@ -1,11 +1,12 @@
--- Two warm disks. Slow impacts of warm bodies may end faster than they began, e > 1, at the cost of their vibrations (Kuninaka & Hayakawa 2009,
--- Phys. Rev. E 79, 031309). The second law holds on average: impacts with more energy than a temperature lose some, those with less gain,
--- and impacts as they fall in equilibrium, with energies distributed as exp(-E / T), gain nothing: they lose a little to tangential motion and
--- spin, which start cold here.
+-- Two warm disks. Slow impacts of warm bodies may end faster than they began, e > 1, at the cost of their vibrations
+-- (Kuninaka & Hayakawa 2009, Phys. Rev. E 79, 031309). The second law holds on average: impacts with more energy than a
+-- temperature lose some, those with less gain, and impacts as they fall in equilibrium, with energies distributed as
+-- exp(-E / T), gain nothing: they lose a little to tangential motion and spin, which start cold here.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
-  ratio       = { { 0.5, 1, 2, 4, 8 }, min = 0.01, doc = "impact speed over the thermal speed: that of a relative motion with the energy T" },
+  ratio       = { { 0.5, 1, 2, 4, 8 }, min = 0.01, doc = "impact speed over the thermal speed: that of a relative " ..
+    "motion with the energy T" },
   temperature = { 1e-3, unit = "m0 c^2", min = 1e-12, doc = "of both disks" },
   samples     = { 200, int = true, min = 2, doc = "vibrations for each speed" },
   nodes       = { 40, int = true, min = 30, doc = "of each disk" },
@@ -33,13 +34,19 @@ local function impacts(name, over, ratio_of)
   return rows
 end
 
-local rows = impacts("thermal", { sample = ricochet.range(p.samples), ratio = p.ratio }, function(at) return at.ratio end)
+local rows = impacts("thermal", { sample = ricochet.range(p.samples), ratio = p.ratio }, function(at)
+  return at.ratio
+end)
 rows:summary { by = "ratio", of = { "e", "share_above_1", "energy_gain" } }:print()
 -- Every share of the distribution once, each with a vibration of its own.
 local count = 5 * p.samples
-local equilibrium = impacts("thermal_equilibrium", { sample = ricochet.range(count), state = { "equilibrium" } }, function(at) return math.sqrt(-math.log((at.sample - 0.5) / count)) end)
+local equilibrium = impacts("thermal_equilibrium", { sample = ricochet.range(count), state = { "equilibrium" } },
+  function(at)
+    return math.sqrt(-math.log((at.sample - 0.5) / count))
+  end)
 equilibrium:summary { by = "state", of = { "e", "share_above_1", "energy_gain" } }:print()
 ricochet.plot {
-  rows = rows, x = "ratio", y = { "e", "share_above_1", "energy_gain" }, log = "x", name = "thermal", xlabel = "impact speed over thermal speed",
+  rows = rows, x = "ratio", y = { "e", "share_above_1", "energy_gain" }, log = "x", name = "thermal",
+    xlabel = "impact speed over thermal speed",
   title = ("Two warm disks of %d nodes, T = %g m0 c^2"):format(p.nodes, p.temperature),
 }

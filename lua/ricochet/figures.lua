@@ -1,4 +1,5 @@
--- What the scripts of the paper's figures share: the scene of its section V, the moduli of its lattice, tables of means for the theories, and published points.
+-- What the scripts of the paper's figures share: the scene of its section V, the moduli of its lattice, tables of means
+-- for the theories, and published points.
 local ricochet = require "ricochet"
 
 local figures = {}
@@ -12,22 +13,26 @@ function figures.parameters(own)
     speed     = { 0.1, unit = "c", min = 1e-6, doc = "impact speed" },
     roughness = { 0.03, unit = "R", min = 0, max = 0.2, doc = "standard deviation of the rims" },
     placement = { "poisson_disk", choices = { "poisson_disk", "uniform" }, doc = "how the nodes are placed" },
-    method    = { "auto", choices = { "auto", "pefrl", "forest_ruth", "verlet" }, doc = "integrator; the paper's is forest_ruth" },
+    method    = { "auto", choices = { "auto", "pefrl", "forest_ruth", "verlet" },
+      doc = "integrator; the paper's is forest_ruth" },
     step      = { 0, unit = "R/c", min = 0, doc = "time step; 0 chooses one (the paper's is 0.001)" },
-    accuracy  = { 1e-3, min = 0, max = 0.1, doc = "wanted error of e from the time step, which chooses method and step; 0: none" },
+    accuracy  = { 1e-3, min = 0, max = 0.1, doc = "wanted error of e from the time step, which chooses method and " ..
+      "step; 0: none" },
   }
   for name, parameter in pairs(own or {}) do shared[name] = parameter or nil end
   return shared
 end
 
---- Hayakawa & Kuninaka's section V: a rough disk strikes a rough wall five times as large, `ratio` times as stiff. p: the parameters above.
---- `at`: sample and launch; nodes, if it is not p's.
+--- Hayakawa & Kuninaka's section V: a rough disk strikes a rough wall five times as large, `ratio` times as stiff. p:
+--- the parameters above. `at`: sample and launch; nodes, if it is not p's.
 function figures.scene(p, ratio, at)
   local nodes = at.nodes or p.nodes
   local timed = p.step == 0 and p.accuracy > 0 and p.method == "auto"
   return ricochet.scene {
-    projectile = ricochet.disk { nodes = nodes, stiffness = 1e4, placement = p.placement, roughness = p.roughness, seed = at.sample },
-    target = ricochet.wall { nodes = 5 * nodes, stiffness = 1e4 * ratio, placement = p.placement, roughness = p.roughness, seed = at.sample },
+    projectile = ricochet.disk { nodes = nodes, stiffness = 1e4, placement = p.placement, roughness = p.roughness,
+      seed = at.sample },
+    target = ricochet.wall { nodes = 5 * nodes, stiffness = 1e4 * ratio, placement = p.placement,
+      roughness = p.roughness, seed = at.sample },
     launch = at.launch,
     method = p.method,
     step = p.step > 0 and p.step or nil,
@@ -35,25 +40,29 @@ function figures.scene(p, ratio, at)
   }
 end
 
---- The sweep of such scenes over samples and angles, at the same speed or, with `normal_speed`, at the same normal speed.
+--- The sweep of such scenes over samples and angles, at the same speed or, with `normal_speed`, at the same normal
+--- speed.
 function figures.sweep(p, name, ratio, normal_speed)
   return ricochet.sweep {
     name = name,
     over = { sample = ricochet.range(p.samples), psi1 = p.psi1 },
     scene = function(at)
-      local launch = normal_speed and { normal_speed = normal_speed, tangential_speed = normal_speed * at.psi1 } or { speed = p.speed, psi1 = at.psi1 }
+      local launch = normal_speed and { normal_speed = normal_speed, tangential_speed = normal_speed * at.psi1 }
+        or { speed = p.speed, psi1 = at.psi1 }
       return figures.scene(p, ratio, { sample = at.sample, launch = launch })
     end,
   }
 end
 
---- Young's modulus, Poisson's ratio and density of the disk's lattice, from bands of the same density. A lattice in the plane has the moduli of plane stress:
---- E is its E* against a rigid wall, and the plane-strain formulas of the theories take nu_strain = nu/(1 + nu).
+--- Young's modulus, Poisson's ratio and density of the disk's lattice, from bands of the same density. A lattice in the
+--- plane has the moduli of plane stress: E is its E* against a rigid wall, and the plane-strain formulas of the
+--- theories take nu_strain = nu/(1 + nu).
 function figures.material(p, nodes, stiffness, bands)
   local density, E, nu = (nodes or p.nodes) / math.pi, 0, 0
   local w, h = 1.5, 6
   for sample = 1, bands or 4 do
-    local band = ricochet.body { outline = { { 0, 0 }, { w, 0 }, { w, h }, { 0, h } }, nodes = math.ceil(density * w * h), stiffness = stiffness or 1e4, placement = p.placement, seed = sample }
+    local band = ricochet.body { outline = { { 0, 0 }, { w, 0 }, { w, h }, { 0, h } },
+      nodes = math.ceil(density * w * h), stiffness = stiffness or 1e4, placement = p.placement, seed = sample }
     local moduli = ricochet.elasticity { body = band }
     E, nu = E + moduli.E / (bands or 4), nu + moduli.nu / (bands or 4)
   end
@@ -89,10 +98,12 @@ function figures.means(rows, by, names)
   return lists
 end
 
---- The run's own tilted-surface curves: the chain of section V C from its mean mu, |x_c - x_a|, e and Psi2. e_alpha is that of the mean velocities against the normal turned by the
---- theory's own tan(alpha): v_c' = (Psi2, e), v_c = (Psi1, -1) along (-tan(alpha), 1). (The column e_alpha of a row is against the chord of its own rough contact, whose slope scatters so
---- much that its mean is undefined at grazing angles.) Returns lists of points: as printed; with the friction angle turned with the surface; as printed with the e_alpha of the first angle
---- throughout, as in Kuninaka & Hayakawa 2004. `at`: functions of the same, of the run's angles, and tan_alpha.
+--- The run's own tilted-surface curves: the chain of section V C from its mean mu, |x_c - x_a|, e and Psi2. e_alpha is
+--- that of the mean velocities against the normal turned by the theory's own tan(alpha): v_c' = (Psi2, e), v_c = (Psi1,
+--- -1) along (-tan(alpha), 1). (The column e_alpha of a row is against the chord of its own rough contact, whose slope
+--- scatters so much that its mean is undefined at grazing angles.) Returns lists of points: as printed; with the
+--- friction angle turned with the surface; as printed with the e_alpha of the first angle throughout, as in Kuninaka &
+--- Hayakawa 2004. `at`: functions of the same, of the run's angles, and tan_alpha.
 function figures.tilted(rows, nu_strain)
   local theory = ricochet.theory
   local m = figures.means(rows, "psi1", { "mu", "centre_offset", "e", "psi2" })
@@ -100,14 +111,16 @@ function figures.tilted(rows, nu_strain)
   local offset, e_alpha, first_e_alpha, slope = {}, {}, {}, {}
   for i, psi1 in ipairs(m.psi1) do
     offset[i] = math.min(m.centre_offset[i], 2)
-    slope[psi1] = theory.tilted_surface { psi1 = psi1, mu = m.mu[i], e_alpha = 1, offset = offset[i], nu = nu_strain }.tan_alpha
+    slope[psi1] = theory.tilted_surface { psi1 = psi1, mu = m.mu[i], e_alpha = 1, offset = offset[i],
+      nu = nu_strain }.tan_alpha
     e_alpha[i] = (m.e[i] - m.psi2[i] * slope[psi1]) / (1 + psi1 * slope[psi1])
     first_e_alpha[i] = e_alpha[1]
   end
   local places, first, last = {}, m.psi1[1], m.psi1[#m.psi1]
   for k = 0, 100 do places[k + 1] = math.min(last, first + (last - first) * k / 100) end
   local result = { e_alpha = e_alpha, at = { tan_alpha = function(psi1) return slope[psi1] end } }
-  for name, variant in pairs { printed = { e_alpha, "e" }, rotated = { e_alpha, "e_rotated" }, constant = { first_e_alpha, "e" } } do
+  for name, variant in pairs { printed = { e_alpha, "e" }, rotated = { e_alpha, "e_rotated" },
+      constant = { first_e_alpha, "e" } } do
     local given = { psi1 = m.psi1, mu = m.mu, e_alpha = variant[1], offset = offset, nu = nu_strain, at = places }
     local curve, points, there = theory.tilted_curve(given)[variant[2]], {}, {}
     for k, x in ipairs(places) do points[k] = { x, curve[k] } end
@@ -118,8 +131,8 @@ function figures.tilted(rows, nu_strain)
   return result
 end
 
---- Walton's parameters of the rows, printed with their standard errors. All angles of a sample share its lattices, so the errors are those of a jackknife over samples: the fit without
---- each in turn.
+--- Walton's parameters of the rows, printed with their standard errors. All angles of a sample share its lattices, so
+--- the errors are those of a jackknife over samples: the fit without each in turn.
 function figures.fit(rows)
   local columns = figures.columns(rows, { "psi1", "psi2", "e", "sample" })
   local fit = ricochet.theory.fit_walton { psi1 = columns.psi1, psi2 = columns.psi2, e = columns.e }
@@ -141,12 +154,14 @@ function figures.fit(rows)
     for _, other in ipairs(others) do square = square + (other[name] - mean) ^ 2 end
     fit[name .. "_se"] = #others > 1 and math.sqrt((#others - 1) / #others * square) or 0 / 0
   end
-  print(("fit of %d impacts: e = %.4f +- %.4f, mu = %.4f +- %.4f, beta0 = %.3f +- %.3f; sliding from Psi1 = %.2f on"):format(
+  print(("fit of %d impacts: e = %.4f +- %.4f, mu = %.4f +- %.4f, beta0 = %.3f +- %.3f; " ..
+    "sliding from Psi1 = %.2f on"):format(
     #columns.psi1, fit.e, fit.e_se, fit.mu, fit.mu_se, fit.beta0, fit.beta0_se, fit.psi1_0))
   return fit
 end
 
---- Prints how far a theory is from the means of a column: at each value of `by`, and the root of the mean square, absolute and in standard errors.
+--- Prints how far a theory is from the means of a column: at each value of `by`, and the root of the mean square,
+--- absolute and in standard errors.
 function figures.compare(rows, by, column, name, theory)
   local square, scaled, n, worst, where = 0, 0, 0, 0, nil
   for _, line in ipairs(rows:summary { by = by, of = { column } }) do
@@ -160,24 +175,32 @@ function figures.compare(rows, by, column, name, theory)
   end
   if n > 0 then
     where = where or 0 / 0  -- every one is met exactly
-    print(("%s against %s: root mean square %.3g (%.2g standard errors) at %d values of %s, greatest %+.3g at %.4g"):format(name, column, math.sqrt(square / n), math.sqrt(scaled / n), n, by, worst, where))
+    print(("%s against %s: root mean square %.3g (%.2g standard errors) at %d values of %s, " ..
+      "greatest %+.3g at %.4g"):format(name, column, math.sqrt(square / n), math.sqrt(scaled / n), n, by, worst, where))
   end
 end
 
 --- "rims of 0.03 R, 800 + 4000 nodes, ..." for captions.
 function figures.caption(p, ratio)
-  return ("Stiffness of the wall %g of the disk's, rims of %g R, %d + %d nodes (%s), %d lattices an angle."):format(ratio, p.roughness, p.nodes, 5 * p.nodes, p.placement, p.samples)
+  return ("Stiffness of the wall %g of the disk's, rims of %g R, %d + %d nodes (%s), %d lattices an angle."):format(
+    ratio, p.roughness, p.nodes, 5 * p.nodes, p.placement, p.samples)
 end
 
 -- Finite elements: sphere, mu = 0.3, nu = 0.3, e = 1; {v_ct/(mu v_n), v_ct'/(mu v_n)}. [Chung & Ooi 2011, test 5]
-figures.finite_elements = { { 0.586, -0.027 }, { 1.190, -0.213 }, { 1.915, -0.627 }, { 2.785, -1.253 }, { 3.970, -1.720 }, { 5.758, -1.200 }, { 9.118, 2.147 } }
--- 5 mm Al2O3 sphere on glass, 3.9 m/s, mu = 0.092, e = 0.98; {angle in degrees, v_t'/v_t of the centre}, digitised. [Kharaz, Gorham & Salman 2001]
-figures.kharaz = { { 9.84, 0.6755 }, { 20.2, 0.5988 }, { 30.4, 0.6903 }, { 39.5, 0.7743 }, { 49.6, 0.8476 }, { 71.1, 0.9366 } }
+figures.finite_elements = { { 0.586, -0.027 }, { 1.190, -0.213 }, { 1.915, -0.627 }, { 2.785, -1.253 },
+  { 3.970, -1.720 }, { 5.758, -1.200 }, { 9.118, 2.147 } }
+-- 5 mm Al2O3 sphere on glass, 3.9 m/s, mu = 0.092, e = 0.98; {angle in degrees, v_t'/v_t of the centre}, digitised.
+-- [Kharaz, Gorham & Salman 2001]
+figures.kharaz = { { 9.84, 0.6755 }, { 20.2, 0.5988 }, { 30.4, 0.6903 }, { 39.5, 0.7743 }, { 49.6, 0.8476 },
+  { 71.1, 0.9366 } }
 -- Force [N], overlap [m], contact time [s]. [Chung & Ooi 2011, tests 1 and 2]
 figures.benchmarks = {
-  { name = "limestone spheres, +-10 m/s", R = 0.01, E = 20e9, nu = 0.25, rho = 2500, v = 20, pair = true, F = 7108, h0 = 368.3e-6, t_c = 54.20e-6 },
-  { name = "glass spheres, +-10 m/s", R = 0.01, E = 48e9, nu = 0.20, rho = 2800, v = 20, pair = true, F = 10697, h0 = 274.1e-6, t_c = 40.34e-6 },
-  { name = "Mg alloy on a rigid plane, 0.2 m/s", R = 0.1, E = 40e9, nu = 0.35, rho = 1800, v = 0.2, F = 7233, h0 = 52.12e-6, t_c = 767.1e-6 },
+  { name = "limestone spheres, +-10 m/s", R = 0.01, E = 20e9, nu = 0.25, rho = 2500, v = 20, pair = true, F = 7108,
+    h0 = 368.3e-6, t_c = 54.20e-6 },
+  { name = "glass spheres, +-10 m/s", R = 0.01, E = 48e9, nu = 0.20, rho = 2800, v = 20, pair = true, F = 10697,
+    h0 = 274.1e-6, t_c = 40.34e-6 },
+  { name = "Mg alloy on a rigid plane, 0.2 m/s", R = 0.1, E = 40e9, nu = 0.35, rho = 1800, v = 0.2, F = 7233,
+    h0 = 52.12e-6, t_c = 767.1e-6 },
 }
 
 return figures

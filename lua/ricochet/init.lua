@@ -30,7 +30,9 @@ ricochet.range = core.wrap(function(first, last, step)
   if type(first) ~= "number" or type(last) ~= "number" or type(step) ~= "number" or step == 0 then
     core.fail "takes numbers: range(n), range(first, last) or range(first, last, step); step must not be 0"
   end
-  if first + step == first or last + step == last then core.fail(("counts by %g, which is lost in rounding at %g"):format(step, first + step == first and first or last)) end
+  if first + step == first or last + step == last then
+    core.fail(("counts by %g, which is lost in rounding at %g"):format(step, first + step == first and first or last))
+  end
   if (last - first) / step > 1e7 then core.fail "would hold more than 1e7 values" end
   local list = {}
   for value = first, last, step do list[#list + 1] = value end

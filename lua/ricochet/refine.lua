@@ -4,15 +4,15 @@ local core = require "ricochet.core"
 local function refined_body(body, factor, shift)
   local t = core.check("body", core.given(body), true)
   t.nodes = math.floor(factor * t.nodes + 0.5)
-  -- Outline, total mass and stiffness stay: the modulus of a network does not depend on its spacing, while a spring's stretch at a
-  -- given strain does, as the spacing.
+  -- Outline, total mass and stiffness stay: the modulus of a network does not depend on its spacing, while a spring's
+  -- stretch at a given strain does, as the spacing.
   t.mass, t.quartic = t.mass / factor, t.quartic * factor
   t.seed = t.seed + shift
   return core.own_body(t)
 end
 
---- The scene with `factor` times as many nodes in both bodies of the same outline, mass and stiffness; seeds, those of effects
---- too, are moved by `shift`.
+--- The scene with `factor` times as many nodes in both bodies of the same outline, mass and stiffness; seeds, those of
+--- effects too, are moved by `shift`.
 --- A step becomes the default one: another lattice needs its own.
 local function refined(scene, factor, shift)
   local t = core.given(scene)
@@ -24,12 +24,14 @@ local function refined(scene, factor, shift)
   return core.functions.scene(t)
 end
 
---- Least squares for value = limit + slope * x over points { x =, value =, se = }, weighted by 1 / se^2. Returns the slope, its
---- standard error and the limit.
+--- Least squares for value = limit + slope * x over points { x =, value =, se = }, weighted by 1 / se^2. Returns the
+--- slope, its standard error and the limit.
 local function fitted_line(points)
   local w, x, y, xx, xy = 0, 0, 0, 0, 0
   for _, p in ipairs(points) do w, x, y = w + 1 / p.se ^ 2, x + p.x / p.se ^ 2, y + p.value / p.se ^ 2 end
-  for _, p in ipairs(points) do xx, xy = xx + (p.x - x / w) ^ 2 / p.se ^ 2, xy + (p.x - x / w) * (p.value - y / w) / p.se ^ 2 end
+  for _, p in ipairs(points) do
+    xx, xy = xx + (p.x - x / w) ^ 2 / p.se ^ 2, xy + (p.x - x / w) * (p.value - y / w) / p.se ^ 2
+  end
   local slope = xy / xx
   return slope, 1 / math.sqrt(xx), y / w - slope * x / w
 end

@@ -16,7 +16,9 @@ Rows.__index = function(rows, name)
     core.fail_here(("there is no row %s; the rows are 1 to %d"):format(tostring(name), #rows))
   end
   if rawget(Rows, name) then return rawget(Rows, name) end
-  if #rows > 0 and rawget(rows[1], name) ~= nil then core.fail_here(("'%s' is a column of each row: rows[i].%s"):format(name, name)) end
+  if #rows > 0 and rawget(rows[1], name) ~= nil then
+    core.fail_here(("'%s' is a column of each row: rows[i].%s"):format(name, name))
+  end
   core.unknown("the table of rows", name, { "summary", "where", "power_law" })
 end
 Rows.__call = function() core.fail_here "rows are a list; write: for _, row in ipairs(rows) do" end
@@ -77,7 +79,8 @@ Rows.summary = core.wrap(function(self, given)
   return summarise(self, t.by, t.of, { by = "by", of = "of" })
 end)
 
---- y = factor x^exponent by least squares of the logarithms, over finished rows: { exponent =, se =, factor =, count = }.
+--- y = factor x^exponent by least squares of the logarithms, over finished rows: { exponent =, se =, factor =, count =
+--- }.
 Rows.power_law = core.wrap(function(self, given)
   if not core.is(self, Rows) then core.fail "is a method of rows: write rows:power_law { ... }, with a colon" end
   local t = core.check("rows:power_law", given)
@@ -87,19 +90,27 @@ Rows.power_law = core.wrap(function(self, given)
   for _, row in ipairs(self) do
     if row.status == "finished" and row[t.y] == row[t.y] then
       for _, column in ipairs { t.x, t.y } do
-        if type(row[column]) ~= "number" or row[column] <= 0 then core.fail(("a power law needs values above 0, '%s' is %s in a row"):format(column, tostring(row[column]))) end
+        if type(row[column]) ~= "number" or row[column] <= 0 then
+          core.fail(("a power law needs values above 0, '%s' is %s in a row"):format(column, tostring(row[column])))
+        end
       end
       local dx, dy = math.log(row[t.x]) - x, math.log(row[t.y]) - y
       n = n + 1
       x, y = x + dx / n, y + dy / n
-      xx, xy, yy = xx + dx * (math.log(row[t.x]) - x), xy + dx * (math.log(row[t.y]) - y), yy + dy * (math.log(row[t.y]) - y)
+      xx, xy, yy = xx + dx * (math.log(row[t.x]) - x), xy + dx * (math.log(row[t.y]) - y),
+        yy + dy * (math.log(row[t.y]) - y)
     end
   end
-  if core.is_check() then return core.strict({ exponent = 1, se = 0, factor = 1, count = 0 }, "the table of a power law") end
-  if n < 3 or xx == 0 then core.fail(("a power law needs three rows or more of different '%s', there are %d"):format(t.x, n)) end
+  if core.is_check() then
+    return core.strict({ exponent = 1, se = 0, factor = 1, count = 0 }, "the table of a power law")
+  end
+  if n < 3 or xx == 0 then
+    core.fail(("a power law needs three rows or more of different '%s', there are %d"):format(t.x, n))
+  end
   local exponent = xy / xx
   local se = math.sqrt(math.max(0, yy - exponent * xy) / (n - 2) / xx)
-  return core.strict({ exponent = exponent, se = se, factor = math.exp(y - exponent * x), count = n }, "the table of a power law")
+  return core.strict({ exponent = exponent, se = se, factor = math.exp(y - exponent * x), count = n },
+    "the table of a power law")
 end)
 
 local rows_of
@@ -126,7 +137,9 @@ end
 
 --- Prints one line a group: mean +- standard error (standard deviation), finished and failed samples.
 function Summary:print()
-  if not core.is(self, Summary) then core.fail_here "print is a method of a summary: write summary:print(), with a colon" end
+  if not core.is(self, Summary) then
+    core.fail_here "print is a method of a summary: write summary:print(), with a colon"
+  end
   local header = { self.by }
   for _, column in ipairs(self.of) do header[#header + 1] = column .. " +- se (sd)" end
   header[#header + 1], header[#header + 2] = "finished", "failed"
@@ -136,7 +149,8 @@ function Summary:print()
     for _, column in ipairs(self.of) do
       local s = line[column]
       local small = s.mean ~= 0 and math.abs(s.mean) < 0.01  -- four places would show next to nothing
-      cells[#cells + 1] = s.count == 0 and "-" or (small and "%.4g +- %s (%s)" or "%.4f +- %s (%s)"):format(s.mean, shown(s.se), shown(s.sd))
+      cells[#cells + 1] = s.count == 0 and "-" or (small and "%.4g +- %s (%s)" or "%.4f +- %s (%s)"):format(s.mean,
+        shown(s.se), shown(s.sd))
     end
     cells[#cells + 1], cells[#cells + 2] = tostring(line.count), tostring(line.failed)
     lines[#lines + 1] = cells

@@ -5,7 +5,9 @@ local rows_of = require("ricochet.rows").rows_of
 local methods = {}
 local Sweep = { __name = "sweep", __metatable = false }
 Sweep.__index = function(_, name)
-  if name == "summary" or type(name) == "number" then core.fail_here "this sweep has not run: rows come from sweep:run()" end
+  if name == "summary" or type(name) == "number" then
+    core.fail_here "this sweep has not run: rows come from sweep:run()"
+  end
   return methods[name] or core.unknown("a sweep", name, { "run", "at" })
 end
 Sweep.__newindex = function() core.fail_here "a sweep takes no new fields" end
@@ -14,8 +16,8 @@ Sweep.__newindex = function() core.fail_here "a sweep takes no new fields" end
 local held = setmetatable({}, { __mode = "k" })
 local function contents(sweep) return core.is(sweep, Sweep) and held[sweep] or nil end
 
--- Names that a parameter must not take, because a row's outcome would be hidden. psi1, seed and step are what was asked for in
--- the row, and what came of it in the file.
+-- Names that a parameter must not take, because a row's outcome would be hidden. psi1, seed and step are what was asked
+-- for in the row, and what came of it in the file.
 local outcome = core.columns()
 for _, name in ipairs { "status", "reason", "scene_hash", "wall_seconds" } do outcome[name] = "" end
 for _, name in ipairs { "psi1", "seed", "step" } do outcome[name] = nil end
@@ -27,26 +29,42 @@ local function combinations(over)
   local names, count = {}, 1
   for name, values in pairs(over) do
     if type(name) ~= "string" then core.fail("'over' takes name = list of values", "over") end
-    if name == "" or name == "." or name:find "[%c/]" then core.fail(("over: '%s' cannot name a column of results; use letters, digits and _"):format(name:gsub("%c", "?")), "over") end
-    if outcome[name] then core.fail(("over.%s: '%s' is a column of the outcome; take another name"):format(name, name), "over", name) end
-    if type(values) ~= "table" or #values == 0 then
-      core.fail(("over.%s must be a list of values that is not empty, is %s"):format(name, type(values) == "table" and "an empty table" or tostring(values)), "over", name)
+    if name == "" or name == "." or name:find "[%c/]" then
+      core.fail(("over: '%s' cannot name a column of results; use letters, digits and _"):format(name:gsub("%c", "?")),
+        "over")
     end
-    if name == "count" or name == "failed" then core.fail(("over.%s: '%s' is a column of summaries; take another name"):format(name, name), "over", name) end
+    if outcome[name] then
+      core.fail(("over.%s: '%s' is a column of the outcome; take another name"):format(name, name), "over", name)
+    end
+    if type(values) ~= "table" or #values == 0 then
+      core.fail(("over.%s must be a list of values that is not empty, is %s"):format(name,
+        type(values) == "table" and "an empty table" or tostring(values)), "over", name)
+    end
+    if name == "count" or name == "failed" then
+      core.fail(("over.%s: '%s' is a column of summaries; take another name"):format(name, name), "over", name)
+    end
     for i = 1, #values do
       local value = values[i]
       local kind = type(value)
-      if value == nil then core.fail(("over.%s has nothing (nil) at place %d; leave that place out"):format(name, i), "over", name) end
-      if kind ~= "number" and kind ~= "string" and kind ~= "boolean" then
-        core.fail(("over.%s: value %d is a %s; numbers, strings and booleans are accepted"):format(name, i, kind), "over", name)
+      if value == nil then
+        core.fail(("over.%s has nothing (nil) at place %d; leave that place out"):format(name, i), "over", name)
       end
-      if kind ~= type(values[1]) then core.fail(("over.%s mixes a %s and a %s"):format(name, type(values[1]), kind), "over", name) end
+      if kind ~= "number" and kind ~= "string" and kind ~= "boolean" then
+        core.fail(("over.%s: value %d is a %s; numbers, strings and booleans are accepted"):format(name, i, kind),
+          "over", name)
+      end
+      if kind ~= type(values[1]) then
+        core.fail(("over.%s mixes a %s and a %s"):format(name, type(values[1]), kind), "over", name)
+      end
       if value ~= value then core.fail(("over.%s: value %d is not a number (nan)"):format(name, i), "over", name) end
     end
     names[#names + 1] = name
     count = count * #values
   end
-  if count > most_combinations then core.fail(("'over' has %.3g combinations; a sweep takes at most %.0g of them: give shorter lists, or several sweeps"):format(count, most_combinations), "over") end
+  if count > most_combinations then
+    core.fail(("'over' has %.3g combinations; a sweep takes at most %.0g of them: give shorter lists, or several " ..
+      "sweeps"):format(count, most_combinations), "over")
+  end
   if #names == 0 then core.fail("'over' is empty; give at least one name = list of values", "over") end
   table.sort(names)
   local points = { {} }
@@ -79,7 +97,10 @@ end
 -- "sample = 1, psi1 = 0.5" for messages.
 local function place(point, names)
   local parts = {}
-  for i, name in ipairs(names) do parts[i] = ("%s = %s"):format(name, type(point[name]) == "string" and "'" .. point[name] .. "'" or tostring(point[name])) end
+  for i, name in ipairs(names) do
+    parts[i] = ("%s = %s"):format(name, type(point[name]) == "string" and "'" .. point[name] .. "'"
+      or tostring(point[name]))
+  end
   return table.concat(parts, ", ")
 end
 
@@ -87,8 +108,10 @@ end
 local function scene_at(sweep, point)
   local scene = core.make_scene(sweep.scene, strict(point, sweep.names), place(point, sweep.names))
   if not core.is_scene(scene) then
-    core.fail_in(sweep.scene, "scene", scene == nil and "the function returned nothing; it must return a scene (is a 'return' missing?)"
-      or ("the function must return a scene (from ricochet.scene), returned a %s%s"):format(type(scene), type(scene) == "table" and "; write: return ricochet.scene { ... }" or ""))
+    core.fail_in(sweep.scene, "scene",
+      scene == nil and "the function returned nothing; it must return a scene (is a 'return' missing?)"
+      or ("the function must return a scene (from ricochet.scene), returned a %s%s"):format(type(scene),
+        type(scene) == "table" and "; write: return ricochet.scene { ... }" or ""))
   end
   return scene
 end
@@ -111,7 +134,9 @@ end)
 
 local function sweep(given)
   local t = core.check("sweep", given)
-  if not t.name:match "^[%w_%-]+$" then core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name") end
+  if not t.name:match "^[%w_%-]+$" then
+    core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name")
+  end
   local names, points = combinations(t.over)
   local self = setmetatable({}, Sweep)
   held[self] = { name = t.name, scene = t.scene, over = t.over, names = names, points = points }

@@ -49,7 +49,7 @@ double hertz_time_constant() {
 HertzImpact hertz(const SphereImpact& impact) {
   checked(impact);
   const double m = impact.m_eff(), kappa = impact.kappa(), h0 = impact.h0();
-  Compression most{impact, h0};
+  const Compression most{static_cast<const Contact&>(impact), h0};
   const ContactForce at = hertz_force(most);
   return {h0,
           hertz_time_constant() * std::pow(m * m / (kappa * kappa * impact.v), 0.2),

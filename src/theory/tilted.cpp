@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <unsupported/Eigen/Splines>
+
+#include "theory/spline.hpp"
 
 namespace ricochet::theory {
 
@@ -71,30 +71,6 @@ Arguments<TiltedCurve> TiltedCurve::fields() {
   return {{{"e", "numbers", "", "e at each of `at`, as printed"}, &S::e},
           {{"e_rotated", "numbers", "", "with the friction angle turned with the surface"}, &S::e_rotated},
           {{"tan_alpha", "numbers", "", "slope of the chord there"}, &S::tan_alpha}};
-}
-
-Numbers cubic_spline(const Numbers& x, const Numbers& y, const Numbers& at) {
-  if (x.size() < 2 || x.size() != y.size())
-    throw FieldError("psi1", "must hold two values or more, as many as the others");
-  if (x.size() > 1000)
-    throw FieldError(
-        "psi1", fmt::format("must hold 1000 values at most, holds {}", x.size()));  // the spline solves for all at once
-  const auto n = static_cast<Eigen::Index>(x.size());
-  for (std::size_t i = 1; i < x.size(); ++i)
-    if (x[i] <= x[i - 1]) throw FieldError("psi1", fmt::format("must rise, but {:g} follows {:g}", x[i], x[i - 1]));
-  using Spline = Eigen::Spline<double, 1>;
-  const double first = x.front(), width = x.back() - x.front();
-  const Eigen::RowVectorXd places =
-      ((Eigen::Map<const Eigen::RowVectorXd>(x.data(), n).array() - first) / width).matrix();
-  const Eigen::RowVectorXd values = Eigen::Map<const Eigen::RowVectorXd>(y.data(), n);
-  const Spline spline = Eigen::SplineFitting<Spline>::Interpolate(values, std::min<Eigen::Index>(3, n - 1), places);
-  Numbers result;
-  for (const double where : at) {
-    if (where < first || where > x.back())
-      throw FieldError("at", fmt::format("must lie within {:g} and {:g}, is {:g}", first, x.back(), where));
-    result.push_back(spline((where - first) / width)(0));
-  }
-  return result;
 }
 
 TiltedCurve tilted_curve(const MeasuredCurve& measured) {

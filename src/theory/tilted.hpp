@@ -35,13 +35,9 @@ struct TiltedCurve {
   static Arguments<TiltedCurve> fields();
 };
 
-/// The whole chain, as the paper draws it: e at each measured point, and the points joined by a cubic spline. The
-/// spline is Eigen's interpolating B-spline of degree 3 with averaged knots: twice continuously differentiable on any
-/// knots and exact for cubics; Boost.Math of Debian 12 (1.74) has such only for equally spaced points, its pchip and
-/// makima are but once differentiable. Fewer than four points are joined by the polynomial through them.
+/// The whole chain, as the paper draws it: e at each measured point, and the points joined by the curve of spline.hpp.
+/// Boost.Math of Debian 12 (1.74) has a cubic spline only for equally spaced points; its pchip and makima are but once
+/// differentiable.
 TiltedCurve tilted_curve(const MeasuredCurve& measured);
-
-/// That spline by itself: values at `at` of the curve through (x, y); x rises, `at` lies within it.
-Numbers cubic_spline(const Numbers& x, const Numbers& y, const Numbers& at);
 
 }  // namespace ricochet::theory

@@ -8,6 +8,7 @@
 #include "theory/fit.hpp"
 #include "theory/maw.hpp"
 #include "theory/oblique.hpp"
+#include "theory/spline.hpp"
 #include "theory/tilted.hpp"
 
 using namespace ricochet;

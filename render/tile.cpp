@@ -1,0 +1,246 @@
+#include "render/tile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ricochet::render {
+namespace {
+
+constexpr Colour black{20, 20, 30, 255}, white{255, 255, 255, 255}, rim_colour{25, 25, 38, 255},
+    ghost_colour{110, 110, 120, 200}, hatch_colour{90, 90, 100, 255};
+
+// The box that shows all of every tile: what is larger shall look larger, and what lies higher, higher.
+std::pair<Vec2, Vec2> common_box(const std::vector<Tile>& tiles) {
+  Vec2 low = tiles[0].subject->survey.low, high = tiles[0].subject->survey.high;
+  for (const Tile& tile : tiles) {
+    low = low.cwiseMin(tile.subject->survey.low);
+    high = high.cwiseMax(tile.subject->survey.high);
+  }
+  return {low, high};
+}
+
+}  // namespace
+
+View view_of(const Show& show, const Tile& tile, const std::vector<Tile>& tiles, const Box& box, double margin) {
+  if (show.camera == "fit") {
+    const auto [low, high] = common_box(tiles);
+    const Vec2 extent = (high - low).cwiseMax(1e-9);
+    return {(low + high) / 2,
+            std::min(std::max(1.0, box.width - 2 * margin) / extent.x(),
+                     std::max(1.0, box.height - 2 * margin) / extent.y()),
+            box};
+  }
+  const double width = !std::isnan(show.width) ? show.width : show.camera == "follow" ? 5.0 : 2.5;
+  return {show.camera == "contact" ? contact_place(tile.subject->mesh, *tile.frame)
+                                   : motion_of(tile.subject->mesh, *tile.frame, 0).centre,
+          box.width / width, box};
+}
+
+namespace {
+
+void draw_material(Panel& panel, const Brush& brush, const Tile& tile, const Points& pixels) {
+  const Subject& subject = *tile.subject;
+  const FrameMesh& mesh = subject.mesh;
+  const Quantity* quantity = coloured_quantity(brush.show);
+  const bool by_material = quantity && brush.show.material == quantity->name, by_springs = quantity && !by_material;
+  std::vector<float> value(mesh.rest.size(), 0.0f), spring(mesh.springs.size(), 0.0f);
+  const float at_rest = static_cast<float>(brush.scale(0));  // springs between held nodes, which the mesh leaves out
+  if (by_material) {
+    const std::vector<double> values = subject.fields.of_material(quantity->name, *tile.frame);
+    for (std::size_t i = 0; i < values.size(); ++i) value[i] = static_cast<float>(brush.scale(values[i]));
+  }
+  if (by_springs) {
+    const std::vector<double> values = subject.fields.of_springs(quantity->name, *tile.frame);
+    for (std::size_t s = 0; s < values.size(); ++s)
+      spring[s] = std::isnan(values[s]) ? -1.0f : static_cast<float>(brush.scale(values[s]));
+  } else {
+    for (std::size_t s = 0; s < tile.frame->elongation.size(); ++s)
+      if (std::isnan(tile.frame->elongation[s])) spring[s] = -1;
+  }
+  panel.mesh.reserve(3 * mesh.triangles.size());
+  const auto& sides = subject.fields.sides();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& corners = mesh.triangles[t];
+    const std::array<Vec2, 3> p{pixels[corners[0]], pixels[corners[1]], pixels[corners[2]]};
+    const double area = std::abs(cross(p[1] - p[0], p[2] - p[0]));
+    MeshVertex vertex{};
+    std::array<float, 3> height{};
+    bool whole = true;  // what has a broken side is a hole
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int s = sides[t][c];
+      vertex.spring[c] = s < 0 ? at_rest : spring[s];
+      whole = whole && vertex.spring[c] >= 0;
+      height[c] = static_cast<float>(area / std::max(1e-9, (p[(c + 2) % 3] - p[(c + 1) % 3]).norm()));
+    }
+    if (!whole) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      vertex.x = static_cast<float>(p[c].x());
+      vertex.y = static_cast<float>(p[c].y());
+      vertex.value = value[corners[c]];
+      for (std::size_t side = 0; side < 3; ++side) vertex.distance[side] = side == c ? height[c] : 0;
+      panel.mesh.push_back(vertex);
+    }
+  }
+}
+
+// What is left around broken springs: those that hold at the sides of holes, and nodes that hang by none.
+void draw_wreck(Canvas& canvas, const Brush& brush, const Tile& tile, const Points& pixels) {
+  const std::vector<float>& elongation = tile.frame->elongation;
+  const FrameMesh& mesh = tile.subject->mesh;
+  std::vector<bool> held(mesh.rest.size(), false), near_hole(mesh.springs.size(), false);
+  const auto broken = [&](int s) { return s >= 0 && std::isnan(elongation[static_cast<std::size_t>(s)]); };
+  for (const auto& sides : tile.subject->fields.sides())
+    if (broken(sides[0]) || broken(sides[1]) || broken(sides[2]))
+      for (const int s : sides)
+        if (s >= 0) near_hole[static_cast<std::size_t>(s)] = true;
+  for (std::size_t s = 0; s < mesh.springs.size(); ++s) {
+    if (std::isnan(elongation[s])) continue;
+    for (const int node : mesh.springs[s]) held[static_cast<std::size_t>(node)] = true;
+    if (near_hole[s])
+      canvas.line(pixels[mesh.springs[s][0]], pixels[mesh.springs[s][1]], brush.unit, {120, 120, 130, 255});
+  }
+  for (int i = 0; i < mesh.nodes(); ++i)
+    if (!held[static_cast<std::size_t>(i)] && !mesh.anchored[static_cast<std::size_t>(i)])
+      canvas.disc(pixels[i], 1.5 * brush.unit, {120, 120, 130, 255});
+}
+
+// Springs alone, as strokes: where no material is filled.
+void draw_bare_springs(Canvas& canvas, const Brush& brush, const Tile& tile, const Points& pixels,
+                       const std::vector<Colour>& colours) {
+  const FrameMesh& mesh = tile.subject->mesh;
+  const Quantity* quantity = coloured_quantity(brush.show);
+  const std::vector<double> values = tile.subject->fields.of_springs(quantity ? quantity->name : "energy", *tile.frame);
+  std::vector<std::size_t> order;
+  for (std::size_t s = 0; s < values.size(); ++s)
+    if (!std::isnan(values[s])) order.push_back(s);
+  // The strongest last, so that they lie on top.
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return std::abs(values[a]) < std::abs(values[b]); });
+  for (const std::size_t s : order) {
+    const double part = quantity ? brush.scale(values[s]) : 0;
+    const Colour colour = quantity ? colours[static_cast<std::size_t>(part * static_cast<double>(colours.size() - 1))]
+                                   : Colour{90, 90, 105, 255};
+    canvas.line(pixels[mesh.springs[s][0]], pixels[mesh.springs[s][1]], (quantity ? 1.6 : 1.0) * brush.unit, colour);
+  }
+}
+
+// Strokes away from a held rim, as in a drawing of a clamped beam.
+void draw_anchors(Canvas& canvas, const Brush& brush, const FrameMesh& mesh, const Points& pixels, const Box& cut) {
+  const double spacing = 0.7 * brush.text, length = 0.55 * brush.text;
+  for (const std::vector<int>& rim : mesh.rims) {
+    double due = spacing / 2;
+    for (std::size_t k = 0; k < rim.size(); ++k) {
+      const int a = rim[k], b = rim[(k + 1) % rim.size()];
+      if (!mesh.anchored[a] || !mesh.anchored[b]) continue;
+      const double extent = (pixels[b] - pixels[a]).norm();
+      if (!(extent > 0)) continue;
+      const Vec2 along = (pixels[b] - pixels[a]) / extent,
+                 out(-along.y(), along.x());  // pixels run down: the outside of a counter-clockwise chain
+      const auto strokes = static_cast<long>(
+          std::ceil((extent - due) / spacing));  // on this side, of which only those near the panel are drawn
+      double first = 0, last = static_cast<double>(strokes);
+      for (int axis : {0, 1}) {
+        const double low = (axis == 0 ? cut.x : cut.y) - length,
+                     high = (axis == 0 ? cut.x + cut.width : cut.y + cut.height) + length,
+                     from = pixels[a][axis] + due * along[axis], by = spacing * along[axis];
+        if (std::abs(by) < 1e-12) {
+          if (from < low || from > high) last = 0;
+          continue;
+        }
+        first = std::max(first, std::min((low - from) / by, (high - from) / by));
+        last = std::min(last, std::max((low - from) / by, (high - from) / by) + 1);
+      }
+      const auto end = static_cast<long>(std::ceil(last));
+      for (auto stroke = static_cast<long>(std::ceil(first)); stroke < end; ++stroke) {
+        const Vec2 foot = pixels[a] + (due + static_cast<double>(stroke) * spacing) * along;
+        canvas.line(foot, foot + length * (out - 0.7 * along).normalized(), brush.unit, hatch_colour);
+      }
+      due += static_cast<double>(std::max(0L, strokes)) * spacing - extent;
+    }
+  }
+}
+
+Points chain(const std::vector<int>& rim, const Points& pixels) {
+  Points points;
+  for (const int node : rim) points.push_back(pixels[node]);
+  return points;
+}
+
+void draw_projectile_marks(Canvas& canvas, const Brush& brush, const Tile& tile, const View& view) {
+  const Show& show = brush.show;
+  const FrameMesh& mesh = tile.subject->mesh;
+  const Survey& survey = tile.subject->survey;
+  const Motion motion = motion_of(mesh, *tile.frame, 0);
+  if (show.trail) {
+    Points path;
+    for (std::size_t k = 0; k <= tile.index && k < survey.trail.size(); ++k) path.push_back(view(survey.trail[k]));
+    canvas.polyline(path, 3.4 * brush.unit, white);
+    canvas.polyline(path, 1.6 * brush.unit, kind_colour(3));
+    canvas.disc(view(motion.centre), 2.4 * brush.unit, kind_colour(3));
+  }
+  if (show.spin) {
+    double radius = 0;
+    for (const int node : mesh.rims[0]) radius = std::max(radius, (mesh.rest[node] - motion.rest_centre).norm());
+    const Vec2 end = motion.centre + 0.8 * radius * (Eigen::Rotation2Dd(motion.angle) * Vec2(0, 1));
+    canvas.line(view(motion.centre), view(end), 2.5 * brush.unit, black);
+    canvas.disc(view(motion.centre), 3 * brush.unit, black);
+  }
+  if (show.velocity && survey.most_speed > 0) {
+    const Vec2 from = view(motion.centre), step = 4.5 * brush.text / survey.most_speed * motion.velocity;
+    canvas.arrow(from, from + Vec2(step.x(), -step.y()), 3 * brush.unit, kind_colour(0));
+  }
+}
+
+void draw_forces(Canvas& canvas, const Brush& brush, const Tile& tile, const Points& pixels) {
+  const double most = tile.subject->survey.most_force;
+  if (!(most > 0)) return;
+  for (int i = 0; i < tile.subject->mesh.projectile_nodes; ++i) {
+    const Vec2 force = tile.frame->contact_force[static_cast<std::size_t>(i)].cast<double>();
+    if (force.norm() < 0.02 * most) continue;
+    const Vec2 step = 4.0 * brush.text / most * force;
+    canvas.arrow(pixels[i], pixels[i] + Vec2(step.x(), -step.y()), 1.6 * brush.unit, kind_colour(5));
+  }
+}
+
+}  // namespace
+
+Panel draw_tile(const Brush& brush, Font& font, const Tile& tile, const View& view, const Box& cut,
+                const std::vector<Colour>& colours) {
+  const Show& show = brush.show;
+  const FrameMesh& mesh = tile.subject->mesh;
+  Points pixels;
+  for (const Vec2& p : shown_places(show, mesh, *tile.frame)) pixels.push_back(view(p));
+  Panel panel;
+  panel.x = static_cast<int>(cut.x);
+  panel.y = static_cast<int>(cut.y);
+  panel.width = static_cast<int>(cut.width);
+  panel.height = static_cast<int>(cut.height);
+  Canvas above(font);
+  if (show.material != "none") {
+    draw_material(panel, brush, tile, pixels);
+    if (!tile.frame->elongation.empty()) draw_wreck(above, brush, tile, pixels);
+  } else if (show.springs != "none") {
+    draw_bare_springs(above, brush, tile, pixels, colours);
+  }
+  // Where springs would cover everything they are paler.
+  const double spacing = view.scale * tile.subject->fields.mean_spring_length();
+  panel.half_width = show.springs == "none" ? 0 : (show.springs == "plain" ? 0.45 : 0.8) * brush.unit;
+  panel.ink[3] = static_cast<std::uint8_t>(90 * std::min(1.0, std::pow(spacing / (7 * brush.unit), 2)));
+  if (show.anchors) draw_anchors(above, brush, mesh, pixels, cut);
+  if (show.rims)
+    for (const auto& rim : mesh.rims) above.polyline(chain(rim, pixels), 1.8 * brush.unit, rim_colour, true);
+  if (show.ghost)
+    for (int body : {0, 1}) {
+      const Motion motion = motion_of(mesh, *tile.frame, body);
+      Points rigid;
+      for (const int node : mesh.rims[static_cast<std::size_t>(body)])
+        rigid.push_back(view(motion.moved(mesh.rest[node])));
+      above.polyline(rigid, brush.unit, ghost_colour, true);
+    }
+  if (show.forces) draw_forces(above, brush, tile, pixels);
+  if (show.velocity || show.spin || show.trail) draw_projectile_marks(above, brush, tile, view);
+  panel.above = above.take();
+  return panel;
+}
+
+}  // namespace ricochet::render
