@@ -74,6 +74,11 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
   return list;
 }
 
+std::string body_name(std::size_t body) {
+  static const char* names[] = {"projectile", "target"};
+  return body < std::size(names) ? names[body] : fmt::format("body {}", body + 1);
+}
+
 std::string Body::geometry_text() const {
   if (plane)
     return fmt::format("plane {} {} {} {}", plane->normal.x(), plane->normal.y(), plane->normal.z(), plane->offset);

@@ -44,4 +44,7 @@ struct Body {
   std::string geometry_text() const;
 };
 
+/// What a scene calls a body of its list: projectile, target, body 3, ...
+std::string body_name(std::size_t body);
+
 }  // namespace ricochet

@@ -25,8 +25,6 @@ std::string named_bodies(const Effect& effect) {
       effect);
 }
 
-std::string body_name(int body) { return body == 0 ? "projectile" : "target"; }
-
 // Why an effect cannot act on the bodies that it names.
 template <class E>
 std::string conflict_with_bodies(const E& e, std::span<const Solid* const> solids) {
@@ -36,16 +34,16 @@ std::string conflict_with_bodies(const E& e, std::span<const Solid* const> solid
     const Solid& solid = *solids[static_cast<std::size_t>(b)];
     if constexpr (requires { E::needs_anchors; })
       if (!solid.anchored())
-        return fmt::format("{} needs a {} with anchored nodes, and this one is free", E::name, body_name(b));
+        return fmt::format("{} needs a {} with anchored nodes, and this one is free", E::name,
+                           body_name(static_cast<std::size_t>(b)));
     if (AnchorMotion<E> && solid.nodes() == 0)
       return fmt::format("{} moves nodes, and a plane has none; give a {} with interior = \"rigid\"", E::name,
-                         body_name(b));
+                         body_name(static_cast<std::size_t>(b)));
     finds_one = finds_one || AnchorMotion<E> || (OnSprings<E> ? solid.springs() != nullptr : solid.free > 0);
   }
   if (finds_one) return "";
   return fmt::format("{} acts on {}, and the {} is rigid: leave it out", E::name,
-                     OnSprings<E> ? "springs" : "what moves inside a body",
-                     body_name(static_cast<int>(solids.size()) - 1));
+                     OnSprings<E> ? "springs" : "what moves inside a body", body_name(solids.size() - 1));
 }
 
 // Why springs that remember cannot start as prestress has stretched them.
@@ -64,7 +62,7 @@ std::string conflict_with_prestress(const E& e, std::span<const Solid* const> so
         conflict = fmt::format(
             "{}: prestress strains a spring of the {} by {:.3g} at rest, beyond its limit; lower prestress or raise "
             "the limit",
-            E::name, body_name(b), strain);
+            E::name, body_name(static_cast<std::size_t>(b)), strain);
     });
     if (!conflict.empty()) return conflict;
   }

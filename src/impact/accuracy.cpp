@@ -144,7 +144,7 @@ struct MethodOption {
   double cost() const { return work / (longest * step_of_theta); }  ///< of a unit of time, at best
 };
 
-MethodOption candidate(const std::vector<TrialScene>& scenes, const std::string& name) {
+MethodOption option_of(const std::vector<TrialScene>& scenes, const std::string& name) {
   const Method& method = method_named(name);
   MethodOption c{&method, std::numeric_limits<double>::infinity(), 0, 0, 0};
   for (const TrialScene& trial : scenes) {
@@ -196,62 +196,75 @@ Reached shorten_step(Trials& trials, const MethodOption& c, const Integration& a
   return {0, best, trials.reason};
 }
 
+// Names of the methods that may be tried for these scenes.
+std::vector<std::string> names_for(const Scene& scene, const Solids& solids) {
+  const Integration& asked = scene.integration;
+  if (asked.method != "auto") return {asked.method};
+  std::vector<std::string> names = methods_for(asked.accuracy);
+  std::erase_if(names,
+                [&](const std::string& name) { return !conflict_of(scene, method_named(name), solids).empty(); });
+  if (names.empty()) names = {"verlet"};  // beside any effect
+  return names;
+}
+
+bool passes_by(const TrialScene& trial, const std::string& method) {
+  Scene plain = trial.scene;
+  plain.integration.method = method;
+  plain.integration.accuracy = not_given;
+  return !launch(plain, trial.solids).touches;
+}
+
+// From the cheapest at its longest step on, each as long as it stays cheaper than the last, which ends the list.
+std::vector<MethodOption> options_for(const std::vector<TrialScene>& scenes, const std::vector<std::string>& names) {
+  const MethodOption last = option_of(scenes, names.back());
+  std::vector<MethodOption> options;
+  for (const std::string& name : names)
+    if (const MethodOption c = option_of(scenes, name); c.cost() < last.cost()) options.push_back(c);
+  std::sort(options.begin(), options.end(),
+            [](const MethodOption& a, const MethodOption& b) { return a.cost() < b.cost(); });
+  options.push_back(last);
+  return options;
+}
+
+[[noreturn]] void refuse_accuracy(const Integration& asked, const std::string& method, const Reached& reached) {
+  throw FieldError("accuracy",
+                   std::isinf(reached.error)
+                       ? fmt::format("no trial run finished ({})", reached.reason)
+                       : fmt::format("{:g} is below what {} can reach for {} here: the estimated error "
+                                     "stays at {:.2g}; ask for {:.2g}, or for another method",
+                                     asked.accuracy, method, asked.accuracy_of, reached.error, 2.1 * reached.error));
+}
+
 }  // namespace
 
 Choice choose_for_accuracy(std::vector<TrialScene> scenes, int threads, const std::atomic<bool>& stop) {
   const auto began = std::chrono::steady_clock::now();
-  const Scene& scene = scenes.front().scene;
-  const Integration asked = scene.integration;
-  std::vector<std::string> names =
-      asked.method == "auto" ? methods_for(asked.accuracy) : std::vector<std::string>{asked.method};
-  if (asked.method == "auto") {
-    const Solids solids = scenes.front().solids;
-    std::erase_if(names,
-                  [&](const std::string& name) { return !conflict_of(scene, method_named(name), solids).empty(); });
-    if (names.empty()) names = {"verlet"};  // beside any effect
-  }
-  const auto passes_by = [&](const TrialScene& trial) {
-    Scene plain = trial.scene;
-    plain.integration.method = names.back();
-    plain.integration.accuracy = not_given;
-    return !launch(plain, trial.solids).touches;
-  };
+  const Scene scene = scenes.front().scene;
+  const std::vector<std::string> names = names_for(scene, scenes.front().solids);
   const std::vector<TrialScene> all = scenes;
-  std::erase_if(scenes, passes_by);
+  std::erase_if(scenes, [&](const TrialScene& trial) { return passes_by(trial, names.back()); });
   if (scenes.empty()) {
-    const MethodOption any = candidate(all, names.back());
+    const MethodOption any = option_of(all, names.back());
     return {any.method->name, any.usual * any.step_of_theta, any.usual, 0, 0, 0};
   }
-  const MethodOption last = candidate(scenes, names.back());
-  // From the cheapest at its longest step on, each as long as it stays cheaper than the next.
-  std::vector<MethodOption> candidates;
-  for (const std::string& name : names)
-    if (const MethodOption c = candidate(scenes, name); c.cost() < last.cost()) candidates.push_back(c);
-  std::sort(candidates.begin(), candidates.end(),
-            [](const MethodOption& a, const MethodOption& b) { return a.cost() < b.cost(); });
-  candidates.push_back(last);
+  const std::vector<MethodOption> options = options_for(scenes, names);
   std::vector<const TrialScene*> in_order;
   for (const TrialScene& trial : scenes) in_order.push_back(&trial);
   int trial_count = 0;
   Reached reached;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const MethodOption& c = candidates[i];
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    const MethodOption& c = options[i];
     const double shortest =
-        i + 1 < candidates.size() ? c.work / (candidates[i + 1].cost() * c.step_of_theta) : c.usual / most_shortened;
+        i + 1 < options.size() ? c.work / (options[i + 1].cost() * c.step_of_theta) : c.usual / most_shortened;
     Trials trials(in_order, c.method->name, threads, stop);
     // A single scene's estimate may be small by chance, the more steps are tried; that of several hardly.
-    reached = shorten_step(trials, c, asked, shortest, scenes.size() > 2, scene.effects);
+    reached = shorten_step(trials, c, scene.integration, shortest, scenes.size() > 2, scene.effects);
     trial_count += trials.count;
     if (reached.theta == 0) continue;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return {c.method->name, reached.theta * c.step_of_theta, reached.theta, reached.error, trial_count, seconds};
   }
-  throw FieldError("accuracy", std::isinf(reached.error)
-                                   ? fmt::format("no trial run finished ({})", reached.reason)
-                                   : fmt::format("{:g} is below what {} can reach for {} here: the estimated error "
-                                                 "stays at {:.2g}; ask for {:.2g}, or for another method",
-                                                 asked.accuracy, names.back(), asked.accuracy_of, reached.error,
-                                                 2.1 * reached.error));
+  refuse_accuracy(scene.integration, names.back(), reached);
 }
 
 Choice choose_step_for_accuracy(const Solids& solids, const Scene& scene, const std::atomic<bool>& stop) {
@@ -262,26 +275,28 @@ Choice choose_step_for_accuracy(const Solids& solids, const Scene& scene, const 
 
 namespace {
 
+// Of bodies that share their trials: all their numbers but the seed, and the extremes of what depends on the place.
+std::string kind_of(const Body& body) {
+  std::string kind = body.plane ? "plane" : "";
+  for (const auto& [field, place] : BodyNumbers::fields())
+    if (field.name != "seed") std::visit([&](auto where) { kind += fmt::format(" {}", body.numbers.*where); }, place);
+  Vec2 low = Vec2::Zero(), high = low;
+  for (const Vec2& p : body.outline) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Vec2 extent = high - low;
+  kind +=
+      fmt::format(" {} {:.9g} {:.9g} {:.9g};", body.anchored.empty(), signed_area(body.outline), extent[0], extent[1]);
+  if (const auto& k = body.node_stiffness; !k.empty())
+    kind += fmt::format("{:.2g} {:.2g};", *std::min_element(k.begin(), k.end()), *std::max_element(k.begin(), k.end()));
+  return kind;
+}
+
 // What scenes that share their trials have in common.
 std::string kind_of(const Scene& scene) {
-  Scene plain = scene;
-  plain.launch = Launch{};
   std::string kind = fmt::format("{:.9g}", scene.launch.velocity().norm());
-  for (const auto* body : {&scene.projectile, &scene.target}) {
-    const BodyNumbers& n = (*body)->numbers;
-    kind += fmt::format(" {} {} {} {} {} {} {} {} {}", (*body)->plane ? "plane" : n.interior, n.nodes, n.placement,
-                        n.stiffness, n.quartic, n.mass, n.roughness, n.prestress, (*body)->anchored.empty());
-    // Of an outline and of a stiffness that depends on the place: their extremes tell kinds apart.
-    Vec2 low = Vec2::Zero(), high = low;
-    for (const Vec2& p : (*body)->outline) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    kind += fmt::format(" {:.9g} {:.9g} {:.9g};", signed_area((*body)->outline), (high - low).x(), (high - low).y());
-    if (const auto& k = (*body)->node_stiffness; !k.empty())
-      kind +=
-          fmt::format("{:.2g} {:.2g};", *std::min_element(k.begin(), k.end()), *std::max_element(k.begin(), k.end()));
-  }
+  for (const Body* body : scene.bodies()) kind += kind_of(*body);
   const Integration& i = scene.integration;
   return kind +
          fmt::format("{} {} {} {} {} {} {} {} {}", i.method, i.accuracy, i.accuracy_of, i.energy_tolerance,
@@ -289,32 +304,41 @@ std::string kind_of(const Scene& scene) {
          batch_text_of(scene.effects);
 }
 
+using Places = std::vector<std::size_t>;  // of scenes in a list
+
+// As many as are tried, spread evenly.
+std::set<std::size_t> tried_of(const Places& members) {
+  std::set<std::size_t> places;
+  const std::size_t count = std::min(members.size(), most_tried);
+  for (std::size_t k = 0; k < count; ++k)
+    places.insert(members[count > 1 ? k * (members.size() - 1) / (count - 1) : 0]);
+  return places;
+}
+
+// Built, and found to start. Throws SceneError.
+TrialScene trial_scene(const std::vector<Scene>& scenes, std::size_t place) {
+  Scene plain = scenes[place];
+  plain.integration.accuracy = not_given;
+  if (plain.integration.method == "auto") plain.integration.method = "verlet";
+  try {
+    TrialScene trial{BuiltSolids(scenes[place]), scenes[place]};
+    check_start(trial.solids, plain);
+    return trial;
+  } catch (const FieldError& error) {
+    throw SceneError(error, place);
+  }
+}
+
 }  // namespace
 
 std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, const std::atomic<bool>& stop,
                                      const std::function<void(const std::string&)>& told) {
-  std::map<std::string, std::vector<std::size_t>> kinds;
+  std::map<std::string, Places> kinds;
   for (std::size_t i = 0; i < scenes.size(); ++i)
-    if (!std::isnan(scenes[i].integration.accuracy)) {
-      kinds[kind_of(scenes[i])].push_back(i);
-    }
+    if (!std::isnan(scenes[i].integration.accuracy)) kinds[kind_of(scenes[i])].push_back(i);
   for (const auto& [kind, members] : kinds) {
     std::vector<TrialScene> tried;
-    std::set<std::size_t> places;
-    const std::size_t count = std::min(members.size(), most_tried);
-    for (std::size_t k = 0; k < count; ++k)
-      places.insert(members[count > 1 ? k * (members.size() - 1) / (count - 1) : 0]);
-    for (const std::size_t i : places) {
-      Scene plain = scenes[i];
-      plain.integration.accuracy = not_given;
-      if (plain.integration.method == "auto") plain.integration.method = "verlet";
-      try {
-        tried.push_back({BuiltSolids(scenes[i]), scenes[i]});
-        check_start(tried.back().solids, plain);
-      } catch (const FieldError& error) {
-        throw SceneError(error, i);
-      }
-    }
+    for (const std::size_t i : tried_of(members)) tried.push_back(trial_scene(scenes, i));
     Choice choice;
     try {
       choice = choose_for_accuracy(tried, threads, stop);

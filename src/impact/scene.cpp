@@ -24,10 +24,6 @@ std::string text_of(const std::string& prefix, const Struct& values) {
 
 }  // namespace
 
-std::string body_name(std::size_t body) {
-  return body == 0 ? "projectile" : body == 1 ? "target" : fmt::format("body {}", body + 1);
-}
-
 const std::vector<Member<Launch>>& Launch::fields() {
   static const std::vector<Member<Launch>> list{
       {{"speed", "number", "c", "impact speed |v|; 0.1 unless normal_speed is given", positive, "", true},

@@ -15,9 +15,6 @@ namespace ricochet {
 
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
-/// What a scene calls a body.
-std::string body_name(std::size_t body);
-
 /// How the projectile comes in. The normal is +y: it falls along -y and moves along +x. Either `speed` with `psi1` or
 /// `angle`, or `normal_speed` with `tangential_speed`.
 struct Launch {

@@ -59,8 +59,7 @@ Scene variant_of(lua_State* L, const Scene& scene) {
 }
 
 // The scene's row; of its wall times the least counts. A step that is refused is a status.
-Row least_of(lua_Integer repeats, const Solids& solids, const Scene& scene,
-             Outcome& outcome) {
+Row least_of(lua_Integer repeats, const Solids& solids, const Scene& scene, Outcome& outcome) {
   double seconds = std::numeric_limits<double>::infinity();
   try {
     for (lua_Integer i = 0; i < repeats; ++i) {

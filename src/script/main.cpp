@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "core/error.hpp"
-#include "core/spelling.hpp"
 #include "core/lane.hpp"
+#include "core/spelling.hpp"
 #include "script/listings.hpp"
 #include "script/reference.hpp"
 #include "script/render_command.hpp"

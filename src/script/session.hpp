@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "impact/scene.hpp"
 #include "body/plan.hpp"
+#include "impact/scene.hpp"
 #include "record/row.hpp"
 #include "sandbox/sandbox.hpp"
 #include "store/files.hpp"

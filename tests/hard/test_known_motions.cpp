@@ -173,7 +173,8 @@ TEST_CASE("hard 22: a wave runs along a bar, and rods of lengths 1 and 2 part, a
       double amplitude = 0;
       for (int i = 0; i < bar->nodes(); ++i)
         amplitude +=
-            (s.bodies[0].place[static_cast<std::size_t>(i)].y() - bar->points[static_cast<std::size_t>(i)].y()) * mode(i);
+            (s.bodies[0].place[static_cast<std::size_t>(i)].y() - bar->points[static_cast<std::size_t>(i)].y()) *
+            mode(i);
       if (before * amplitude < 0) {
         last = alone.step() * (step - std::abs(amplitude) / (std::abs(amplitude) + std::abs(before)));
         if (crossings++ == 0) first = last;

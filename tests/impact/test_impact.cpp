@@ -313,7 +313,8 @@ TEST_CASE("the disk lands where asked, whatever the angle") {
       const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
       const Start start = launch(scene, {p.get(), t.get()});
       // From there on to where the smooth outlines touch.
-      const double fall = (start.bodies[0].centre.y() - t->centre().y() - start.overlap_height) / -start.bodies[0].velocity.y();
+      const double fall =
+          (start.bodies[0].centre.y() - t->centre().y() - start.overlap_height) / -start.bodies[0].velocity.y();
       CHECK(start.bodies[0].centre.x() + fall * start.bodies[0].velocity.x() == Catch::Detail::Approx(at).margin(1e-9));
       CHECK(start.touches);
     }
