@@ -16,7 +16,8 @@ Vec2 at(const std::vector<Eigen::Vector2f>& values, int node) {
 double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) { return std::abs(cross(b - a, c - a)); }
 
 std::array<int, 2> nodes_of(const FrameMesh& mesh, int body) {
-  return body == 0 ? std::array{0, mesh.projectile_nodes} : std::array{mesh.projectile_nodes, mesh.nodes()};
+  const BodyMesh& of = mesh.bodies[static_cast<std::size_t>(body)];
+  return {of.first, of.first + of.nodes};
 }
 
 }  // namespace
@@ -66,22 +67,45 @@ std::array<double, 7> ledger_parts(const FrameMesh& mesh, const Frame& frame) {
           e[7] - (e[0] + e[1] + e[2] + e[3] + e[4] + e[5] + e[6])};
 }
 
+namespace {
+
+template <class Use>
+void each_surface_node(const BodyMesh& body, Use&& use) {
+  for (const MeshChain& chain : body.surface)
+    for (const int node : chain.node) use(node);
+}
+
+// The surface node of a body that is nearest to a place; of an open chain, the nearest place on it.
+Vec2 nearest_place(const BodyMesh& body, const Frame& frame, const Vec2& place) {
+  double nearest = std::numeric_limits<double>::infinity();
+  Vec2 found = place;
+  const auto consider = [&](const Vec2& other) {
+    const double d = (other - place).norm();
+    if (!(d < nearest)) return;
+    nearest = d;
+    found = other;
+  };
+  each_surface_node(body, [&](int node) { consider(at(frame.position, node)); });
+  for (const MeshChain& chain : body.surface)
+    for (std::size_t k = 0; k + 1 < chain.node.size() && !chain.closed; ++k) {
+      const Vec2 a = at(frame.position, chain.node[k]), edge = at(frame.position, chain.node[k + 1]) - a;
+      consider(a + std::clamp((place - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0) * edge);
+    }
+  return found;
+}
+
+}  // namespace
+
 Vec2 contact_place(const FrameMesh& mesh, const Frame& frame) {
   constexpr double range = 0.1;  // [R] nodes so much farther than the nearest weigh 1/e
   std::vector<std::pair<double, Vec2>> gaps;
   double least = std::numeric_limits<double>::infinity();
-  for (const int node : mesh.rims[0]) {
-    const Vec2 place = at(frame.position, node);
-    double nearest = std::numeric_limits<double>::infinity();
-    Vec2 other = place;
-    for (const int facing : mesh.rims[1])
-      if (const double d = (at(frame.position, facing) - place).norm(); d < nearest) {
-        nearest = d;
-        other = at(frame.position, facing);
-      }
-    gaps.emplace_back(nearest, (place + other) / 2);
-    least = std::min(least, nearest);
-  }
+  each_surface_node(mesh.bodies[0], [&](int node) {
+    const Vec2 place = at(frame.position, node), other = nearest_place(mesh.bodies[1], frame, place);
+    const double gap = (other - place).norm();
+    gaps.emplace_back(gap, (place + other) / 2);
+    least = std::min(least, gap);
+  });
   Vec2 sum = Vec2::Zero();
   double weights = 0;
   for (const auto& [gap, middle] : gaps) {
@@ -95,7 +119,7 @@ Vec2 contact_place(const FrameMesh& mesh, const Frame& frame) {
 double plotted_value(const std::string& name, const FrameMesh& mesh, const Frame& frame) {
   if (name == "force_n" || name == "force_t") {
     Vec2 sum = Vec2::Zero();
-    for (int i = 0; i < mesh.projectile_nodes; ++i) sum += at(frame.contact_force, i);
+    for (int i = 0; i < mesh.bodies.front().nodes; ++i) sum += at(frame.contact_force, i);
     return name == "force_n" ? sum.y() : sum.x();
   }
   if (name == "vibration") return frame.energy[2] + frame.energy[5];
@@ -109,6 +133,7 @@ double plotted_value(const std::string& name, const FrameMesh& mesh, const Frame
 
 Fields::Fields(const FrameMesh& mesh)
     : mesh_(mesh), shared_by_(mesh.springs.size(), 0.0), rest_area_(mesh.rest.size(), 0.0) {
+  for (const BodyMesh& body : mesh.bodies) laws_.push_back(law_of(body.law));
   const auto key = [](int a, int b) {
     return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b));
   };
@@ -133,16 +158,15 @@ double Fields::elongation(const Frame& frame, std::size_t spring, double distanc
   return frame.elongation.empty() ? distance - mesh_.length[spring] : frame.elongation[spring];
 }
 
-// T = ka x + kb x^3, V = ka x^2 / 2 + kb x^4 / 4   [Hayakawa & Kuninaka 2003, eq. interaction]
 std::vector<double> Fields::of_springs(const std::string& name, const Frame& frame) const {
   std::vector<double> values(mesh_.springs.size());
   for (std::size_t s = 0; s < values.size(); ++s) {
     const auto& ends = mesh_.springs[s];
     const double x = elongation(frame, s, (at(frame.position, ends[1]) - at(frame.position, ends[0])).norm());
-    const double ka = mesh_.stiffness[s], quartic = mesh_.quartic[static_cast<std::size_t>(mesh_.body_of(ends[0]))];
-    values[s] = name == "tension"  ? ka * x * (1 + quartic * x * x)
-                : name == "energy" ? ka * x * x * (0.5 + 0.25 * quartic * x * x)
-                                   : x / mesh_.length[s];
+    const double ka = mesh_.stiffness[s];
+    values[s] = with_spring_law(laws_[static_cast<std::size_t>(mesh_.body_of(ends[0]))], [&](const auto& law) {
+      return name == "tension" ? ka * law.tension(x) : name == "energy" ? ka * law.energy(x) : x / mesh_.length[s];
+    });
   }
   return values;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/frame.hpp"
+#include "material/spring_law.hpp"
 
 namespace ricochet::render {
 
@@ -53,6 +54,7 @@ class Fields {
   std::vector<double> stress(const Frame& frame, bool pressure) const;
 
   const FrameMesh& mesh_;
+  std::vector<SpringLawNumbers> laws_;  // [body]
   std::vector<std::array<int, 3>> sides_;
   std::vector<double> shared_by_;  // [spring] how many triangles have it
   std::vector<double> rest_area_;  // [node] of the triangles around

@@ -13,10 +13,10 @@ Points shown_places(const Show& show, const FrameMesh& mesh, const Frame& frame)
   Points places;
   for (const Eigen::Vector2f& p : frame.position) places.push_back(p.cast<double>());
   if (show.magnify == 1) return places;
-  for (int body : {0, 1}) {
-    const Motion motion = motion_of(mesh, frame, body);
-    for (int i = 0; i < mesh.nodes(); ++i) {
-      if (mesh.body_of(i) != body) continue;
+  for (std::size_t b = 0; b < mesh.bodies.size(); ++b) {
+    const Motion motion = motion_of(mesh, frame, static_cast<int>(b));
+    const BodyMesh& body = mesh.bodies[b];
+    for (int i = body.first; i < body.first + body.nodes; ++i) {
       const Vec2 rigid = motion.moved(mesh.rest[i]);
       places[i] = rigid + show.magnify * (places[i] - rigid);
     }
@@ -24,14 +24,25 @@ Points shown_places(const Show& show, const FrameMesh& mesh, const Frame& frame)
   return places;
 }
 
+// Nodes that broke loose are not worth a smaller picture, and of an open chain, which goes on beside it, only its
+// height is seen.
+void Survey::see_surfaces(const FrameMesh& mesh, const Points& places) {
+  for (const BodyMesh& body : mesh.bodies)
+    for (const MeshChain& chain : body.surface)
+      for (const int node : chain.node) {
+        const Vec2& place = places[static_cast<std::size_t>(node)];
+        if (!place.allFinite()) continue;
+        const int first_axis = chain.closed ? 0 : 1;
+        for (int axis = first_axis; axis < 2; ++axis) {
+          low[axis] = std::min(low[axis], place[axis]);
+          high[axis] = std::max(high[axis], place[axis]);
+        }
+      }
+}
+
 void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, const Frame& frame) {
   const Points places = shown_places(show, mesh, frame);
-  for (const std::vector<int>& rim : mesh.rims)  // nodes that broke loose are not worth a smaller picture
-    for (const int node : rim)
-      if (places[node].allFinite()) {
-        low = low.cwiseMin(places[node]);
-        high = high.cwiseMax(places[node]);
-      }
+  see_surfaces(mesh, places);
   if (const Quantity* quantity = coloured_quantity(show)) {
     const bool material = show.material == quantity->name;
     std::vector<double> values =
@@ -56,7 +67,7 @@ void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, 
     effects = effects || std::abs(parts.back()) > 1e-4 * most_energy;
   }
   if (show.forces)
-    for (int i = 0; i < mesh.projectile_nodes; ++i)
+    for (int i = 0; i < mesh.bodies.front().nodes; ++i)
       most_force = std::max<double>(most_force, frame.contact_force[static_cast<std::size_t>(i)].norm());
   if (show.velocity || show.trail) {
     const Motion motion = motion_of(mesh, frame, 0);

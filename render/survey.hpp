@@ -19,6 +19,9 @@ struct Survey {
   std::vector<double> times, series;  ///< [frame] the plotted quantity
 
   void see(const Show& show, const FrameMesh& mesh, const Fields& fields, const Frame& frame);
+
+ private:
+  void see_surfaces(const FrameMesh& mesh, const Points& places);
 };
 
 /// Where every node is drawn: its place, or with the deformation magnified.

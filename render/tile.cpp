@@ -124,12 +124,21 @@ void draw_bare_springs(Canvas& canvas, const Brush& brush, const Tile& tile, con
   }
 }
 
+// Of all bodies.
+std::vector<const MeshChain*> chains_of(const FrameMesh& mesh) {
+  std::vector<const MeshChain*> chains;
+  for (const BodyMesh& body : mesh.bodies)
+    for (const MeshChain& chain : body.surface) chains.push_back(&chain);
+  return chains;
+}
+
 // Strokes away from a held rim, as in a drawing of a clamped beam.
 void draw_anchors(Canvas& canvas, const Brush& brush, const FrameMesh& mesh, const Points& pixels, const Box& cut) {
   const double spacing = 0.7 * brush.text, length = 0.55 * brush.text;
-  for (const std::vector<int>& rim : mesh.rims) {
+  for (const MeshChain* chain : chains_of(mesh)) {
     double due = spacing / 2;
-    for (std::size_t k = 0; k < rim.size(); ++k) {
+    const std::vector<int>& rim = chain->node;
+    for (std::size_t k = 0; k < (chain->closed ? rim.size() : rim.size() - 1); ++k) {
       const int a = rim[k], b = rim[(k + 1) % rim.size()];
       if (!mesh.anchored[a] || !mesh.anchored[b]) continue;
       const double extent = (pixels[b] - pixels[a]).norm();
@@ -160,9 +169,9 @@ void draw_anchors(Canvas& canvas, const Brush& brush, const FrameMesh& mesh, con
   }
 }
 
-Points chain(const std::vector<int>& rim, const Points& pixels) {
+Points pixels_of(const MeshChain& chain, const Points& pixels) {
   Points points;
-  for (const int node : rim) points.push_back(pixels[node]);
+  for (const int node : chain.node) points.push_back(pixels[node]);
   return points;
 }
 
@@ -180,7 +189,8 @@ void draw_projectile_marks(Canvas& canvas, const Brush& brush, const Tile& tile,
   }
   if (show.spin) {
     double radius = 0;
-    for (const int node : mesh.rims[0]) radius = std::max(radius, (mesh.rest[node] - motion.rest_centre).norm());
+    for (const MeshChain& chain : mesh.bodies.front().surface)
+      for (const int node : chain.node) radius = std::max(radius, (mesh.rest[node] - motion.rest_centre).norm());
     const Vec2 end = motion.centre + 0.8 * radius * (Eigen::Rotation2Dd(motion.angle) * Vec2(0, 1));
     canvas.line(view(motion.centre), view(end), 2.5 * brush.unit, black);
     canvas.disc(view(motion.centre), 3 * brush.unit, black);
@@ -194,7 +204,7 @@ void draw_projectile_marks(Canvas& canvas, const Brush& brush, const Tile& tile,
 void draw_forces(Canvas& canvas, const Brush& brush, const Tile& tile, const Points& pixels) {
   const double most = tile.subject->survey.most_force;
   if (!(most > 0)) return;
-  for (int i = 0; i < tile.subject->mesh.projectile_nodes; ++i) {
+  for (int i = 0; i < tile.subject->mesh.bodies.front().nodes; ++i) {
     const Vec2 force = tile.frame->contact_force[static_cast<std::size_t>(i)].cast<double>();
     if (force.norm() < 0.02 * most) continue;
     const Vec2 step = 4.0 * brush.text / most * force;
@@ -228,14 +238,16 @@ Panel draw_tile(const Brush& brush, Font& font, const Tile& tile, const View& vi
   panel.ink[3] = static_cast<std::uint8_t>(90 * std::min(1.0, std::pow(spacing / (7 * brush.unit), 2)));
   if (show.anchors) draw_anchors(above, brush, mesh, pixels, cut);
   if (show.rims)
-    for (const auto& rim : mesh.rims) above.polyline(chain(rim, pixels), 1.8 * brush.unit, rim_colour, true);
+    for (const MeshChain* chain : chains_of(mesh))
+      above.polyline(pixels_of(*chain, pixels), 1.8 * brush.unit, rim_colour, chain->closed);
   if (show.ghost)
-    for (int body : {0, 1}) {
-      const Motion motion = motion_of(mesh, *tile.frame, body);
-      Points rigid;
-      for (const int node : mesh.rims[static_cast<std::size_t>(body)])
-        rigid.push_back(view(motion.moved(mesh.rest[node])));
-      above.polyline(rigid, brush.unit, ghost_colour, true);
+    for (std::size_t b = 0; b < mesh.bodies.size(); ++b) {
+      const Motion motion = motion_of(mesh, *tile.frame, static_cast<int>(b));
+      for (const MeshChain& chain : mesh.bodies[b].surface) {
+        Points rigid;
+        for (const int node : chain.node) rigid.push_back(view(motion.moved(mesh.rest[node])));
+        above.polyline(rigid, brush.unit, ghost_colour, chain.closed);
+      }
     }
   if (show.forces) draw_forces(above, brush, tile, pixels);
   if (show.velocity || show.spin || show.trail) draw_projectile_marks(above, brush, tile, view);

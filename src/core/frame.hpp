@@ -10,21 +10,36 @@
 
 namespace ricochet {
 
-/// What stays the same over a sequence. Nodes are those of the projectile, then those of the target.
+/// A line of surface nodes.
+struct MeshChain {
+  std::vector<int> node;  ///< numbers in the mesh, in order, the inside to the left
+  bool closed = true;
+};
+
+/// A body's part of a mesh.
+struct BodyMesh {
+  int first = 0, nodes = 0;        ///< its nodes: first ... first + nodes - 1
+  double mass = 1;                 ///< of a node [m0]
+  std::vector<double> law;         ///< numbers of its springs' law, as material/spring_law.hpp lists them
+  std::vector<MeshChain> surface;  ///< a plane is an open chain of two held nodes, far apart
+};
+
+/// What stays the same over a sequence. Nodes are those of the bodies, one after another.
 struct FrameMesh {
-  int projectile_nodes = 0;
-  std::array<double, 2> mass{1, 1};         ///< [body] of a node [m0]
+  std::vector<BodyMesh> bodies;             ///< by index: the projectile first
   double psi1 = 0;                          ///< tangent of the incident angle, NaN if the launch has none
   Points rest;                              ///< [node] [R]
   std::vector<bool> anchored;               ///< [node]
   std::vector<std::array<int, 2>> springs;  ///< [spring] its ends
   std::vector<double> length, stiffness;    ///< [spring] rest length [R], ka [m0 c^2/R^2]
-  std::array<double, 2> quartic{0, 0};      ///< [body] kb / ka [1/R^2]
   std::vector<std::array<int, 3>> triangles;
-  std::array<std::vector<int>, 2> rims;  ///< [body] closed chain of nodes, counter-clockwise
 
   int nodes() const { return static_cast<int>(rest.size()); }
-  int body_of(int node) const { return node < projectile_nodes ? 0 : 1; }
+  int body_of(int node) const {
+    int body = 0;
+    while (node >= bodies[static_cast<std::size_t>(body)].first + bodies[static_cast<std::size_t>(body)].nodes) ++body;
+    return body;
+  }
 };
 
 /// Where the energy is, in the order of Frame::energy.

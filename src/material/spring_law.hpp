@@ -38,6 +38,10 @@ struct SpringLawNumbers {
   }
 };
 
+/// The numbers of a law as a plain list, in the order of its fields, and back.
+std::vector<double> numbers_of(const SpringLawNumbers& law);
+SpringLawNumbers law_of(const std::vector<double>& numbers);
+
 /// Calls `use(law)`: chosen once a sweep, never a spring.
 template <class Use>
 decltype(auto) with_spring_law(const SpringLawNumbers& numbers, Use&& use) {

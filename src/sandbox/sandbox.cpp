@@ -176,7 +176,7 @@ end
 
 math.randomseed(1)  -- the same numbers on every run: Lua seeds its generator from the clock otherwise
 if safe then
-  for _, name in ipairs { "execute", "exit", "getenv", "remove", "rename", "setlocale", "tmpname" } do os[name] = nil end
+  for _, f in ipairs { "execute", "exit", "getenv", "remove", "rename", "setlocale", "tmpname" } do os[f] = nil end
   string.dump, dofile, loadfile, collectgarbage = nil
   function load(text, name, mode, ...)
     if type(text) ~= "string" or mode and not find(mode, "t") then error("load: only text is accepted, mode 't'", 2) end
@@ -185,7 +185,7 @@ if safe then
   end
 end
 
--- Functions of the library's own, before any script runs. Methods of strings are the library's too, and beside them what
+-- Functions of the library's own, before any script runs. Methods of strings are the library's too, and with them what
 -- scripts add to `string`.
 local library, methods = copy(_G), getmetatable("")
 for _, name in ipairs(libraries) do library[name] = copy(_G[name]) end

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "impact/batch.hpp"
-#include "impact/film.hpp"
+#include "record/film.hpp"
 #include "script/filming.hpp"
 #include "script/reader.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "impact/film.hpp"
-#include "impact/lammps.hpp"
+#include "record/film.hpp"
+#include "record/lammps.hpp"
 #include "script/fields.hpp"
 #include "script/filmed.hpp"
 #include "script/run_files.hpp"

@@ -59,13 +59,30 @@ std::string energy_doc(const std::string& name) {
                                : "energy of the " + body + "'s vibration";
 }
 
+// Ragged lists, one after another. A body: its first node, how many, a node's mass, how many numbers its law has,
+// these. A chain: its body, 1 if it is closed, how many nodes, these.
+void write_bodies(const hdf5::Handle& own, const FrameMesh& mesh) {
+  std::vector<double> bodies, chains;
+  for (std::size_t b = 0; b < mesh.bodies.size(); ++b) {
+    const BodyMesh& body = mesh.bodies[b];
+    bodies.insert(bodies.end(), {static_cast<double>(body.first), static_cast<double>(body.nodes), body.mass,
+                                 static_cast<double>(body.law.size())});
+    bodies.insert(bodies.end(), body.law.begin(), body.law.end());
+    for (const MeshChain& chain : body.surface) {
+      chains.insert(chains.end(),
+                    {static_cast<double>(b), chain.closed ? 1.0 : 0.0, static_cast<double>(chain.node.size())});
+      chains.insert(chains.end(), chain.node.begin(), chain.node.end());
+    }
+  }
+  hdf5::numbers(own, "bodies", bodies);
+  hdf5::numbers(own, "chains", chains);
+}
+
 // What pictures need beyond H5MD.
 void write_drawing(const hdf5::Handle& file, const FrameMesh& mesh, const std::vector<Frame>& frames) {
   const hdf5::Handle own = hdf5::group(file, "ricochet");
   hdf5::numbers(own, "launch", std::vector<double>{mesh.psi1});
-  hdf5::numbers(own, "bodies",
-                std::vector<double>{static_cast<double>(mesh.projectile_nodes), mesh.mass[0], mesh.mass[1],
-                                    mesh.quartic[0], mesh.quartic[1]});
+  write_bodies(own, mesh);
   std::vector<double> rest, anchored;
   for (const Vec2& p : mesh.rest) rest.insert(rest.end(), {p.x(), p.y()});
   for (const bool held : mesh.anchored) anchored.push_back(held);
@@ -73,9 +90,6 @@ void write_drawing(const hdf5::Handle& file, const FrameMesh& mesh, const std::v
   hdf5::numbers(own, "anchored", anchored);
   hdf5::numbers(own, "rest_length", mesh.length);
   hdf5::numbers(own, "stiffness", mesh.stiffness);
-  for (int b : {0, 1})
-    hdf5::numbers(own, b == 0 ? "projectile_rim" : "target_rim",
-                  std::vector<double>(mesh.rims[b].begin(), mesh.rims[b].end()));
   const Shape per_node{frames.size(), mesh.rest.size(), 3};
   hdf5::dataset(own, "contact_force", H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, per_node, Shape{1, mesh.rest.size(), 3},
                 gathered(frames, &Frame::contact_force).data());
@@ -120,7 +134,7 @@ hdf5::Handle write_nodes(const hdf5::Handle& all, const FrameMesh& mesh, const s
   }
   for (int i = 0; i < mesh.nodes(); ++i) {
     species.push_back(mesh.body_of(i));
-    mass.push_back(mesh.mass[static_cast<std::size_t>(mesh.body_of(i))]);
+    mass.push_back(mesh.bodies[static_cast<std::size_t>(mesh.body_of(i))].mass);
   }
   hdf5::dataset(position, "step", H5T_STD_I64LE, H5T_NATIVE_INT64, series, {}, step.data());
   hdf5::dataset(position, "time", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, series, {}, time.data());

@@ -31,28 +31,74 @@ void must_be(bool fits, const char* what) {
   if (!fits) throw FileError(fmt::format("the sizes of {} do not fit together", what));
 }
 
+/// Reads a ragged list number by number.
+class Ragged {
+ public:
+  Ragged(std::vector<double> numbers, const char* what) : numbers_(std::move(numbers)), what_(what) {}
+  bool ended() const { return next_ == numbers_.size(); }
+  double number() {
+    must_be(next_ < numbers_.size(), what_);
+    return numbers_[next_++];
+  }
+  /// A whole number of 0 ... most.
+  std::size_t whole(std::size_t most) {
+    const double value = number();
+    must_be(value >= 0 && value <= static_cast<double>(most) && value == std::floor(value), what_);
+    return static_cast<std::size_t>(value);
+  }
+
+ private:
+  std::vector<double> numbers_;
+  const char* what_;
+  std::size_t next_ = 0;
+};
+
+std::vector<BodyMesh> read_bodies(const hdf5::Handle& own, std::size_t nodes) {
+  std::vector<BodyMesh> bodies;
+  std::size_t known = 0;
+  for (Ragged list(hdf5::read_numbers(own, "bodies"), "the bodies"); !list.ended();) {
+    BodyMesh body;
+    must_be(list.whole(nodes) == known, "the bodies");
+    body.first = static_cast<int>(known);
+    body.nodes = static_cast<int>(list.whole(nodes - known));
+    body.mass = list.number();
+    for (std::size_t n = list.whole(16); n > 0; --n) body.law.push_back(list.number());
+    must_be(body.nodes > 0, "the bodies");
+    known += static_cast<std::size_t>(body.nodes);
+    bodies.push_back(body);
+  }
+  must_be(known == nodes && bodies.size() >= 2, "the bodies");
+  for (Ragged list(hdf5::read_numbers(own, "chains"), "the chains"); !list.ended();) {
+    BodyMesh& body = bodies[list.whole(bodies.size() - 1)];
+    MeshChain chain{{}, list.whole(1) == 1};
+    const std::size_t count = list.whole(nodes), least = chain.closed ? 3 : 2;
+    must_be(count >= least, "the chains");
+    for (std::size_t n = count; n > 0; --n) chain.node.push_back(static_cast<int>(list.whole(nodes - 1)));
+    body.surface.push_back(chain);
+  }
+  for (const BodyMesh& body : bodies) must_be(!body.surface.empty(), "the chains");
+  return bodies;
+}
+
 FrameMesh read_mesh(const hdf5::Handle& file) {
   const hdf5::Handle own = hdf5::open_group(file, "ricochet"), connectivity = hdf5::open_group(file, "connectivity");
+  if (H5Lexists(own, "chains", H5P_DEFAULT) <= 0)
+    throw FileError("it was recorded by an older version, or another program; record it again");
   FrameMesh mesh;
-  const std::vector<double> rest = hdf5::read_numbers(own, "rest"), bodies = hdf5::read_numbers(own, "bodies"),
-                            launch = hdf5::read_numbers(own, "launch");
-  must_be(bodies.size() == 5 && launch.size() == 1 && rest.size() % 2 == 0 && !rest.empty(), "the bodies");
+  const std::vector<double> rest = hdf5::read_numbers(own, "rest"), launch = hdf5::read_numbers(own, "launch");
+  must_be(launch.size() == 1 && rest.size() % 2 == 0 && !rest.empty(), "the places at rest");
   for (std::size_t i = 0; i + 1 < rest.size(); i += 2) mesh.rest.emplace_back(rest[i], rest[i + 1]);
   const std::size_t nodes = mesh.rest.size();
-  must_be(bodies[0] >= 1 && bodies[0] < static_cast<double>(nodes), "the bodies");
   mesh.psi1 = launch[0];
-  mesh.projectile_nodes = static_cast<int>(bodies[0]);
-  mesh.mass = {bodies[1], bodies[2]};
-  mesh.quartic = {bodies[3], bodies[4]};
+  mesh.bodies = read_bodies(own, nodes);
   for (const int held : indices(own, "anchored", 2)) mesh.anchored.push_back(held != 0);
   mesh.springs = tuples<2>(indices(connectivity, "springs", nodes));
   mesh.triangles = tuples<3>(indices(connectivity, "triangles", nodes));
   mesh.length = hdf5::read_numbers(own, "rest_length");
   mesh.stiffness = hdf5::read_numbers(own, "stiffness");
-  mesh.rims = {indices(own, "projectile_rim", nodes), indices(own, "target_rim", nodes)};
   must_be(mesh.anchored.size() == nodes && mesh.length.size() == mesh.springs.size() &&
-              mesh.stiffness.size() == mesh.springs.size() && mesh.rims[0].size() >= 3 && mesh.rims[1].size() >= 3,
-          "nodes, springs and rims");
+              mesh.stiffness.size() == mesh.springs.size(),
+          "nodes and springs");
   return mesh;
 }
 

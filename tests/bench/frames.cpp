@@ -12,7 +12,7 @@
 #include <fstream>
 #include <thread>
 
-#include "impact/film.hpp"
+#include "record/film.hpp"
 #include "render/picture.hpp"
 #include "render/studio.hpp"
 #include "scenes.hpp"

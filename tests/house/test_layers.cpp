@@ -27,7 +27,7 @@ const std::map<std::string, Names> layers{
     {"record", {"core", "material", "shape", "body", "contact", "integrate", "effect", "impact"}},
     {"store", {"core"}},
     {"theory", {"core"}},
-    {"render", {"core"}},
+    {"render", {"core", "material"}},
     {"sandbox", {"core"}},
     {"script",
      {"core", "material", "shape", "body", "contact", "integrate", "effect", "impact", "record", "store", "theory",

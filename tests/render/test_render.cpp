@@ -39,13 +39,12 @@ int dark_pixels(const Image& image, int x0, int y0, int x1, int y1) {
 // above it.
 FrameMesh small_mesh() {
   FrameMesh mesh;
-  mesh.projectile_nodes = 3;
+  mesh.bodies = {{0, 3, 1, {0}, {{{0, 1, 2}}}}, {3, 4, 1, {0}, {{{3, 4, 5, 6}}}}};
   mesh.psi1 = 1.5;
   mesh.rest = {{-0.5, 0.2}, {0.5, 0.2}, {0, 1.2}, {-2, -1}, {2, -1}, {2, 0}, {-2, 0}};
   mesh.anchored = {false, false, false, true, true, false, false};
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {3, 5, 6}};
   mesh.springs = {{0, 1}, {1, 2}, {0, 2}, {3, 5}, {5, 6}, {4, 5}, {3, 6}};
-  mesh.rims = {std::vector<int>{0, 1, 2}, std::vector<int>{3, 4, 5, 6}};
   for (const auto& s : mesh.springs) {
     mesh.length.push_back((mesh.rest[s[0]] - mesh.rest[s[1]]).norm());
     mesh.stiffness.push_back(100);
@@ -56,7 +55,7 @@ FrameMesh small_mesh() {
 Frame frame_of(const FrameMesh& mesh, const Vec2& shift = Vec2::Zero()) {
   Frame frame;
   for (int i = 0; i < mesh.nodes(); ++i) {
-    const bool projectile = i < mesh.projectile_nodes;
+    const bool projectile = i < mesh.bodies[0].nodes;
     frame.position.push_back((mesh.rest[i] + (projectile ? shift : Vec2(0, 0))).cast<float>());
     frame.velocity.push_back(projectile ? Eigen::Vector2f(0.3f, -0.4f) : Eigen::Vector2f(0, 0));
     frame.contact_force.emplace_back(0, 0);
@@ -283,7 +282,7 @@ namespace {
 // A triangular lattice of unit springs, for which the stress is known.
 FrameMesh triangular(int side) {
   FrameMesh mesh;
-  mesh.projectile_nodes = side * side;
+  mesh.bodies = {{0, side * side, 1, {0}, {}}};
   const auto node = [&](int i, int j) { return j * side + i; };
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i) mesh.rest.emplace_back(i + 0.5 * j, j * std::sqrt(3.0) / 2);

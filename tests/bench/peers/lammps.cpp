@@ -2,7 +2,7 @@
 // at equal accuracy of e.
 // `./workbench bench` runs it with Debian's lammps, one core each, in turn.
 
-#include "impact/lammps.hpp"
+#include "record/lammps.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "impact/film.hpp"
+#include "record/film.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,6 @@
 #include "impact/axes.hpp"
 #include "impact/batch.hpp"
 #include "impact/launch/launch.hpp"
-#include "impact/roles.hpp"
 
 namespace ricochet {
 namespace {
@@ -78,24 +77,56 @@ void add_elongations(Frame& frame, const Snapshot& shot, const Solids& solids) {
   }
 }
 
-// The body's part of a mesh whose nodes so far are others'.
-void add_body(FrameMesh& mesh, std::size_t b, const Solid& solid, double stiffness) {
-  const int offset = mesh.nodes();
-  for (int i = 0; i < solid.nodes(); ++i) {
-    mesh.rest.push_back(solid.points[static_cast<std::size_t>(i)]);
+// How far a plane is drawn. [R]
+constexpr double plane_extent = 1e3;
+
+// The ends of a plane's line; from left to right, so that its inside is hatched.
+Points plane_ends(const Plane& plane) {
+  const Vec2 normal = in_plane(plane.normal), along = -perpendicular(normal);
+  return {plane.offset * normal - plane_extent * along, plane.offset * normal + plane_extent * along};
+}
+
+std::vector<MeshChain> chains_in_mesh(const Solid& solid, int first) {
+  const auto* mesh = std::get_if<Mesh<2>>(&solid.surface);
+  if (!mesh) return {{{first, first + 1}, false}};
+  std::vector<MeshChain> chains;
+  for (const Chain& chain : chains_of(mesh->cell)) {
+    chains.push_back({{}, chain.closed});
+    for (const int k : chain.node) chains.back().node.push_back(mesh->node[static_cast<std::size_t>(k)] + first);
+  }
+  return chains;
+}
+
+// A body's part of a mesh whose nodes so far are others'.
+void add_body(FrameMesh& mesh, const Solid& solid, double stiffness) {
+  const Plane* plane = std::get_if<Plane>(&solid.surface);
+  const Points points = plane ? plane_ends(*plane) : solid.points;
+  BodyMesh body{mesh.nodes(), static_cast<int>(points.size()), solid.mass.each(), {}, {}};
+  for (int i = 0; i < body.nodes; ++i) {
+    mesh.rest.push_back(points[static_cast<std::size_t>(i)]);
     mesh.anchored.push_back(i >= solid.free);
   }
   if (const Springs* springs = solid.springs()) {
-    mesh.quartic[b] = springs->law.quartic;
+    body.law = numbers_of(springs->law);
     each_spring(*springs, solid.free, [&](int i, int, const Spring& spring) {
-      mesh.springs.push_back({i + offset, spring.other + offset});
+      mesh.springs.push_back({i + body.first, spring.other + body.first});
       mesh.length.push_back(spring.length);
       mesh.stiffness.push_back(spring.stiffness * stiffness);
     });
   }
-  for (const Triangle& t : solid.cells) mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-  for (const int node : surface_nodes(solid.surface)) mesh.rims[b].push_back(node + offset);
-  mesh.mass[b] = solid.mass.each();
+  for (const Triangle& t : solid.cells)
+    mesh.triangles.push_back({t[0] + body.first, t[1] + body.first, t[2] + body.first});
+  body.surface = chains_in_mesh(solid, body.first);
+  mesh.bodies.push_back(body);
+}
+
+// What a plane's snapshot leaves out: the ends of its line, which rest.
+void add_planes(Snapshot& shot, const Solids& solids) {
+  for (std::size_t b = 0; b < solids.size(); ++b)
+    if (const Plane* plane = std::get_if<Plane>(&solids[b]->surface)) {
+      shot.bodies[b].place = plane_ends(*plane);
+      shot.bodies[b].velocity = shot.bodies[b].force = {Vec2::Zero(), Vec2::Zero()};
+    }
 }
 
 }  // namespace
@@ -105,10 +136,7 @@ FrameMesh frame_mesh(const Scene& scene, const Solids& solids) {
   const Vec2 velocity = scene.launch.velocity();
   mesh.psi1 = normal(velocity) < 0 ? tangential(velocity) / -normal(velocity) : not_given;
   const auto bodies = scene.bodies();
-  for (std::size_t b = 0; b < solids.size(); ++b) {
-    add_body(mesh, b, *solids[b], bodies[b]->numbers.stiffness);
-    if (b == role::projectile) mesh.projectile_nodes = mesh.nodes();
-  }
+  for (std::size_t b = 0; b < solids.size(); ++b) add_body(mesh, *solids[b], bodies[b]->numbers.stiffness);
   return mesh;
 }
 
@@ -163,7 +191,9 @@ bool film_scene(const Solids& solids, const Scene& scene, const std::vector<doub
   if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to show");
   std::size_t next = 0;
   const auto is_due = [&](double time) { return next < times.size() && time >= times[next] - start.step / 2; };
-  const auto look = [&](const Snapshot& shot) {
+  const auto look = [&](const Snapshot& seen) {
+    Snapshot shot = seen;
+    add_planes(shot, solids);
     const auto hand_over = [&](Frame frame) {
       add_elongations(frame, shot, solids);
       use(std::move(frame));

@@ -1,4 +1,4 @@
-#include "impact/lammps.hpp"
+#include "record/lammps.hpp"
 
 #include <fmt/format.h>
 

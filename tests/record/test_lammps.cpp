@@ -3,8 +3,8 @@
 
 #include "body/springs/sweep.hpp"
 #include "core/error.hpp"
-#include "impact/lammps.hpp"
 #include "impact/launch/launch.hpp"
+#include "record/lammps.hpp"
 #include "scenes.hpp"
 
 using namespace ricochet;
