@@ -15,10 +15,16 @@ Value BodyNumbers::*inherited(Value SpringLawNumbers::*where) {
   return where;
 }
 
+// The first number always; what laws came to know later only where it says something, so that older texts stay.
 std::string text_of_law(const SpringLawNumbers& law) {
+  const SpringLawNumbers usual;
   std::string text;
   for (const auto& [field, place] : SpringLawNumbers::fields())
-    std::visit([&](auto where) { text += fmt::format(" {} {}", field.name, law.*where); }, place);
+    std::visit(
+        [&](auto where) {
+          if (text.empty() || law.*where != usual.*where) text += fmt::format(" {} {}", field.name, law.*where);
+        },
+        place);
   return text;
 }
 

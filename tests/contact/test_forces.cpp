@@ -45,26 +45,6 @@ double outline_distance(const Points& a, const Points& b) {
 
 }  // namespace
 
-TEST_CASE(
-    "spring tension is the derivative of its energy over decades of stretch, and linear is quartic without its term") {
-  for (const double q : {0.0, 1e-100, 1e-3, 7.5, 1e6}) {
-    const Quartic law{q};
-    for (double x : {-2.0, -0.3, -1e-3, 1e-4, 0.05, 1.7}) {
-      const double h = 1e-4 * std::abs(x);
-      const double slope =
-          (law.energy(x - 2 * h) - 8 * law.energy(x - h) + 8 * law.energy(x + h) - law.energy(x + 2 * h)) / (12 * h);
-      CHECK(law.tension(x) == Catch::Detail::Approx(slope).epsilon(1e-9));
-      if (q == 0)
-        CHECK(law.tension(x) == Linear{}.tension(x));
-      else
-        CHECK(std::abs(law.scale() * law.scaled_tension(x) / law.tension(x) - 1) <
-              4 * std::numeric_limits<double>::epsilon());
-    }
-  }
-  CHECK(Quartic{2.0}.tension(0.5) == 0.5 + 2.0 * 0.125);
-  CHECK(Quartic{2.0}.energy(0.5) == Catch::Detail::Approx(0.125 + 2.0 * 0.0625 / 4));
-}
-
 TEST_CASE("spring forces are minus the gradient of the spring energy, with a stiffness of every place its own") {
   Body body{box(2, 1), numbers(60, 30, 0, 1), {}, {}};
   body.numbers.quartic = 5;

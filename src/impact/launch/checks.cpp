@@ -20,11 +20,10 @@ const char* given_step(const Integration& wanted) {
 
 void check_bodies(const Solids& solids) {
   const Solid& projectile = *solids.front();
-  if (std::holds_alternative<Rigid>(projectile.interior))
-    throw FieldError("projectile",
-                     "a projectile must be free, and this body is rigid and held; take springs, or make "
-                     "it the target");
-  if (projectile.anchored()) throw FieldError("projectile", "a projectile must be free, this body has anchored nodes");
+  if (projectile.anchored())
+    throw FieldError("projectile", projectile.free > 0
+                                       ? "a projectile must be free, this body has anchored nodes"
+                                       : "a projectile must be free, nothing of this body moves; make it the target");
 }
 
 void check_contact(const ExponentialRepulsion& contact) {
