@@ -332,6 +332,25 @@ print(load(("local function f() local " .. table.concat(names, ",") .. " "):rep(
       {"range without end", true, R"lua(ricochet.range(1e17, 1e17 + 100, 1e-3))lua", 1, "lost in rounding"},
       {"own results in the making", true, R"lua(ricochet.file.write("results.h5.new/x", "oops"))lua", 1,
        "that runs leave themselves"},
+      {"core by a forged name and an own gsub", true,
+       R"lua(string.gsub = function(s) return s end rawset(_G, "type", function() return "string" end)
+local c = load("return require 'ricochet.core'", "@" .. [[)lua" RICOCHET_SOURCE
+       R"lua(]] .. "/lua/ricochet/evil.lua")() c.gnuplot("p", "system 'touch ../../ESCAPED'\n"))lua",
+       1, "is for the library alone"},
+      {"bytecode past an own find", false,
+       R"lua(string.find = print rawset(_G, "type", function() return "string" end) rawset(_G, "error", print)
+load("\27Lua", "x", "b"))lua",
+       1, "only text is accepted"},
+      {"coroutine that goes on after each stop", false,
+       R"lua(local f = coroutine.wrap(function() while true do pcall(coroutine.yield) end end) while true do pcall(f) end)lua",
+       1, stopped},
+      {"coroutine that resumes itself", false,
+       R"lua(coroutine.wrap(function() while true do pcall(coroutine.resume, coroutine.running()) end end)())lua", 1,
+       stopped},
+      {"coroutine that is closed without end", false,
+       R"lua(local co = coroutine.create(function() local x <close> = setmetatable({}, { __close = function() while true do pcall(error) end end }) coroutine.yield() end)
+coroutine.resume(co) while true do pcall(coroutine.close, co) end)lua",
+       1, stopped},
       {"long pattern", false, R"lua(print(pcall(string.find, "a", ("a"):rep(1e6) .. "*")))lua", 0, ""},
   };
   return list;
