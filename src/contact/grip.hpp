@@ -8,13 +8,11 @@
 #include <vector>
 
 #include "body/interior.hpp"
-#include "contact/friction.hpp"
+#include "contact/contact_laws.hpp"
 #include "contact/push.hpp"
 #include "core/carrier.hpp"
 
 namespace ricochet {
-
-using GripLaw = Friction;
 
 /// A cell that repels a node of the other body with a load [m0 c^2/R].
 struct Touch {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/candidates.hpp"
+#include "contact/contact_laws.hpp"
 #include "contact/gaps.hpp"
 #include "contact/grip.hpp"
 #include "contact/push.hpp"
@@ -20,13 +21,6 @@ namespace ricochet {
 /// A node of one of the bodies, by index.
 struct BodyNode {
   int body = 0, node = 0;
-};
-
-/// What acts between surfaces beside the repulsion, in all lanes.
-struct ContactLaws {
-  std::vector<PairForce> forces;
-  std::optional<GripLaw> grip;
-  double skin = 0.5;  ///< how far beyond the reach candidates are kept, over the reach; changes no bit
 };
 
 /// Nodes of the first body against cells of the second and, where the lane's law is two-sided, the other way round.

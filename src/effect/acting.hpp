@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "body/springs/vibration.hpp"
+#include "contact/contacts.hpp"
 #include "core/carrier.hpp"
 #include "core/error.hpp"
 #include "core/turn.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "body/springs/memory.hpp"
-#include "contact/contacts.hpp"
+#include "contact/contact_laws.hpp"
 #include "effect/node/absorbing.hpp"
 #include "effect/node/drag.hpp"
 #include "effect/node/gravity.hpp"

@@ -62,7 +62,7 @@ const std::vector<Mistake> mistakes{
     {"stiffness function without a value", "local d = ricochet.disk { nodes = 60, stiffness = function(x, y) end }",
      "error: s.lua:2: disk: 'stiffness': the function must return a positive number, gave nil at (1, 0)"},
     {"everything anchored", "local d = ricochet.disk { nodes = 60, anchored = function(x, y) return true end }",
-     "error: s.lua:2: disk: 'anchored': holds every node; nothing could move"},
+     "error: s.lua:2: disk: 'anchored': holds every node; nothing could move: give interior = \"rigid\" instead"},
     {"anchored projectile",
      "local w = ricochet.wall { nodes = 150 }\nlocal s = ricochet.scene { projectile = w, target = w }",
      "error: s.lua:3: scene: 'projectile': must be free, but this body has anchored nodes"},
@@ -357,7 +357,7 @@ TEST_CASE("all mistakes of a table are reported together, each at its line, with
       ended.err ==
       "error: s.lua:3: disk: unknown field 'radus' (did you mean 'radius'?)\n    3 |   radus = 0.05,\n      |   ^^^^^\n"
       "error: s.lua:4: disk: 'seed' must be between 0 and 9.0072e+15, is -1\n    4 |   seed = -1,\n      |   ^^^^\n"
-      "  valid fields: anchored, mass, nodes, placement, prestress, quartic, radius, roughness, seed, stiffness\n");
+      "  valid fields: anchored, interior, mass, nodes, placement, prestress, quartic, radius, roughness, seed, stiffness\n");
 }
 
 TEST_CASE("a mistake in a sweep's scene names the values it was made with, caught errors do not") {
