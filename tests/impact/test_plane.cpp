@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "contact/contacts.hpp"
 #include "core/error.hpp"
 #include "impact/launch/launch.hpp"
 #include "scenes.hpp"

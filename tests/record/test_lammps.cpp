@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "body/interior.hpp"
 #include "body/springs/sweep.hpp"
 #include "core/error.hpp"
 #include "impact/launch/launch.hpp"
