@@ -1,5 +1,5 @@
--- ricochet.accuracy: what accuracy costs. One scene by many methods and steps against two runs of order 6; a table, a CSV file and
--- work-precision plots.
+-- ricochet.accuracy: what accuracy costs. One scene by many methods and steps against two runs of order 6; a table, a
+-- CSV file and work-precision plots.
 local core = require "ricochet.core"
 local gnuplot = require "ricochet.gnuplot"
 local outcomes = require "ricochet.outcomes"
@@ -25,21 +25,29 @@ local function method_named(name)
   core.fail(("no method is called '%s'%s"):format(name, core.did_you_mean(name, names)), "methods")
 end
 
--- The reference: two methods of order 6 at short steps; beside effects that lower orders, verlet at three short steps, extrapolated. The difference
--- of two references is the smallest error that can be told.
+-- The reference: two methods of order 6 at short steps; beside effects that lower orders, verlet at three short steps,
+-- extrapolated. The difference of two references is the smallest error that can be told.
 local function reference(scene, columns)
   local extrapolated = core.conflict(scene, "blanes_moan_srkn14a") ~= ""
-  local specs = extrapolated and { { method = "verlet", theta = 0.2 }, { method = "verlet", theta = 0.1 }, { method = "verlet", theta = 0.05 } }
+  local specs = extrapolated
+    and { { method = "verlet", theta = 0.2 }, { method = "verlet", theta = 0.1 }, { method = "verlet", theta = 0.05 } }
     or { { method = "blanes_moan_srkn14a", theta = 0.7 }, { method = "blanes_moan_srkn11b", theta = 0.5 } }
   local runs = core.accuracy_runs(scene, specs, 1)
   for _, row in ipairs(runs) do
-    if row.status ~= "finished" then core.fail(("the reference run ended %s: %s"):format(row.status, row.reason), "scene") end
+    if row.status ~= "finished" then
+      core.fail(("the reference run ended %s: %s"):format(row.status, row.reason), "scene")
+    end
   end
   local value, floor = {}, {}
   for _, column in ipairs(columns) do
-    if runs[1][column] ~= runs[1][column] then core.fail(("%s is not defined in this impact; name another outcome"):format(column), "of") end
+    if runs[1][column] ~= runs[1][column] then
+      core.fail(("%s is not defined in this impact; name another outcome"):format(column), "of")
+    end
     local first, second = runs[1][column], runs[2][column]
-    if extrapolated then first, second = runs[3][column] + (runs[3][column] - runs[2][column]) / 3, runs[2][column] + (runs[2][column] - runs[1][column]) / 3 end
+    if extrapolated then
+      first = runs[3][column] + (runs[3][column] - runs[2][column]) / 3
+      second = runs[2][column] + (runs[2][column] - runs[1][column]) / 3
+    end
     value[column], floor[column] = first, math.abs(first - second)
   end
   return value, floor
@@ -50,7 +58,9 @@ local function fitted_order(rows, column, floor)
   local points = {}
   for _, row in ipairs(rows) do
     local error = row.error[column]
-    if row.status == "finished" and error > 10 * floor then points[#points + 1] = { math.log(row.step), math.log(error) } end
+    if row.status == "finished" and error > 10 * floor then
+      points[#points + 1] = { math.log(row.step), math.log(error) }
+    end
   end
   local n = #points
   if n < 3 then return nil end
@@ -64,12 +74,18 @@ local function fitted_order(rows, column, floor)
 end
 
 local function csv(rows, columns)
-  local header = { "method", "step [R/c]", "theta", "status", "evaluations", "seconds [s]", "energy_drift", "momentum_residual" }
+  local header = {
+    "method", "step [R/c]", "theta", "status", "evaluations", "seconds [s]", "energy_drift", "momentum_residual",
+  }
   for _, column in ipairs(columns) do header[#header + 1] = "error_of_" .. column end
   local lines = { table.concat(header, ",") }
   for _, row in ipairs(rows) do
-    local cells = { row.method, ("%.17g"):format(row.step), ("%.6g"):format(row.theta), row.status, ("%.0f"):format(row.evaluations), ("%.6g"):format(row.wall_seconds),
-      ("%.6g"):format(row.energy_drift), row.momentum_residual == row.momentum_residual and ("%.6g"):format(row.momentum_residual) or "" }
+    local is_told = row.momentum_residual == row.momentum_residual
+    local cells = {
+      row.method, ("%.17g"):format(row.step), ("%.6g"):format(row.theta), row.status, ("%.0f"):format(row.evaluations),
+      ("%.6g"):format(row.wall_seconds), ("%.6g"):format(row.energy_drift),
+      is_told and ("%.6g"):format(row.momentum_residual) or "",
+    }
     for _, column in ipairs(columns) do cells[#cells + 1] = ("%.6g"):format(row.error[column] or 0 / 0) end
     lines[#lines + 1] = table.concat(cells, ",")
   end
@@ -80,12 +96,14 @@ end
 local function cheapest(rows, column, wanted)
   local best
   for _, row in ipairs(rows) do
-    if row.status == "finished" and row.error[column] <= wanted and (not best or row.evaluations < best.evaluations) then best = row end
+    local is_good = row.status == "finished" and row.error[column] <= wanted
+    if is_good and (not best or row.evaluations < best.evaluations) then best = row end
   end
   return best
 end
 
--- Mean and standard error of a column over samples of the scene's lattices at several sizes, and the limit of an infinitely fine one.
+-- Mean and standard error of a column over samples of the scene's lattices at several sizes, and the limit of an
+-- infinitely fine one.
 local function lattice_study(scene, given, samples, column)
   local sizes, points, factors = {}, {}, { table.unpack(given) }
   table.sort(factors)
@@ -94,8 +112,13 @@ local function lattice_study(scene, given, samples, column)
     for k = 1, samples do scenes[k] = refine.refined(scene, factor, k - 1) end
     local rows, seconds = core.pilot(scenes)
     local of = statistics.of_finished(rows, column)
-    if of.count < 2 then core.fail(("fewer than two of %d impacts finished with %g times the nodes: %s"):format(samples, factor, rows[1].reason), "lattices") end
-    sizes[i] = { factor = factor, mean = of.mean, sd = of.sd, se = of.se, count = of.count, seconds = seconds / samples }
+    if of.count < 2 then
+      core.fail(("fewer than two of %d impacts finished with %g times the nodes: %s"):format(samples, factor,
+        rows[1].reason), "lattices")
+    end
+    sizes[i] = {
+      factor = factor, mean = of.mean, sd = of.sd, se = of.se, count = of.count, seconds = seconds / samples,
+    }
     points[i] = { x = factor ^ -0.5, value = of.mean, se = math.max(of.se, 1e-12) }
   end
   local slope, slope_se, limit = refine.fitted_line(points)
@@ -165,8 +188,8 @@ local function add_panel(script, study, t)
   for i, method in ipairs(study.methods) do
     local colour, mark = colours[(i - 1) % #colours + 1], marks[(i - 1) % #marks + 1]
     local title = quoted(t.title and t.title(method) or method)
-    parts[#parts + 1] = ("$m%d using %d:%d with linespoints pt %d ps 0.9 lw 1.5 lc rgb '%s' title %s noenhanced"):format(
-      i, t.x, t.y, mark, colour, title)
+    local points = ("$m%d using %d:%d with linespoints pt %d ps 0.9 lw 1.5"):format(i, t.x, t.y, mark)
+    parts[#parts + 1] = ("%s lc rgb '%s' title %s noenhanced"):format(points, colour, title)
     if t.labels then
       local style = ("font ',8' left offset 0.6,0.5 tc rgb '%s' notitle"):format(colour)
       parts[#parts + 1] = ("$m%d using 2:3:5 with labels %s"):format(i, style)
@@ -233,31 +256,40 @@ local function plot(study, script)
   script:draw()
 end
 
+-- What the size of the lattice changes.
+local function print_lattice(lattice, column)
+  for _, size in ipairs(lattice.sizes) do
+    print(("%5.3g times the nodes: %s = %.4f +- %.4f (sd %.3g, %d lattices), %.3f s an impact"):format(size.factor,
+      column, size.mean, size.se, size.sd, size.count, size.seconds))
+  end
+  local slope, slope_se = math.abs(lattice.slope), lattice.slope_se
+  print(("error of %s from the size of the lattice: %.2g +- %.2g against an infinitely fine one%s"):format(column,
+    slope, slope_se, slope > 2 * slope_se and "" or ", not told apart from 0 by this many samples"))
+end
+
 local function print_table(study)
   local column = study.columns[1]
   print(study.caption)
-  print(("%-20s %11s %6s %10s %9s %11s %11s"):format("method", "step [R/c]", "theta", "force eval", "time [s]", "error of " .. column, "energy drift"))
+  print(("%-20s %11s %6s %10s %9s %11s %11s"):format("method", "step [R/c]", "theta", "force eval", "time [s]",
+    "error of " .. column, "energy drift"))
   for _, row in ipairs(study.rows) do
     if row.status == "finished" then
-      print(("%-20s %11.4g %6.2f %10.0f %9.3f %11.2g %11.2g"):format(row.method, row.step, row.theta, row.evaluations, row.wall_seconds, row.error[column], row.energy_drift))
+      print(("%-20s %11.4g %6.2f %10.0f %9.3f %11.2g %11.2g"):format(row.method, row.step, row.theta, row.evaluations,
+        row.wall_seconds, row.error[column], row.energy_drift))
     else
       print(("%-20s %11.4g   %s: %s"):format(row.method, row.step, row.status, row.reason))
     end
   end
   for _, method in ipairs(study.methods) do
     local order, uncertainty = fitted_order(study.by_method[method], column, study.floor[column])
-    print(order and ("%-20s %s falls with order %.2f +- %.2f of the step"):format(method, "error of " .. column, order, uncertainty)
+    print(order
+      and ("%-20s %s falls with order %.2f +- %.2f of the step"):format(method, "error of " .. column, order,
+        uncertainty)
       or ("%-20s fewer than three steps are above ten times the floor: no order to be seen"):format(method))
   end
-  local lattice = study.lattice
-  if lattice then
-    for _, size in ipairs(lattice.sizes) do
-      print(("%5.3g times the nodes: %s = %.4f +- %.4f (sd %.3g, %d lattices), %.3f s an impact"):format(size.factor, column, size.mean, size.se, size.sd, size.count, size.seconds))
-    end
-    print(("error of %s from the size of the lattice: %.2g +- %.2g against an infinitely fine one%s"):format(column, math.abs(lattice.slope), lattice.slope_se,
-      math.abs(lattice.slope) > 2 * lattice.slope_se and "" or ", not told apart from 0 by this many samples"))
-  end
-  print(("floor %.2g: the difference of two references; below ten times that no error is told"):format(study.floor[column]))
+  if study.lattice then print_lattice(study.lattice, column) end
+  print(("floor %.2g: the difference of two references; below ten times that no error is told"):format(
+    study.floor[column]))
 end
 
 -- The methods that are studied: those named, or all that the scene's effects allow.
@@ -329,7 +361,8 @@ end
 local function caption_of(t)
   local processor, cores = core.machine()
   local repeats = t.repeats > 1 and ("least of %d runs"):format(t.repeats) or "one run each"
-  return ("what accuracy costs: %d nodes on %s (%d cores), %s, one core"):format(core.nodes(t.scene), processor, cores, repeats)
+  return ("what accuracy costs: %d nodes on %s (%d cores), %s, one core"):format(core.nodes(t.scene), processor, cores,
+    repeats)
 end
 
 -- study.cheapest(wanted [, column [, method]]): the row with the fewest force evaluations whose error is at most

@@ -12,8 +12,9 @@ local function with_effects(scene, effects)
   return core.functions.scene(t)
 end
 
---- Prints what each effect of the catalogue costs in a scene, and the scene's own effects together: nanoseconds a node and step
---- beside those of the bare scene, all by verlet in one run; the least of the repeats counts. Without a scene: the paper's soft wall.
+--- Prints what each effect of the catalogue costs in a scene, and the scene's own effects together: nanoseconds a node
+--- and step beside those of the bare scene, all by verlet in one run; the least of the repeats counts. Without a scene:
+--- the paper's soft wall.
 local function cost(scene, repeats)
   local ricochet = require "ricochet"
   scene = scene or ricochet.scene {
@@ -22,34 +23,62 @@ local function cost(scene, repeats)
     launch = { speed = 0.1, psi1 = 1 },
   }
   local own = core.given(scene).effects or {}
-  local variants = { { name = "bare", scene = with_effects(scene, {}), seconds = math.huge } }
-  for _, effect in ipairs(core.catalogue()) do
-    variants[#variants + 1] = { name = effect.name, scene = with_effects(scene, { load("local ricochet = ... return " .. effect.example)(ricochet) }), seconds = math.huge, example = effect.example }
+  local variants = {}
+  local function add(name, effects, example)
+    variants[#variants + 1] = {
+      name = name, scene = with_effects(scene, effects), seconds = math.huge, example = example,
+    }
   end
-  if #own > 0 then variants[#variants + 1] = { name = "the scene's own", scene = with_effects(scene, own), seconds = math.huge } end
-  -- An effect that cannot act in this scene (moving anchors of a free body, attraction beyond the contact's reach) is left out, by what it says.
+  add("bare", {})
+  for _, effect in ipairs(core.catalogue()) do
+    add(effect.name, { load("local ricochet = ... return " .. effect.example)(ricochet) }, effect.example)
+  end
+  if #own > 0 then add("the scene's own", own) end
+  -- An effect that cannot act in this scene (moving anchors of a free body, attraction beyond the contact's reach) is
+  -- left out, by what it says.
   for _, variant in ipairs(variants) do
     local works, message = pcall(core.accuracy_runs, variant.scene, { { method = "verlet", theta = 1.2 } }, 1)
-    if not works and variant.name ~= "bare" and variant.name ~= "the scene's own" then variant.refused = tostring(message):match "'effects': ([^\n]*)" or "does not act in this scene" end
+    if not works and variant.name ~= "bare" and variant.name ~= "the scene's own" then
+      variant.refused = tostring(message):match "'effects': ([^\n]*)" or "does not act in this scene"
+    end
     if not works and not variant.refused then error(message, 0) end
   end
   for _ = 1, repeats do  -- in turn, so that a busy moment does not fall on one of them alone
     for _, variant in ipairs(variants) do
       if variant.refused then goto continue end
       local row = core.accuracy_runs(variant.scene, { { method = "verlet", theta = 1.2 } }, 1)[1]
-      if row.status ~= "finished" then core.fail(("with %s the impact ended %s: %s"):format(variant.name, row.status, row.reason)) end
+      if row.status ~= "finished" then
+        core.fail(("with %s the impact ended %s: %s"):format(variant.name, row.status, row.reason))
+      end
       variant.seconds, variant.steps = math.min(variant.seconds, row.wall_seconds / row.steps), row.steps
       ::continue::
     end
   end
   local processor, cores = core.machine()
   local nodes = core.nodes(scene)
-  print(("cost of effects on %s (%d cores), %d nodes, one impact alone, least of %d runs"):format(processor, cores, nodes, repeats))
+  print(("cost of effects on %s (%d cores), %d nodes, one impact alone, least of %d runs"):format(processor, cores,
+    nodes, repeats))
   print(("%-16s %16s %14s   %s"):format("", "ns/node/step", "of the bare", "as in"))
   for _, variant in ipairs(variants) do
-    if variant.refused then print(("%-16s %16s %14s   %s"):format(variant.name, "-", "-", variant.refused))
-    else print(("%-16s %16.2f %13.1f%%   %s"):format(variant.name, variant.seconds / nodes * 1e9, 100 * variant.seconds / variants[1].seconds, variant.example or "")) end
+    if variant.refused then
+      print(("%-16s %16s %14s   %s"):format(variant.name, "-", "-", variant.refused))
+    else
+      local share = variant.seconds / variants[1].seconds
+      print(("%-16s %16.2f %13.1f%%   %s"):format(variant.name, variant.seconds / nodes * 1e9, 100 * share,
+        variant.example or ""))
+    end
   end
+end
+
+-- What the change c of an outcome comes to; `rows` and `bare` are those with and without the effect.
+local function verdict_of(c, rows, bare)
+  if c.count < 2 then
+    local failed = rows[1].status ~= "finished" and rows[1] or bare[1].status ~= "finished" and bare[1]
+    return ("%d pairs finished with this outcome defined: %s"):format(c.count, failed and failed.reason or "")
+  end
+  local change = math.abs(c.change)
+  if math.max(change, c.se) < 1e-12 or change <= 2 * c.se then return "not seen" end
+  return change < c.sampling and "below the sampling error" or "matters"
 end
 
 local function relevance(given)
@@ -63,7 +92,8 @@ local function relevance(given)
     return core.pilot(scenes)
   end
   local bare, bare_seconds = runs {}
-  print(("%-10s %8s %12s %22s %20s %8s"):format("effect", "outcome", "bare", "change +- its se", "se of the mean", "cost"))
+  print(("%-10s %8s %12s %22s %20s %8s"):format("effect", "outcome", "bare", "change +- its se", "se of the mean",
+    "cost"))
   local result = {}
   for i, effect in ipairs(t.effects) do
     local rows, seconds = runs { effect }
@@ -78,12 +108,12 @@ local function relevance(given)
         end
       end
       local change, base = statistics.of(changes), statistics.of(values)
-      local n = change.count
-      local c = { count = n, bare = base.mean, change = change.mean, se = change.se, sampling = base.se }
+      local c = {
+        count = change.count, bare = base.mean, change = change.mean, se = change.se, sampling = base.se,
+      }
       entry[column] = c
-      local verdict = n < 2 and ("%d pairs finished with this outcome defined: %s"):format(n, rows[1].status ~= "finished" and rows[1].reason or bare[1].status ~= "finished" and bare[1].reason or "")
-        or math.max(math.abs(c.change), c.se) < 1e-12 and "not seen" or math.abs(c.change) <= 2 * c.se and "not seen" or math.abs(c.change) < c.sampling and "below the sampling error" or "matters"
-      print(("%-10s %8s %12.4f %22s %20.2g %7.0f%%  %s"):format(entry.name, column, c.bare, ("%+.2g +- %.1g"):format(c.change, c.se), c.sampling, 100 * entry.cost, verdict))
+      print(("%-10s %8s %12.4f %22s %20.2g %7.0f%%  %s"):format(entry.name, column, c.bare,
+        ("%+.2g +- %.1g"):format(c.change, c.se), c.sampling, 100 * entry.cost, verdict_of(c, rows, bare)))
     end
     result[i] = entry
   end

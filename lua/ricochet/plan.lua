@@ -1,4 +1,5 @@
--- ricochet.plan: the error budget of a sweep (time step, lattice size, samples), and the cheapest way to a wanted standard error.
+-- ricochet.plan: the error budget of a sweep (time step, lattice size, samples), and the cheapest way to a wanted
+-- standard error.
 local core = require "ricochet.core"
 local outcomes = require "ricochet.outcomes"
 local sweeps = require "ricochet.sweep"
@@ -35,7 +36,9 @@ local function points_of(sweep, sample)
   local count = 0
   for value in pairs(samples) do
     count = count + 1
-    if math.type(value) ~= "integer" then core.fail(("over.%s must hold whole numbers to be counted on, has %s"):format(sample, tostring(value)), "samples") end
+    if math.type(value) ~= "integer" then
+      core.fail(("over.%s must hold whole numbers to be counted on, has %s"):format(sample, tostring(value)), "samples")
+    end
   end
   return list, count
 end
@@ -47,8 +50,8 @@ local function spread_out(list, most)
   return few
 end
 
--- The variance that is exceeded in one of ten cases, over the one that n degrees of freedom measured: n / chi^2 at 0.1, by
--- Wilson and Hilferty's approximation, good to 1 % from 5 degrees on.
+-- The variance that is exceeded in one of ten cases, over the one that n degrees of freedom measured: n / chi^2 at 0.1,
+-- by Wilson and Hilferty's approximation, good to 1 % from 5 degrees on.
 local function cautious(n)
   return 1 / math.max(0.05, 1 - 2 / (9 * n) - 1.2816 * math.sqrt(2 / (9 * n))) ^ 3
 end
@@ -66,8 +69,8 @@ local function making_seconds(sweep, sample, points, count)
   return (core.clock() - began) / count
 end
 
--- Every point with samples 1 ... count on lattices of `factor` times the nodes: rows by point, and seconds a sample of all points, from
--- the sweep's own scenes to the outcomes.
+-- Every point with samples 1 ... count on lattices of `factor` times the nodes: rows by point, and seconds a sample of
+-- all points, from the sweep's own scenes to the outcomes.
 local function pilot(sweep, sample, points, count, factor, changes)
   local began, scenes = core.clock(), {}
   for i = 1, count do  -- points that share a lattice beside each other, as in the sweep
@@ -98,7 +101,8 @@ local function seconds_at(sizes, factor)
     local nearest = below or above
     return nearest.seconds * (factor / nearest.factor) ^ 1.5
   end
-  return below.seconds * (factor / below.factor) ^ (math.log(above.seconds / below.seconds) / math.log(above.factor / below.factor))
+  local power = math.log(above.seconds / below.seconds) / math.log(above.factor / below.factor)
+  return below.seconds * (factor / below.factor) ^ power
 end
 
 local function nearest_size(sizes, factor)
@@ -112,53 +116,93 @@ end
 -- Deviation of a point's outcome over lattices, from all sizes of the pilot, and the one to plan with.
 local function deviation(sizes, k)
   local square, freedom = 0, 0
-  for _, size in ipairs(sizes) do square, freedom = square + size[k].sd ^ 2 * size[k].freedom, freedom + size[k].freedom end
+  for _, size in ipairs(sizes) do
+    square = square + size[k].sd ^ 2 * size[k].freedom
+    freedom = freedom + size[k].freedom
+  end
   return math.sqrt(square / freedom), math.sqrt(square / freedom * cautious(freedom))
 end
 
 local function name_of(point, names, sample)
   local parts = {}
   for _, name in ipairs(names) do
-    if name ~= sample then parts[#parts + 1] = ("%s=%s"):format(name, type(point[name]) == "number" and ("%.4g"):format(point[name]) or tostring(point[name])) end
+    if name ~= sample then
+      local value = point[name]
+      local shown = type(value) == "number" and ("%.4g"):format(value) or tostring(value)
+      parts[#parts + 1] = ("%s=%s"):format(name, shown)
+    end
   end
   return #parts > 0 and table.concat(parts, " ") or "all"
 end
 
 local Plan = { __name = "a plan", __metatable = false }
 local held = setmetatable({}, { __mode = "k" })  -- what each plan is, where no script can change it
-Plan.__index = function(_, name) return rawget(Plan, name) or core.unknown("a plan", name, { "run", "points", "samples", "nodes", "method", "theta", "choices", "predicted_seconds" }) end
+Plan.__index = function(_, name)
+  return rawget(Plan, name) or core.unknown("a plan", name, {
+    "run", "points", "samples", "nodes", "method", "theta", "choices", "predicted_seconds",
+  })
+end
+
+local function print_line(...) print((...):format(select(2, ...))) end
+
+local function print_budget(plan)
+  print_line("error budget of the sweep as it is: %d samples a point", plan.samples_now)
+  print_line("%-20s %9s %9s %18s %10s  %s", "point", plan.of, "sampling", "lattice size", "time step", "dominates")
+  for _, p in ipairs(plan.points) do
+    local lattice = ("%+.2g +- %.2g"):format(-p.slope, p.slope_se)
+    print_line("%-20s %9.4f %9.2g %18s %10.2g  %s", p.name, p.mean, p.sampling, lattice, p.step, p.dominates)
+  end
+  print_line("  lattice size: what an infinitely fine lattice would change, extrapolated in the spacing, "
+    .. "and what the pilot leaves unknown of it")
+end
+
+local function print_cheapest(plan)
+  local alike = true
+  for _, choice in ipairs(plan.choices) do
+    alike = alike and choice.method == plan.method and choice.theta == plan.theta
+  end
+  print_line("cheapest: %s with theta %.3g%s, %.3g times the nodes, %d samples a point; predicted %.1f s on %s",
+    plan.method, plan.theta, alike and "" or " at the hardest point", plan.nodes, plan.samples, plan.predicted_seconds,
+    plan.machine)
+  if not alike then
+    for _, choice in ipairs(plan.choices) do
+      print_line("  %s: %s with theta %.3g", choice.name, choice.method, choice.theta)
+    end
+  end
+  if #plan.sizes == 1 then
+    print_line "  of the lattice's own error one size tells nothing: the nodes stay as they are"
+  end
+  print_line("  leaves %.2g from samples (less nine times of ten), %.2g from the lattice's size, "
+    .. "%.2g from the time step", plan.budget.sampling, plan.budget.lattice, plan.budget.step)
+end
 
 local function print_plan(plan)
-  local function line(...) print((...):format(select(2, ...))) end
-  line("plan for %s of sweep '%s': standard error %g", plan.of, plan.sweep.name, plan.standard_error)
-  line("pilot: %d samples at %d points, %d sizes; %.1f s", plan.pilot, #plan.points, #plan.sizes, plan.pilot_seconds)
-  line("error budget of the sweep as it is: %d samples a point", plan.samples_now)
-  line("%-20s %9s %9s %18s %10s  %s", "point", plan.of, "sampling", "lattice size", "time step", "dominates")
-  for _, p in ipairs(plan.points) do line("%-20s %9.4f %9.2g %18s %10.2g  %s", p.name, p.mean, p.sampling, ("%+.2g +- %.2g"):format(-p.slope, p.slope_se), p.step, p.dominates) end
-  line("  lattice size: what an infinitely fine lattice would change, extrapolated in the spacing, and what the pilot leaves unknown of it")
+  print_line("plan for %s of sweep '%s': standard error %g", plan.of, plan.sweep.name, plan.standard_error)
+  print_line("pilot: %d samples at %d points, %d sizes; %.1f s", plan.pilot, #plan.points, #plan.sizes,
+    plan.pilot_seconds)
+  print_budget(plan)
   if plan.samples then
-    local alike = true
-    for _, choice in ipairs(plan.choices) do alike = alike and choice.method == plan.method and choice.theta == plan.theta end
-    line("cheapest: %s with theta %.3g%s, %.3g times the nodes, %d samples a point; predicted %.1f s on %s", plan.method, plan.theta, alike and "" or " at the hardest point", plan.nodes, plan.samples,
-      plan.predicted_seconds, plan.machine)
-    if not alike then
-      for _, choice in ipairs(plan.choices) do line("  %s: %s with theta %.3g", choice.name, choice.method, choice.theta) end
-    end
-    if #plan.sizes == 1 then line "  of the lattice's own error one size tells nothing: the nodes stay as they are" end
-    line("  leaves %.2g from samples (less nine times of ten), %.2g from the lattice's size, %.2g from the time step", plan.budget.sampling, plan.budget.lattice, plan.budget.step)
+    print_cheapest(plan)
   else
-    line("no plan: with %.2g from the lattice's size alone, %g is out of reach of %.3g times the nodes and %.0g samples; raise 'pilot' or 'sizes', ask for less, or leave 'continuum' out", plan.budget.lattice,
+    print_line("no plan: with %.2g from the lattice's size alone, %g is out of reach of %.3g times the nodes "
+      .. "and %.0g samples; raise 'pilot' or 'sizes', ask for less, or leave 'continuum' out", plan.budget.lattice,
       plan.standard_error, #plan.sizes > 1 and factors[#factors] or plan.sizes[1].factor, most_samples)
   end
 end
 
--- Measured times differ between runs, and with them the cheapest plan: what a run decided is kept, so that --resume goes on with it.
+-- Measured times differ between runs, and with them the cheapest plan: what a run decided is kept, so that --resume
+-- goes on with it.
 local function plan_file(sweep) return sweep.name .. "_plan.txt" end
 local function request(plan) return ("standard_error %.15g of %s"):format(plan.standard_error, plan.of) end
 
 local function keep(plan)
-  local lines = { request(plan), ("samples %d\nnodes %.17g\npredicted_seconds %.3g"):format(plan.samples, plan.nodes, plan.predicted_seconds) }
-  for _, choice in ipairs(plan.choices) do lines[#lines + 1] = ("point %s: %s theta %.17g"):format(choice.name, choice.method, choice.theta) end
+  local lines = {
+    request(plan), ("samples %d"):format(plan.samples), ("nodes %.17g"):format(plan.nodes),
+    ("predicted_seconds %.3g"):format(plan.predicted_seconds),
+  }
+  for _, choice in ipairs(plan.choices) do
+    lines[#lines + 1] = ("point %s: %s theta %.17g"):format(choice.name, choice.method, choice.theta)
+  end
   lines[#lines + 1] = ("others: %s theta %.17g\n"):format(plan.method, plan.theta)
   core.functions["file.write"](plan_file(plan.sweep), table.concat(lines, "\n"))
 end
@@ -168,17 +212,22 @@ local function go_on_with_kept(plan)
   if not known then return end
   local kept = text:match "^[^\n]*"
   if kept ~= request(plan) then
-    core.fail(("%s keeps the plan of the earlier run, for a %s; give --resume the same, or run anew with --force"):format(plan_file(plan.sweep), kept), "standard_error")
+    core.fail(("%s keeps the plan of the earlier run, for a %s; "
+      .. "give --resume the same, or run anew with --force"):format(plan_file(plan.sweep), kept), "standard_error")
   end
   local samples, nodes, seconds = text:match "samples (%S+)\nnodes (%S+)\npredicted_seconds (%S+)\n"
-  plan.samples, plan.nodes, plan.predicted_seconds, plan.choices = math.tointeger(samples), tonumber(nodes), tonumber(seconds), {}
-  for name, method, theta in text:gmatch "\npoint ([^\n]-): (%S+) theta ([^\n]+)" do plan.choices[#plan.choices + 1] = { name = name, method = method, theta = tonumber(theta) } end
+  plan.samples, plan.nodes, plan.predicted_seconds = math.tointeger(samples), tonumber(nodes), tonumber(seconds)
+  plan.choices = {}
+  for name, method, theta in text:gmatch "\npoint ([^\n]-): (%S+) theta ([^\n]+)" do
+    plan.choices[#plan.choices + 1] = { name = name, method = method, theta = tonumber(theta) }
+  end
   local method, theta = text:match "\nothers: (%S+) theta (%S+)"
   plan.method, plan.theta = method, tonumber(theta)
   if not (plan.samples and plan.nodes and plan.predicted_seconds and plan.method and plan.theta) then
     core.fail(("%s is damaged; restore it from a copy, or run anew with --force"):format(plan_file(plan.sweep)))
   end
-  print(("goes on with the plan of the earlier run: %.3g times the nodes, %d samples a point"):format(plan.nodes, plan.samples))
+  print(("goes on with the plan of the earlier run: %.3g times the nodes, %d samples a point"):format(plan.nodes,
+    plan.samples))
 end
 
 -- The sweep that is planned, whose table is t; mistakes in t are told at its fields.
@@ -211,7 +260,8 @@ local function sorted_sizes(given)
   return sizes
 end
 
--- What the pilot saw of every size: { factor =, rows = by point, seconds =, [point] = { mean =, sd =, se =, freedom = } }.
+-- What the pilot saw of every size:
+-- { factor =, rows = by point, seconds =, [point] = { mean =, sd =, se =, freedom = } }.
 local function pilot_of_sizes(sweep, t, points, all, factors_tried)
   local making = making_seconds(sweep, t.samples, points, t.pilot)
   local changes = { accuracy = math.min(0.1, step_share * t.standard_error), accuracy_of = t.of }
@@ -235,7 +285,8 @@ end
 local function step_errors(sweep, t, points)
   local few = math.min(t.pilot, 2)
   local own = pilot(sweep, t.samples, points, few, 1, {})
-  local fine = pilot(sweep, t.samples, points, few, 1, { accuracy = math.min(0.1, 0.01 * t.standard_error), accuracy_of = t.of })
+  local finer = { accuracy = math.min(0.1, 0.01 * t.standard_error), accuracy_of = t.of }
+  local fine = pilot(sweep, t.samples, points, few, 1, finer)
   local errors = {}
   for k in ipairs(points) do
     local square, count = 0, 0
@@ -252,8 +303,8 @@ end
 -- The three errors of the sweep as it is at point k, whose time step's is known.
 local function budget_of_point(name, sizes, k, samples_now, step)
   local sd, sd_cautious = deviation(sizes, k)
-  -- What the lattice's size changes, per unit of the spacing over the scene's own: as seen, and together with what is not
-  -- known of it.
+  -- What the lattice's size changes, per unit of the spacing over the scene's own: as seen, and together with what is
+  -- not known of it.
   local by_spacing = {}
   for i, size in ipairs(sizes) do
     by_spacing[i] = { x = size.factor ^ -0.5, value = size[k].mean, se = math.max(size[k].se, 1e-12) }
@@ -285,8 +336,8 @@ local function needed_samples(t, points, factor)
   return samples, budget
 end
 
--- The method and step of every point, as the pilot chose them; those of the shortest step are shown, and taken by points
--- that the pilot left out.
+-- The method and step of every point, as the pilot chose them; those of the shortest step are shown, and taken by
+-- points that the pilot left out.
 local function choose_steps(plan, rows)
   plan.choices = {}
   for k, p in ipairs(plan.points) do
@@ -385,9 +436,11 @@ Plan.run = core.wrap(function(plan)
     local of = statistics.of_finished(list, self.of)
     if of.count > 1 and of.se > worst.se then worst = { name = name, se = of.se, sd = of.sd } end
   end
-  print(("predicted %.1f s, took %.1f s; largest standard error %.2g of %s at %s, wanted %g"):format(self.predicted_seconds, took, worst.se, self.of, worst.name, self.standard_error))
+  print(("predicted %.1f s, took %.1f s; largest standard error %.2g of %s at %s, wanted %g"):format(
+    self.predicted_seconds, took, worst.se, self.of, worst.name, self.standard_error))
   if worst.se > self.standard_error then
-    print(("  more than the pilot of %d had shown: %d samples would do"):format(self.pilot, math.ceil((worst.sd / self.standard_error) ^ 2)))
+    local enough = math.ceil((worst.sd / self.standard_error) ^ 2)
+    print(("  more than the pilot of %d had shown: %d samples would do"):format(self.pilot, enough))
   end
   return rows
 end)

@@ -1,10 +1,14 @@
--- ricochet.plot: means with standard errors, lines of theory and published points, drawn by gnuplot; the script it used stays beside the picture.
+-- ricochet.plot: means with standard errors, lines of theory and published points, drawn by gnuplot; the script it used
+-- stays beside the picture.
 local core = require "ricochet.core"
 local gnuplot = require "ricochet.gnuplot"
 local summarise = require("ricochet.rows").summarise
 
 local colours, quoted = gnuplot.colours, gnuplot.quoted
-local greek = { mu = "μ", beta = "β", psi1 = "Ψ_1", psi2 = "Ψ_2", tan_alpha = "tan α", e_alpha = "e_α", theta = "θ", omega = "ω", cot_gamma = "cot γ" }
+local greek = {
+  mu = "μ", beta = "β", psi1 = "Ψ_1", psi2 = "Ψ_2", tan_alpha = "tan α", e_alpha = "e_α", theta = "θ", omega = "ω",
+  cot_gamma = "cot γ",
+}
 -- Lines of theory: shades that also differ in their dashes; published points: open marks.
 local dashes = { { "#555555", 2 }, { "#000000", 1 }, { "#882255", 4 }, { "#44AA99", 3 }, { "#999933", 5 } }
 local open_marks = { 6, 4, 8, 12, 10 }
@@ -31,15 +35,34 @@ local function series_of(rows, by)
   local list = {}
   for _, group in ipairs(summarise(rows, by, {}, { by = "by" })) do
     local value = group[by]
-    local name = type(value) == "string" and value or ("%s = %s"):format(greek[by] or by, type(value) == "number" and ("%.6g"):format(value) or tostring(value))
+    local shown = type(value) == "number" and ("%.6g"):format(value) or tostring(value)
+    local name = type(value) == "string" and value or ("%s = %s"):format(greek[by] or by, shown)
     list[#list + 1] = { rows = rows:where { [by] = value }, name = name }
   end
   return list
 end
 
--- A list of { name =, f = } or { name =, points = } for each column of `t[field]`. A function or a list of points alone is one entry.
+local function is_points(v) return type(v) == "table" and type(v[1]) == "table" and type(v[1][1]) == "number" end
+
+-- What a curve must hold; bad() tells the mistake.
+local function check_entry(entry, i, field, bad)
+  if type(entry) ~= "table" or type(entry.name) ~= "string" then
+    bad(("must be a list of { name =, f = or points = }; entry %d has no name"):format(i))
+  end
+  if (type(entry.f) == "function") == is_points(entry.points) then
+    bad(("needs f = function (x) or points = { {x, y}, ... } for '%s'"):format(entry.name))
+  end
+  if field == "published" and entry.f then bad(("takes points, and '%s' is a function"):format(entry.name)) end
+  for _, point in ipairs(entry.points or {}) do
+    if type(point[1]) ~= "number" or type(point[2]) ~= "number" then
+      bad(("holds a point of '%s' that is not {x, y}"):format(entry.name))
+    end
+  end
+end
+
+-- A list of { name =, f = } or { name =, points = } for each column of `t[field]`. A function or a list of points alone
+-- is one entry.
 local function entries_of(t, field, initial_name)
-  local function is_points(v) return type(v) == "table" and type(v[1]) == "table" and type(v[1][1]) == "number" end
   local result = {}
   for column, value in pairs(t[field]) do
     local function bad(message) core.fail(("'%s' of '%s' %s"):format(field, tostring(column), message), field) end
@@ -47,19 +70,15 @@ local function entries_of(t, field, initial_name)
     if type(value) == "function" then list = { { name = initial_name, f = value } } end
     if is_points(value) then list = { { name = initial_name, points = value } } end
     if type(list) ~= "table" then
-      core.fail(("'%s' takes column = function (x), '%s' is a %s; points { {x, y}, ... } or a list of { name =, f = or points = } will do too"):format(field, tostring(column), type(value)), field)
+      core.fail(("'%s' takes column = function (x), '%s' is a %s; points { {x, y}, ... } "
+        .. "or a list of { name =, f = or points = } will do too"):format(field, tostring(column), type(value)), field)
     end
     local drawn = false
     for _, name in ipairs(t.y) do drawn = drawn or name == column end
-    if not drawn then core.fail(("'%s' has a curve for '%s', which is not among 'y'"):format(field, tostring(column)), field) end
-    for i, entry in ipairs(list) do
-      if type(entry) ~= "table" or type(entry.name) ~= "string" then bad(("must be a list of { name =, f = or points = }; entry %d has no name"):format(i)) end
-      if (type(entry.f) == "function") == is_points(entry.points) then bad(("needs f = function (x) or points = { {x, y}, ... } for '%s'"):format(entry.name)) end
-      if field == "published" and entry.f then bad(("takes points, and '%s' is a function"):format(entry.name)) end
-      for _, point in ipairs(entry.points or {}) do
-        if type(point[1]) ~= "number" or type(point[2]) ~= "number" then bad(("holds a point of '%s' that is not {x, y}"):format(entry.name)) end
-      end
+    if not drawn then
+      core.fail(("'%s' has a curve for '%s', which is not among 'y'"):format(field, tostring(column)), field)
     end
+    for i, entry in ipairs(list) do check_entry(entry, i, field, bad) end
     result[column] = list
   end
   return result
@@ -67,13 +86,15 @@ end
 
 -- A range {low, high} of the user's.
 local function given_range(range, field, ...)
-  if type(range) ~= "table" or type(range[1]) ~= "number" or type(range[2]) ~= "number" or range[1] >= range[2] then core.fail(("'%s' takes { from, to }"):format(field), field, ...) end
+  local is_pair = type(range) == "table" and type(range[1]) == "number" and type(range[2]) == "number"
+  if not is_pair or range[1] >= range[2] then core.fail(("'%s' takes { from, to }"):format(field), field, ...) end
   return { low = range[1], high = range[2] }
 end
 
 local function widen(range, low, high) range.low, range.high = math.min(range.low, low), math.max(range.high, high) end
 
--- The data of simulated series as gnuplot's $data1, $data2 ...; widens the ranges. Returns how many impacts finished and failed, and the most at one point.
+-- The data of simulated series as gnuplot's $data1, $data2 ...; widens the ranges. Returns how many impacts finished
+-- and failed, and the most at one point.
 local function write_series(t, list, script, xs, ys)
   local finished, failed, samples = 0, 0, 0
   for k, series in ipairs(list) do
@@ -101,19 +122,25 @@ local function write_series(t, list, script, xs, ys)
   return finished, failed, samples
 end
 
--- The data of lines and marks, as $theory1_2 (column 1, entry 2) and so on. They widen the range along y, by no more than `most` of it on either side.
+-- The data of lines and marks, as $theory1_2 (column 1, entry 2) and so on. They widen the range along y, by no more
+-- than `most` of it on either side.
 local function write_entries(t, kind, entries, script, xs, ys, most)
   for i, column in ipairs(t.y) do
     local low, high = -math.huge, math.huge
     if most < math.huge and ys[i].low <= ys[i].high then
       local room = t.log:find "y" and (ys[i].high / ys[i].low) ^ most or most * (ys[i].high - ys[i].low)
-      if t.log:find "y" then low, high = ys[i].low / room, ys[i].high * room else low, high = ys[i].low - room, ys[i].high + room end
+      if t.log:find "y" then
+        low, high = ys[i].low / room, ys[i].high * room
+      else
+        low, high = ys[i].low - room, ys[i].high + room
+      end
     end
     for k, entry in ipairs(entries[column] or {}) do
       local lines = {}
       local function put(x, y)
         local seen = math.max(low, math.min(high, y))
-        if y == y and math.abs(seen) < math.huge and not (t.log:find "y" and seen <= 0) then widen(ys[i], seen, seen) end
+        local is_drawn = y == y and math.abs(seen) < math.huge and not (t.log:find "y" and seen <= 0)
+        if is_drawn then widen(ys[i], seen, seen) end
         lines[#lines + 1] = ("%.17g %.17g"):format(x, y)
       end
       for _, point in ipairs(entry.points or {}) do put(point[1], point[2]) end
@@ -121,7 +148,10 @@ local function write_entries(t, kind, entries, script, xs, ys, most)
         local first, last = xs.low, xs.high
         local x = t.log:find "x" and first * (last / first) ^ (j / 200) or first + (last - first) * j / 200
         local y = entry.f(x)
-        if type(y) ~= "number" then core.fail(("the theory of '%s' must return a number, returned a %s at x = %g"):format(column, type(y), x), "theory") end
+        if type(y) ~= "number" then
+          core.fail(("the theory of '%s' must return a number, returned a %s at x = %g"):format(column, type(y), x),
+            "theory")
+        end
         put(x, y)
       end
       script:data(("%s%d_%d"):format(kind, i, k), lines)
@@ -139,7 +169,8 @@ local function roomy(low, high, share, log)
   return ("[%.17g:%.17g]"):format(low - room, high + room)
 end
 
--- Along a logarithmic axis of less than three decades 1, 2 and 5 of each are marked; gnuplot's own ticks might be one or none.
+-- Along a logarithmic axis of less than three decades 1, 2 and 5 of each are marked; gnuplot's own ticks might be one
+-- or none.
 local function log_tics(log, axis, low, high)
   if not log:find(axis) then return "" end
   if high / low > 1e3 then return ("\nset %stics autofreq"):format(axis) end
@@ -158,16 +189,22 @@ local function parts_of(t, i, list, theory, published)
   local function title(name) return name and "title " .. quoted(name) .. " noenhanced" or "notitle" end
   for k, entry in ipairs(theory[column] or {}) do
     local colour, dash = table.unpack(dashes[(k - 1) % #dashes + 1])
-    parts[#parts + 1] = ("$theory%d_%d using 1:2 with lines dt %d lw 2 lc rgb '%s' %s"):format(i, k, dash, colour, title(entry.name))
+    parts[#parts + 1] = ("$theory%d_%d using 1:2 with lines dt %d lw 2 lc rgb '%s' %s"):format(i, k, dash, colour,
+      title(entry.name))
   end
   for k, series in ipairs(list) do
     local colour = quoted(colours[((t.by and k or i) - 1) % #colours + 1])
     local shape = t.by and ({ 7, 5, 9, 11, 13, 15 })[(k - 1) % 6 + 1] or 7  -- filled shapes, beside colour
-    parts[#parts + 1] = ("$data%d using 1:%d:%d with yerrorbars pt %d ps 0.8 lw 1.5 lc rgb %s %s"):format(k, 2 * i, 2 * i + 1, shape, colour, title(i == 1 and series.name or nil))
-    if not theory[column] or t.by then parts[#parts + 1] = ("$data%d using 1:%d with lines lw 1 lc rgb %s notitle"):format(k, 2 * i, colour) end
+    local bars = ("$data%d using 1:%d:%d with yerrorbars pt %d ps 0.8 lw 1.5"):format(k, 2 * i, 2 * i + 1, shape)
+    parts[#parts + 1] = ("%s lc rgb %s %s"):format(bars, colour, title(i == 1 and series.name or nil))
+    if not theory[column] or t.by then
+      parts[#parts + 1] = ("$data%d using 1:%d with lines lw 1 lc rgb %s notitle"):format(k, 2 * i, colour)
+    end
   end
   for k, entry in ipairs(published[column] or {}) do
-    parts[#parts + 1] = ("$published%d_%d using 1:2 with points pt %d ps 1.2 lw 1.5 lc rgb '#000000' %s"):format(i, k, open_marks[(k - 1) % #open_marks + 1], title(entry.name))
+    local mark = open_marks[(k - 1) % #open_marks + 1]
+    local points = ("$published%d_%d using 1:2 with points pt %d ps 1.2 lw 1.5"):format(i, k, mark)
+    parts[#parts + 1] = ("%s lc rgb '#000000' %s"):format(points, title(entry.name))
   end
   return table.concat(parts, ", \\\n     ")
 end
@@ -218,7 +255,8 @@ local function titles_of(t, finished, failed, samples)
   local titles = {}
   if t.title then titles[1] = quoted(t.title) end
   for _, line in ipairs(t.caption and wrapped(t.caption, 92) or {}) do titles[#titles + 1] = quoted(line) end
-  local impacts = samples > 1 and "mean and standard error of %d impacts, %d failed" or "%d impacts, one a point, %d failed"
+  local impacts = samples > 1 and "mean and standard error of %d impacts, %d failed"
+    or "%d impacts, one a point, %d failed"
   if t.rows then titles[#titles + 1] = quoted(impacts:format(finished, failed)) end
   return titles
 end

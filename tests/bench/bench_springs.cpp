@@ -1,11 +1,12 @@
 // What the spring sweep costs: the bound that the core's own square root and division set, the engine's kernel in lanes
-// of several widths and alone. `./workbench bench` runs it. Every time is per spring evaluation and lane.
+// of several widths and alone, and beside it the ways in variants.hpp. `./workbench bench` runs it. Every time is per
+// spring evaluation and lane.
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 
-#include "body/springs/sweep.hpp"
+#include "body/interior.hpp"
 #include "scenes.hpp"
 #include "variants.hpp"
 
@@ -25,14 +26,12 @@ struct PaperBodies {
 };
 
 template <int W>
-Motion<W> vibrating(const Solid& lattice, double stiffness) {
-  Motion<W> body{&lattice, {}, {}, {}, Lane<W>::Constant(stiffness), {}};
-  for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(lattice.nodes());
-  for (int i = 0; i < lattice.nodes(); ++i)
-    for (int lane = 0; lane < W; ++lane) {
-      body.q.set(i, lane, lattice.points[static_cast<std::size_t>(i)]);
-      if (i < lattice.free) body.v.set(i, lane, 1e-3 * Vec2(std::sin(7.0 * i + lane), std::cos(5.0 * i + lane)));
-    }
+Motion<W> vibrating(const Solid& solid, double stiffness) {
+  Motion<W> body = at_rest<W>(solid);
+  body.stiffness.setConstant(stiffness);
+  for (int i = 0; i < solid.free; ++i)
+    for (int lane = 0; lane < W; ++lane)
+      body.v.set(i, lane, 1e-3 * Vec2(std::sin(7.0 * i + lane), std::cos(5.0 * i + lane)));
   return body;
 }
 
@@ -101,6 +100,20 @@ void sweep(benchmark::State& state) {
   sweep<W>(state, *bodies.projectile, *bodies.target, as_built);
 }
 
+template <int W>
+void raw(benchmark::State& state) {
+  const PaperBodies& bodies = PaperBodies::get();
+  sweep<W>(state, *bodies.projectile, *bodies.target,
+           [](auto& body, const auto& kick, const auto& drift) { variants::raw(body, kick, drift); });
+}
+
+template <class Place>
+void by_place(benchmark::State& state) {
+  const PaperBodies& bodies = PaperBodies::get();
+  sweep<4>(state, *bodies.projectile, *bodies.target,
+           [](auto& body, const auto& kick, const auto& drift) { variants::by_place<Place>(body, kick, drift); });
+}
+
 void edge_list(benchmark::State& state) {
   const PaperBodies& bodies = PaperBodies::get();
   sweep<4>(state, *bodies.projectile, *bodies.target,
@@ -124,19 +137,20 @@ void ordered(benchmark::State& state) {
 void displacements(benchmark::State& state) {
   const PaperBodies& bodies = PaperBodies::get();
   Pair<4> pair(*bodies.projectile, *bodies.target);
-  std::array<std::vector<Vec2>, 2> rest;
-  for (int b = 0; b < 2; ++b) {
-    Motion<4>& body = b == 0 ? pair.projectile : pair.target;
-    const Solid& lattice = *body.lattice;
-    for (std::size_t s = 0; s < lattice.springs()->list.size(); ++s)
-      rest[b].push_back(lattice.points[static_cast<std::size_t>(lattice.springs()->list[s].other)] -
-                        lattice.points[static_cast<std::size_t>(lattice.springs()->list[s].node)]);
-    for (int i = 0; i < lattice.nodes(); ++i)
+  const auto displaced = [](Motion<4>& body) {
+    const Solid& solid = *body.solid;
+    std::vector<Vec2> rest;
+    each_spring(*solid.springs(), solid.free, [&](int i, int, const Spring& spring) {
+      rest.push_back(solid.points[static_cast<std::size_t>(spring.other)] - solid.points[static_cast<std::size_t>(i)]);
+    });
+    for (int i = 0; i < solid.nodes(); ++i)
       for (int lane = 0; lane < 4; ++lane) body.q.set(i, lane, Vec2(0, 0));
-  }
+    return rest;
+  };
+  const std::vector<Vec2> of_projectile = displaced(pair.projectile), of_target = displaced(pair.target);
   for (auto _ : state) {
-    variants::displacements(pair.projectile, rest[0], step<4>, step<4>);
-    variants::displacements(pair.target, rest[1], step<4>, step<4>);
+    variants::displacements(pair.projectile, of_projectile, step<4>, step<4>);
+    variants::displacements(pair.target, of_target, step<4>, step<4>);
   }
   per_spring(state, pair.springs * 4);
 }
@@ -147,10 +161,17 @@ double least(const std::vector<double>& values) { return *std::min_element(value
 
 BENCHMARK(bound<4>)->Name("bound, 1 / sqrt(x)")->ComputeStatistics("least", least);
 BENCHMARK(sweep<4>)->Name("sweep, 4 lanes")->ComputeStatistics("least", least);
+BENCHMARK(raw<4>)->Name("x and y as numbers of their own, 4 lanes")->ComputeStatistics("least", least);
+BENCHMARK(by_place<Place<4, 2>>)->Name("Place, copied by hand, 4 lanes")->ComputeStatistics("least", least);
+BENCHMARK(by_place<variants::Copied<4>>)
+    ->Name("Place, copied as the compiler does, 4 lanes")
+    ->ComputeStatistics("least", least);
 BENCHMARK(sweep<8>)->Name("sweep, 8 lanes")->ComputeStatistics("least", least);
 BENCHMARK(sweep<12>)->Name("sweep, 12 lanes")->ComputeStatistics("least", least);
 BENCHMARK(sweep<2>)->Name("sweep, 2 lanes")->ComputeStatistics("least", least);
+BENCHMARK(raw<2>)->Name("x and y as numbers of their own, 2 lanes")->ComputeStatistics("least", least);
 BENCHMARK(sweep<1>)->Name("sweep, alone")->ComputeStatistics("least", least);
+BENCHMARK(raw<1>)->Name("x and y as numbers of their own, alone")->ComputeStatistics("least", least);
 BENCHMARK(edge_list)->Name("flat edge list, kick and drift apart")->ComputeStatistics("least", least);
 BENCHMARK(by_node<8, variants::Divider, 4>)->Name("prefetch 8 springs ahead")->ComputeStatistics("least", least);
 BENCHMARK(by_node<0, variants::Newton, 4>)

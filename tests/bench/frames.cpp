@@ -93,17 +93,16 @@ int main(int count, char** words) {
   scene.projectile = test::disk(830, 1e4, 0.03, 1);
   scene.target = test::wall(4170, 100, 0.03, 1, 8, 2);
   scene.launch.psi1 = 1;
-  const auto projectile = build_solid(*scene.projectile), target = build_solid(*scene.target);
+  const BuiltSolids solids(scene);
   const std::atomic<bool> stop = false;
-  const Course course = follow_course(*projectile, *target, scene, stop);
+  const Course course = follow_course(solids, scene, stop);
   render::Show show;
-  render::Subject subject(frame_mesh(scene, *projectile, *target));
+  render::Subject subject(frame_mesh(scene, solids));
   std::vector<Frame> frames;
-  film_scene(*projectile, *target, scene, frame_times(course, -1, course.outcome.time, repeats, 1), stop,
-             [&](Frame frame) {
-               subject.see(show, frame);
-               frames.push_back(std::move(frame));
-             });
+  film_scene(solids, scene, frame_times(course, -1, course.outcome.time, repeats, 1), stop, [&](Frame frame) {
+    subject.see(show, frame);
+    frames.push_back(std::move(frame));
+  });
   fmt::print("{} nodes, {} triangles, {} springs, {} x {}; ms a frame: least and median of {}\n", subject.mesh.nodes(),
              subject.mesh.triangles.size(), subject.mesh.springs.size(), width, height, repeats);
 
@@ -120,7 +119,7 @@ int main(int count, char** words) {
     painting = render::paint(show, layout, font, tiles(k), render::clock_text(tiles(k)));
   };
   print("simulate (all of the impact, shared by its frames)",
-        timed(3, [&](int) { film_scene(*projectile, *target, scene, {course.outcome.time}, stop, [](Frame) {}); }),
+        timed(3, [&](int) { film_scene(solids, scene, {course.outcome.time}, stop, [](Frame) {}); }),
         fmt::format("/ {} frames", repeats));
   print("paint: fields, vertices, text", timed(repeats, painted));
   print("draw: OSMesa, springs in the triangles' shader, and read",

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "body/springs/sweep.hpp"
+#include "body/interior.hpp"
 #include "contact/candidates.hpp"
 #include "impact/launch/launch.hpp"
 #include "scenes.hpp"
@@ -26,16 +26,13 @@ double seconds(Work&& work) {
 
 /// Least time of nine sweeps a node and lane, after one that warms up. [ns]
 template <int W>
-double sweep(const Solid& lattice) {
-  Motion<W> body{&lattice, {}, {}, {}, Lane<W>::Constant(1e4)};
-  for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(lattice.nodes());
-  for (int i = 0; i < lattice.nodes(); ++i)
-    for (int lane = 0; lane < W; ++lane) {
-      body.q.set(i, lane, lattice.points[static_cast<std::size_t>(i)]);
-      body.v.set(i, lane, 1e-4 * Vec2(std::sin(i), std::cos(i)));
-    }
+double sweep(const Solid& solid) {
+  Motion<W> body = at_rest<W>(solid);
+  body.stiffness.setConstant(1e4);
+  for (int i = 0; i < solid.nodes(); ++i)
+    for (int lane = 0; lane < W; ++lane) body.v.set(i, lane, 1e-4 * Vec2(std::sin(i), std::cos(i)));
   const Lane<W> step = Lane<W>::Constant(1e-4);
-  const int repeats = std::max(1, 200000 / lattice.nodes());
+  const int repeats = std::max(1, 200000 / solid.nodes());
   double least = std::numeric_limits<double>::infinity();
   for (int round = 0; round < 10; ++round) {
     const double time = seconds([&] {
@@ -43,7 +40,7 @@ double sweep(const Solid& lattice) {
     });
     if (round > 0) least = std::min(least, time);
   }
-  return least / repeats / lattice.nodes() / W * 1e9;
+  return least / repeats / solid.nodes() / W * 1e9;
 }
 
 }  // namespace
@@ -58,25 +55,26 @@ int main(int count, char** values) {
     const auto body = [&](const char* placement) {
       return Body{circle(1, 2000), numbers(nodes, 1e4, 0, 1, placement), {}, {}};
     };
-    std::shared_ptr<const Solid> lattice;
-    const double uniform = seconds([&] { lattice = build_solid(body("uniform")); });
-    const double poisson = seconds([&] { lattice = build_solid(body("poisson_disk")); });
+    std::shared_ptr<const Solid> solid;
+    const double uniform = seconds([&] { solid = build_solid(body("uniform")); });
+    const double poisson = seconds([&] { solid = build_solid(body("poisson_disk")); });
     // A disk on its like: where the flight starts, and the search for pairs of a node and a segment.
     Scene scene;
     scene.projectile = scene.target = std::make_shared<Body>(body("poisson_disk"));
     scene.launch.psi1 = 1;
     Start start;
-    const double to_launch = seconds([&] { start = launch(scene, {lattice.get(), lattice.get()}); });
-    Points rim;
-    for (const int node : surface_nodes(lattice->surface))
-      rim.push_back(lattice->points[static_cast<std::size_t>(node)]);
-    const Points flying = posed(rim, lattice->centre(), start.pose);
-    const double to_search = seconds([&] { pairs_within(flying, rim, 1.5 * scene.contact.reach); });
+    const double to_launch = seconds([&] { start = launch(scene, {solid.get(), solid.get()}); });
+    const Points points = surface_points(*solid);
+    const Points flying = placed(points, solid->centre(), start.bodies.front());
+    const double to_search = seconds([&] {
+      const PlacedSurface below(solid->surface, points);
+      candidates_within(flying, below, 1.5 * scene.contact.reach);
+    });
     fmt::print("{:>9} {:>12.3f} {:>14.3f} {:>12.4f} {:>16.4f} {:>26.2f} {:>20.2f}\n", nodes, uniform, poisson,
-               to_launch, to_search, sweep<lanes>(*lattice), sweep<1>(*lattice));
+               to_launch, to_search, sweep<lanes>(*solid), sweep<1>(*solid));
   }
   // position, velocity, force of the run, position, velocity of its copy at a step's end, displacement of
   // force-gradient kicks
-  fmt::print("a run holds {} bytes a node and lane, a lattice {} bytes a spring and {} a node beside its triangles\n",
+  fmt::print("a run holds {} bytes a node and lane, a solid {} bytes a spring and {} a node beside its triangles\n",
              8 * 2 * (3 + 3 + 1), sizeof(std::array<int, 2>) + 2 * sizeof(double), sizeof(Vec2) + sizeof(int));
 }

@@ -14,7 +14,7 @@
 #include <limits>
 #include <sstream>
 
-#include "body/springs/sweep.hpp"
+#include "body/interior.hpp"
 #include "core/error.hpp"
 #include "impact/accuracy.hpp"
 #include "impact/batch.hpp"
@@ -98,41 +98,39 @@ void same_vibration() {
   body.numbers.quartic = 100;
   scene.projectile = std::make_shared<Body>(body);
   scene.launch.spin = 0.5;
-  const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
-  const LammpsFiles files = lammps_files(scene, *p, *t, "vibration");
+  const BuiltSolids solids(scene);
+  const Solid& disk = solids[0];
+  const LammpsFiles files = lammps_files(scene, solids, "vibration");
   write_atomically(folder / "vibration.data", files.data);
   const double h = 2e-3;
   const long steps = 2000;
   const std::string log = run_lammps(script(files.input, h, steps, false));
 
   // Velocity Verlet by the engine's own sweep: half a kick, then drift and kick in turn.
-  const Start start = launch(scene, {p.get(), t.get()});
-  Motion<1> moving{p.get(), {}, {}, {}, Lane<1>::Constant(1e4)};
-  for (auto* values : {&moving.position, &moving.velocity, &moving.force}) values->resize(p->nodes());
-  const Points points = posed(p->points, p->centre(), start.pose);
-  for (int i = 0; i < p->nodes(); ++i) {
-    moving.q.set(i, 0, points[static_cast<std::size_t>(i)]);
-    moving.v.set(i, 0,
-                 start.velocity + start.spin * perpendicular(points[static_cast<std::size_t>(i)] - start.pose.centre));
-  }
+  const Start start = launch(scene, solids);
+  const Placement& placement = start.bodies.front();
+  const Vec2 centre = in_plane(placement.centre), velocity = in_plane(placement.velocity);
+  Motion<1> moving = at_rest<1>(disk);
+  moving.stiffness.setConstant(1e4);
+  put(moving, 0, placement);
+  const Motion<1> before = moving;
   const auto lane = [](double value) -> Lane<1> { return Lane<1>::Constant(value); };
-  kick_and_drift(moving, Lane<1>(lane(h / 2) / p->mass.each()), lane(h));
-  for (long i = 1; i < steps; ++i) kick_and_drift(moving, Lane<1>(lane(h) / p->mass.each()), lane(h));
-  const double springs = spring_energy(moving)[0];
-  kick_and_drift(moving, Lane<1>(lane(h / 2) / p->mass.each()), lane(0));
+  kick_and_drift(moving, lane(h / 2), lane(h));
+  for (long i = 1; i < steps; ++i) kick_and_drift(moving, lane(h), lane(h));
+  const double energy = interior_energy(moving)[0];
+  kick_and_drift(moving, lane(h / 2), lane(0));
 
   std::ifstream dump(folder / "peer.dump");
   std::string line;
   for (int i = 0; i < 9; ++i) std::getline(dump, line);
   double furthest = 0, moved = 0;
-  for (int i = 0; i < p->nodes(); ++i) {
+  for (int i = 0; i < disk.nodes(); ++i) {
     long id;
     double x, y;
     dump >> id >> x >> y;
     furthest = std::max(furthest, (Vec2(x, y) - moving.q.at(i, 0)).norm());
-    const Vec2 offset = points[static_cast<std::size_t>(i)] - start.pose.centre;
-    moved = std::max(
-        moved, std::abs((moving.q.at(i, 0) - (start.pose.centre + h * steps * start.velocity)).norm() - offset.norm()));
+    const Vec2 offset = before.q.at(i, 0) - centre;
+    moved = std::max(moved, std::abs((moving.q.at(i, 0) - (centre + h * steps * velocity)).norm() - offset.norm()));
   }
   // The last line of thermodynamics: step, time, total, kinetic and potential energy.
   std::istringstream last(log.substr(log.rfind("\n", log.find("Loop time") - 2) + 1));
@@ -143,35 +141,33 @@ void same_vibration() {
       "{:.3g} R;\n"
       "  positions of LAMMPS and Ricochet differ by {:.1e} R at most, energies of the springs by {:.1e} of "
       "themselves\n",
-      p->springs()->list.size(), steps, moved, furthest, std::abs(potential * (p->nodes() + t->nodes()) / springs - 1));
+      disk.springs()->list.size(), steps, moved, furthest,
+      std::abs(potential * (disk.nodes() + solids[1].nodes()) / energy - 1));
 }
 
 void spring_cost() {
   const Scene scene = paper_scene(1);
-  const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
-  const LammpsFiles files = lammps_files(scene, *p, *t, "vibration");
+  const BuiltSolids solids(scene);
+  const LammpsFiles files = lammps_files(scene, solids, "vibration");
   write_atomically(folder / "vibration.data", files.data);
-  const double springs = static_cast<double>(p->springs()->list.size() + t->springs()->list.size());
-  std::array<Motion<lanes>, 2> bodies{Motion<lanes>{p.get(), {}, {}, {}, Lane<lanes>::Constant(1e4), {}},
-                                      Motion<lanes>{t.get(), {}, {}, {}, Lane<lanes>::Constant(100), {}}};
-  for (Motion<lanes>& body : bodies) {
-    for (auto* values : {&body.position, &body.velocity, &body.force}) values->resize(body.solid->nodes());
-    for (int i = 0; i < body.solid->nodes(); ++i)
-      for (int l = 0; l < lanes; ++l) {
-        body.q.set(i, l, body.solid->points[static_cast<std::size_t>(i)]);
-        body.v.set(i, l, i < body.solid->free ? Vec2(1e-3 * std::sin(i), 0) : Vec2(0, 0));
-      }
+  double springs = 0;
+  Motions<lanes> bodies;
+  for (std::size_t b : {0, 1}) {
+    springs += work_of_sweep(solids[b]);
+    Motion<lanes>& body = bodies.emplace_back(at_rest<lanes>(solids[b]));
+    body.stiffness.setConstant(scene.bodies()[b]->numbers.stiffness);
+    for (int i = 0; i < body.solid->free; ++i)
+      for (int l = 0; l < lanes; ++l) body.v.set(i, l, Vec2(1e-3 * std::sin(i), 0));
   }
   std::vector<double> theirs, ours, ratios;
   constexpr long steps = 1500;
+  const Lane<lanes> step = Lane<lanes>::Constant(1e-3);
   for (int round = 0; round < 9; ++round) {
     theirs.push_back(number_after(run_lammps(script(files.input, 2e-3, steps, false)), "Loop time of ") / steps /
                      springs * 1e9);
     ours.push_back(seconds([&] {
                      for (long i = 0; i < steps; ++i)
-                       for (Motion<lanes>& body : bodies)
-                         kick_and_drift(body, Lane<lanes>(Lane<lanes>::Constant(1e-3)),
-                                        Lane<lanes>(Lane<lanes>::Constant(1e-3)));
+                       for (Motion<lanes>& body : bodies) kick_and_drift(body, step, step);
                    }) /
                    steps / springs / lanes * 1e9);
     ratios.push_back(theirs.back() / ours.back());
@@ -189,7 +185,7 @@ void impact_cost() {
   constexpr double wanted = 1e-3;
   std::vector<Scene> scenes;
   for (double psi1 : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0}) scenes.push_back(paper_scene(psi1));
-  const auto p = build_solid(*scenes[0].projectile), t = build_solid(*scenes[0].target);
+  const BuiltSolids solids(scenes.front());
 
   // Nodes repel nodes in LAMMPS: the repulsion must reach over the gaps between them, or one rim slips through the
   // other.
@@ -197,12 +193,12 @@ void impact_cost() {
   std::vector<double> times;
   double omega = 0;
   for (const Scene& scene : scenes) {
-    files.push_back(lammps_files(scene, *p, *t, "vibration"));
+    files.push_back(lammps_files(scene, solids, "vibration"));
     Scene stronger = scene;
     stronger.contact.V0 *= std::exp(scene.contact.xi * 0.03);
-    files.back().input = lammps_files(stronger, *p, *t, "vibration").input;
-    times.push_back(1.2 * run_scene({p.get(), t.get()}, scene, go_on).time);
-    const Start start = launch(scene, {p.get(), t.get()});
+    files.back().input = lammps_files(stronger, solids, "vibration").input;
+    times.push_back(1.2 * run_scene(solids, scene, go_on).time);
+    const Start start = launch(scene, solids);
     omega = start.theta / start.step;
   }
   const auto e_and_seconds = [&](std::size_t i, double theta) {
@@ -243,7 +239,7 @@ void impact_cost() {
     Scene fine = scene;
     fine.integration.method = "blanes_moan_srkn6b";
     fine.integration.theta = 0.5;
-    exact.push_back(run_scene({p.get(), t.get()}, fine, go_on).e);
+    exact.push_back(run_scene(solids, fine, go_on).e);
   }
   // All scenes by one method: the greatest error of e, and seconds an impact, one thread, lattices and launch included.
   const auto error_and_seconds = [&](const std::string& method, double theta) {
@@ -267,7 +263,7 @@ void impact_cost() {
   };
   std::vector<TrialScene> tried;
   for (const Scene& scene : scenes) {
-    tried.push_back({p, t, scene});
+    tried.push_back({solids, scene});
     tried.back().scene.integration.accuracy = wanted;
   }
   const Choice choice = choose_for_accuracy(tried, 1, go_on);
