@@ -64,9 +64,9 @@ class Pair {
     for (auto& candidates : candidates_[lane]) candidates.clear();
     allowance_[lane] = gap > skin ? gap : skin;
     if (gap > skin) return;
-    candidates_[lane][0] = candidates_within(first.points(), second, reach + skin);
+    candidates_[lane][0] = by_numbers(0, candidates_within(first.points(), second, reach + skin));
     if (law_[lane]->two_sided() && !first.plane())
-      candidates_[lane][1] = candidates_within(second.points(), first, reach + skin);
+      candidates_[lane][1] = by_numbers(1, candidates_within(second.points(), first, reach + skin));
   }
 
   /// Adds the contact's forces at the bodies' places, whose candidates are known, to their `f`; returns the energy of
@@ -147,18 +147,16 @@ class Pair {
     if (!law_[lane]) return 0;
     double sum = 0;
     for (int side = 0; side < 2; ++side) {
-      const std::vector<Candidate>& candidates = candidates_[lane][side];
+      const std::vector<Near>& candidates = candidates_[lane][side];
       if (candidates.empty()) continue;
-      const auto* mesh = std::get_if<Mesh<2>>(&solid_[1 - side]->surface);
-      gather(side, lane, candidates, bodies, mesh);
-      measure(gaps_, *law_[lane], laws_.forces, std::get_if<Plane>(&solid_[1 - side]->surface));
-      const std::vector<int>& nodes = surface_nodes(solid_[side]->surface);
+      const auto* plane = std::get_if<Plane>(&solid_[1 - side]->surface);
+      gather(side, lane, candidates, bodies, plane == nullptr);
+      measure(gaps_, *law_[lane], laws_.forces, plane);
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (gaps_.energy[i] == 0) continue;
         sum += gaps_.energy[i];
-        const int node = nodes[static_cast<std::size_t>(candidates[i].node)];
-        use(Push{side, node, mesh == nullptr, mesh ? ends_of(*mesh, candidates[i].cell) : std::array{-1, -1},
-                 gaps_.along[i], Vec2(gaps_.fx[i], gaps_.fy[i]), gaps_.energy[i]});
+        use(Push{side, candidates[i].node, plane != nullptr, candidates[i].cell, gaps_.along[i],
+                 Vec2(gaps_.fx[i], gaps_.fy[i]), gaps_.energy[i]});
       }
     }
     return sum;
@@ -172,26 +170,44 @@ class Pair {
   }
 
  private:
+  /// A candidate by the numbers of its nodes in their bodies: looked up once, not in every evaluation.
+  struct Near {
+    int node;
+    std::array<int, 2> cell;  ///< of a plane: -1
+    int place;                ///< of the node in its surface
+  };
+
+  std::vector<Near> by_numbers(int side, const std::vector<Candidate>& candidates) const {
+    const std::vector<int>& nodes = surface_nodes(solid_[side]->surface);
+    const auto* mesh = std::get_if<Mesh<2>>(&solid_[1 - side]->surface);
+    std::vector<Near> list;
+    for (const Candidate& c : candidates)
+      list.push_back(
+          {nodes[static_cast<std::size_t>(c.node)], mesh ? ends_of(*mesh, c.cell) : std::array{-1, -1}, c.node});
+    return list;
+  }
+
   static std::array<int, 2> ends_of(const Mesh<2>& mesh, int cell) {
     const auto& [a, b] = mesh.cell[static_cast<std::size_t>(cell)];
     return {mesh.node[static_cast<std::size_t>(a)], mesh.node[static_cast<std::size_t>(b)]};
   }
 
   // Places of the candidates' nodes and of their cells' ends.
-  void gather(int side, int lane, const std::vector<Candidate>& candidates, const Motions<W>& bodies,
-              const Mesh<2>* mesh) const {
+  void gather(int side, int lane, const std::vector<Near>& candidates, const Motions<W>& bodies, bool ends) const {
     const Coordinates<W>& nodes = bodies[static_cast<std::size_t>(body_[side])].q;
     const Coordinates<W>& cells = bodies[static_cast<std::size_t>(body_[1 - side])].q;
-    const auto& own = std::get<Mesh<2>>(solid_[side]->surface);
     gaps_.resize(candidates.size());
     gaps_.weight.clear();
+    const std::vector<double>& weight = std::get<Mesh<2>>(solid_[side]->surface).weight;
+    if (!weight.empty())
+      for (const Near& c : candidates) gaps_.weight.push_back(weight[static_cast<std::size_t>(c.place)]);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const int node = own.node[static_cast<std::size_t>(candidates[i].node)];
-      gaps_.px[i] = nodes[2 * node][lane];
-      gaps_.py[i] = nodes[2 * node + 1][lane];
-      if (!own.weight.empty()) gaps_.weight.push_back(own.weight[static_cast<std::size_t>(candidates[i].node)]);
-      if (!mesh) continue;
-      const auto [a, b] = ends_of(*mesh, candidates[i].cell);
+      gaps_.px[i] = nodes[2 * candidates[i].node][lane];
+      gaps_.py[i] = nodes[2 * candidates[i].node + 1][lane];
+    }
+    if (!ends) return;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const auto [a, b] = candidates[i].cell;
       gaps_.ax[i] = cells[2 * a][lane];
       gaps_.ay[i] = cells[2 * a + 1][lane];
       gaps_.bx[i] = cells[2 * b][lane];
@@ -229,7 +245,7 @@ class Pair {
   ContactLaws laws_;
   Lane<W> allowance_;
   std::array<const ExponentialRepulsion*, W> law_{};
-  std::array<std::array<std::vector<Candidate>, 2>, W> candidates_;  // [lane][side]
+  std::array<std::array<std::vector<Near>, 2>, W> candidates_;  // [lane][side]
   Lane<W> stiffest_ = Lane<W>::Zero();
   std::array<BodyNode, W> stiffest_node_{};
   std::optional<Grip<W>> grip_;
