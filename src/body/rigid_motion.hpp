@@ -31,7 +31,8 @@ RigidMotion<W> rigid_motion(const Motion<W>& body) {
   const Solid& solid = *body.solid;
   RigidMotion<W> motion = no_motion<W>();
   if (solid.anchored()) {
-    for (int d = 0; d < 2; ++d) motion.centre.at[d].setConstant(solid.centre()[d]);
+    const Vec2 centre = solid.centre();
+    for (int d = 0; d < 2; ++d) motion.centre.at[d].setConstant(centre[d]);
     return motion;
   }
   // Where all nodes have the same mass it stands outside the sums.
