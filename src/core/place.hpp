@@ -5,9 +5,10 @@
 
 namespace ricochet {
 
-/// Everything is written out, component by component: of the copy that the compiler makes GCC 12 moves an Eigen array
-/// in halves, and the full load that follows waits for both, which doubles the time of a sweep
-/// (tests/bench/variants.hpp). And all of it is inlined, whatever the compiler's budget: a call a spring costs as much.
+/// Everything is written out, component by component: the copy that the compiler makes may move an Eigen array in
+/// halves, and the full load that follows waits for both (bench_springs keeps it beside this one: on some machines it
+/// costs nothing, on others it doubles the time of a sweep). And all of it is inlined, whatever the compiler's budget:
+/// a call a spring did double it.
 template <int W, int D>
 struct Place {
   static_assert(D == 2 || D == 3);
