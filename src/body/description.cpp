@@ -19,12 +19,12 @@ Value BodyNumbers::*inherited(Value SpringLawNumbers::*where) {
 std::string text_of_law(const SpringLawNumbers& law) {
   const SpringLawNumbers usual;
   std::string text;
-  for (const auto& [field, place] : SpringLawNumbers::fields())
+  for (const auto& member : SpringLawNumbers::fields())
     std::visit(
         [&](auto where) {
-          if (text.empty() || law.*where != usual.*where) text += fmt::format(" {} {}", field.name, law.*where);
+          if (text.empty() || law.*where != usual.*where) text += fmt::format(" {} {}", member.field.name, law.*where);
         },
-        place);
+        member.place);
   return text;
 }
 
@@ -72,8 +72,8 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
     const auto after_stiffness =
         std::find_if(of_body.begin(), of_body.end(), [](const auto& member) { return member.field.name == "mass"; });
     std::vector<Member<BodyNumbers>> of_law;
-    for (const auto& [field, place] : SpringLawNumbers::fields())
-      std::visit([&](auto where) { of_law.push_back({field, inherited(where)}); }, place);
+    for (const auto& member : SpringLawNumbers::fields())
+      std::visit([&](auto where) { of_law.push_back({member.field, inherited(where)}); }, member.place);
     of_body.insert(after_stiffness, of_law.begin(), of_law.end());
     return of_body;
   }();

@@ -20,6 +20,7 @@ struct Place {
     at[1] = y;
   }
   [[gnu::always_inline]] Place(const Place& other) { *this = other; }
+  // NOLINTNEXTLINE(bugprone-unhandled-self-assignment): it owns nothing
   [[gnu::always_inline]] Place& operator=(const Place& other) {
     at[0] = other.at[0];
     at[1] = other.at[1];

@@ -97,12 +97,12 @@ void check_rigid(const BodyNumbers& given, bool by_place) {
   if (given.mass != usual.mass) refuse("mass");
   if (given.placement != usual.placement) refuse("placement");
   if (given.prestress != usual.prestress) refuse("prestress");
-  for (const auto& [field, place] : SpringLawNumbers::fields())
+  for (const auto& member : SpringLawNumbers::fields())
     std::visit(
         [&](auto number) {
-          if (given.*number != usual.*number) refuse(field.name.c_str());
+          if (given.*number != usual.*number) refuse(member.field.name.c_str());
         },
-        place);
+        member.place);
 }
 
 // The body of the table at index 1.

@@ -109,6 +109,7 @@ Points resample(const Points& outline, double spacing) {
     const std::size_t first = corners[c], last = c + 1 < corners.size() ? corners[c + 1] : corners[0] + n;
     std::vector<double> arc{0};  // arc length from `first` to each point of this stretch
     for (std::size_t i = first; i < last; ++i)
+      // NOLINTNEXTLINE(clang-analyzer-core.DivideZero): an outline has points
       arc.push_back(arc.back() + (outline[(i + 1) % n] - outline[i % n]).norm());
     const int least = smooth ? 3 : 1;
     const int pieces = std::max(least, static_cast<int>(std::lround(arc.back() / spacing)));

@@ -65,7 +65,7 @@ Springs join(const Body& body, const NodePlan& plan, const Edges& edges, const s
   std::sort(all.begin(), all.end(),
             [](const Spring& a, const Spring& b) { return std::pair(a.node, a.other) < std::pair(b.node, b.other); });
   Springs springs;
-  springs.law = body.numbers;
+  springs.law = static_cast<const SpringLawNumbers&>(body.numbers);
   springs.uniform = body.node_stiffness.empty();
   springs.first.assign(plan.points.size() + 1, 0);
   for (const Spring& spring : all) {
