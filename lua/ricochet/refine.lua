@@ -2,11 +2,13 @@
 local core = require "ricochet.core"
 
 local function refined_body(body, factor, shift)
-  local t = core.check("body", core.given(body), true)
+  local given = core.given(body)
+  if next(given) == nil then return body end  -- a plane has no fields, and no nodes
+  local t = core.check("body", given, true)
   t.nodes = math.floor(factor * t.nodes + 0.5)
   -- Outline, total mass and stiffness stay: the modulus of a network does not depend on its spacing, while a spring's
   -- stretch at a given strain does, as the spacing.
-  t.mass, t.quartic = t.mass / factor, t.quartic * factor
+  if t.interior ~= "rigid" then t.mass, t.quartic = t.mass / factor, t.quartic * factor end
   t.seed = t.seed + shift
   return core.own_body(t)
 end

@@ -17,7 +17,7 @@ std::shared_ptr<const Solid> build_plane(const Plane& plane) {
 }
 
 // The rim alone, all of it held.
-std::shared_ptr<const Solid> build_rigid(const NodePlan& plan, const std::vector<Triangle>& triangles) {
+std::shared_ptr<const Solid> build_rigid(const NodePlan& plan) {
   auto solid = std::make_shared<Solid>();
   solid->points = plan.points;
   solid->smooth = plan.smooth_rim;
@@ -25,7 +25,6 @@ std::shared_ptr<const Solid> build_rigid(const NodePlan& plan, const std::vector
   for (int i = 0; i < plan.rim; ++i) rim.node.push_back(i);
   rim.cell = ring(plan.rim);
   solid->surface = std::move(rim);
-  solid->cells = triangles;
   solid->interior = Rigid{};
   return solid;
 }
@@ -35,8 +34,7 @@ std::shared_ptr<const Solid> build_rigid(const NodePlan& plan, const std::vector
 std::shared_ptr<const Solid> build_solid(const Body& body) {
   if (body.plane) return build_plane(*body.plane);
   const NodePlan plan = plan_nodes(body.outline, body.numbers, body.anchored);
-  const std::vector<Triangle> triangles = triangulate(plan.points, plan.rim);
-  return body.rigid() ? build_rigid(plan, triangles) : build_lattice(body, plan, triangles);
+  return body.rigid() ? build_rigid(plan) : build_lattice(body, plan, triangulate(plan.points, plan.rim));
 }
 
 }  // namespace ricochet

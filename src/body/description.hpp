@@ -38,6 +38,7 @@ struct Body {
   std::optional<Plane> plane{};        ///< a rigid half-space instead of all this
 
   bool rigid() const { return plane || numbers.rigid(); }
+  int moving_nodes() const { return rigid() ? 0 : numbers.nodes; }  ///< about as many as are computed
 
   /// Everything that fixes the body except its stiffness number, which only scales it: bodies of equal geometry share
   /// one solid.

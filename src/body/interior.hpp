@@ -10,6 +10,8 @@
 
 namespace ricochet {
 
+static_assert(std::variant_size_v<Interior> == 2, "a further interior must answer every question of this file");
+
 /// v += kick F/m, x += drift v of all that moves; F: of the interior, and what `f` holds, which this empties.
 template <int W>
 void kick_and_drift(Motion<W>& body, const Lane<W>& kick, const Lane<W>& drift) {

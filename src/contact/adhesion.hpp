@@ -1,6 +1,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -46,7 +47,8 @@ struct Adhesion {
     return "";
   }
 
-  double energy(double distance) const { return -strength * exponential(-xi * distance); }
+  /// Bounded by exp(700), as the repulsion is inside a plane.
+  double energy(double distance) const { return -strength * exponential(std::min(-xi * distance, 700.0)); }
   double force(double distance) const { return xi * energy(distance); }  ///< away from the segment: below 0
 };
 

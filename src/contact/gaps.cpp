@@ -47,7 +47,7 @@ template <class Law>
 void add_pair_force(Gaps& g, const Law& law, double reach) {
   for (std::size_t i = 0; i < g.size(); ++i) {
     const double distance = g.distance[i];
-    if (!(distance > 0 && distance < reach)) continue;
+    if (!(distance != 0 && distance < reach)) continue;  // below 0 inside a plane
     const double closest_x = g.ax[i] + g.along[i] * (g.bx[i] - g.ax[i]),
                  closest_y = g.ay[i] + g.along[i] * (g.by[i] - g.ay[i]);
     const double scale = law.force(distance) / distance;

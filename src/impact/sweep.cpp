@@ -50,7 +50,7 @@ std::vector<std::unique_ptr<Group>> groups_of(const std::vector<Scene>& scenes, 
   const auto duration = [&](const std::vector<std::size_t>& of) {
     const Scene& scene = scenes[of.front()];
     return static_cast<double>(of.size()) *
-           std::pow(scene.projectile->numbers.nodes + scene.target->numbers.nodes, 1.5);
+           std::pow(scene.projectile->moving_nodes() + scene.target->moving_nodes(), 1.5);
   };
   std::stable_sort(members.begin(), members.end(),
                    [&](const auto& a, const auto& b) { return duration(a) > duration(b); });

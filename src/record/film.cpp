@@ -80,10 +80,11 @@ void add_elongations(Frame& frame, const Snapshot& shot, const Solids& solids) {
 // How far a plane is drawn. [R]
 constexpr double plane_extent = 1e3;
 
-// The ends of a plane's line; from left to right, so that its inside is hatched.
-Points plane_ends(const Plane& plane) {
+// The ends of a plane's line about where the projectile is to land; from left to right, so that its inside is hatched.
+Points plane_ends(const Plane& plane, const Scene& scene) {
   const Vec2 normal = in_plane(plane.normal), along = -perpendicular(normal);
-  return {plane.offset * normal - plane_extent * along, plane.offset * normal + plane_extent * along};
+  const Vec2 middle = plane.offset * normal + scene.launch.at * along;
+  return {middle - plane_extent * along, middle + plane_extent * along};
 }
 
 std::vector<MeshChain> chains_in_mesh(const Solid& solid, int first) {
@@ -98,9 +99,9 @@ std::vector<MeshChain> chains_in_mesh(const Solid& solid, int first) {
 }
 
 // A body's part of a mesh whose nodes so far are others'.
-void add_body(FrameMesh& mesh, const Solid& solid, double stiffness) {
+void add_body(FrameMesh& mesh, const Scene& scene, const Solid& solid, double stiffness) {
   const Plane* plane = std::get_if<Plane>(&solid.surface);
-  const Points points = plane ? plane_ends(*plane) : solid.points;
+  const Points points = plane ? plane_ends(*plane, scene) : solid.points;
   BodyMesh body{mesh.nodes(), static_cast<int>(points.size()), solid.mass.each(), {}, {}};
   for (int i = 0; i < body.nodes; ++i) {
     mesh.rest.push_back(points[static_cast<std::size_t>(i)]);
@@ -121,10 +122,10 @@ void add_body(FrameMesh& mesh, const Solid& solid, double stiffness) {
 }
 
 // What a plane's snapshot leaves out: the ends of its line, which rest.
-void add_planes(Snapshot& shot, const Solids& solids) {
+void add_planes(Snapshot& shot, const Scene& scene, const Solids& solids) {
   for (std::size_t b = 0; b < solids.size(); ++b)
     if (const Plane* plane = std::get_if<Plane>(&solids[b]->surface)) {
-      shot.bodies[b].place = plane_ends(*plane);
+      shot.bodies[b].place = plane_ends(*plane, scene);
       shot.bodies[b].velocity = shot.bodies[b].force = {Vec2::Zero(), Vec2::Zero()};
     }
 }
@@ -136,7 +137,7 @@ FrameMesh frame_mesh(const Scene& scene, const Solids& solids) {
   const Vec2 velocity = scene.launch.velocity();
   mesh.psi1 = normal(velocity) < 0 ? tangential(velocity) / -normal(velocity) : not_given;
   const auto bodies = scene.bodies();
-  for (std::size_t b = 0; b < solids.size(); ++b) add_body(mesh, *solids[b], bodies[b]->numbers.stiffness);
+  for (std::size_t b = 0; b < solids.size(); ++b) add_body(mesh, scene, *solids[b], bodies[b]->numbers.stiffness);
   return mesh;
 }
 
@@ -193,7 +194,7 @@ bool film_scene(const Solids& solids, const Scene& scene, const std::vector<doub
   const auto is_due = [&](double time) { return next < times.size() && time >= times[next] - start.step / 2; };
   const auto look = [&](const Snapshot& seen) {
     Snapshot shot = seen;
-    add_planes(shot, solids);
+    add_planes(shot, scene, solids);
     const auto hand_over = [&](Frame frame) {
       add_elongations(frame, shot, solids);
       use(std::move(frame));

@@ -110,7 +110,9 @@ LammpsFiles lammps_files(const Scene& scene, const Solids& solids, const std::st
   if (!scene.effects.empty())
     throw FieldError("effects", "LAMMPS files hold springs and repulsion only; leave the effects out");
   const Solid &projectile = *solids[role::projectile], &target = *solids[role::target];
-  if (!target.springs()) throw FieldError("target", "LAMMPS files hold bodies of springs only, and this one is rigid");
+  if (!target.springs())
+    throw FieldError("target",
+                     "LAMMPS files hold bodies of springs only, and this one is rigid; take a wall of springs");
   const Start start = launch(scene, solids);
   if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to export");
   Sections sections;

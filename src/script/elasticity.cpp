@@ -19,7 +19,7 @@ int elasticity(lua_State* L) {
   Elasticity result{};
   try {
     const auto solid = build_solid(band);
-    if (!solid->springs()) throw FieldError("body", "must be of springs");
+    if (!solid->springs()) throw FieldError("body", "must be of springs; leave interior out");
     result = stretch_band(*solid, *solid->springs(), band.numbers.stiffness);
   } catch (const Error& error) {
     throw_here(L, FieldError("body", error.what()));

@@ -108,6 +108,16 @@ struct Commands {
   bool price = false, stubs = false;
 };
 
+// CLI::Range lets what is no number pass.
+CLI::Validator within(double low, double high) {
+  const auto mistake = [=](const std::string& text) -> std::string {
+    double value = 0;
+    const bool right = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+    return right ? "" : fmt::format("{} is no number of {:g} to {:g}", text, low, high);
+  };
+  return CLI::Validator(mistake, fmt::format("{:g} to {:g}", low, high));
+}
+
 void add_script(Commands& c, CLI::App* command) {
   command->add_option("SCRIPT", c.script, "the Lua script");
   command->add_option("name=value", c.arguments, "the script's parameters");
@@ -133,7 +143,7 @@ void add_run(Commands& c) {
   command
       ->add_option("--max-seconds", options.max_seconds,
                    "end the run after so many seconds, impacts included; what is stored stays (default: no limit)")
-      ->check(CLI::Range(1e-3, 1e9));
+      ->check(within(1e-3, 1e9));
   command->add_flag("--resume", options.resume, "go on with earlier results");
   command->add_flag("--force", options.force, "replace earlier results");
   command->add_flag("--check", options.check, "build every scene, run none");
@@ -218,7 +228,7 @@ void add_render(Commands& c) {
   command
       ->add_option("--rate", drawing.rate,
                    fmt::format("frames a second of the film (default: {})", RenderOptions{}.rate))
-      ->check(CLI::Range(1.0, 240.0));
+      ->check(within(1, 240));
   command->add_option("--threads", drawing.threads, "threads that encode; all cores unless given")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--resume", drawing.resume, "keep the frames that are drawn already");

@@ -167,10 +167,10 @@ int reseeded(lua_State* L) {
   return 1;
 }
 
-// nodes(scene): of both bodies.
+// nodes(scene): of both bodies, as far as they are computed.
 int nodes(lua_State* L) {
   const Scene& scene = scene_at(L, 1).scene;
-  lua_pushinteger(L, scene.projectile->numbers.nodes + scene.target->numbers.nodes);
+  lua_pushinteger(L, scene.projectile->moving_nodes() + scene.target->moving_nodes());
   return 1;
 }
 

@@ -69,7 +69,7 @@ std::string string_mistake(const Value& value) {
 
 std::string body_mistake(const Value& value) {
   return value.unless(is_object(value.L, value.index, "body"),
-                      "a body (from ricochet.disk, ricochet.wall or ricochet.body)");
+                      "a body (from ricochet.disk, ricochet.wall, ricochet.plane or ricochet.body)");
 }
 
 std::string scene_mistake(const Value& value) {

@@ -132,6 +132,51 @@ TEST_CASE("a rigid body holds still under an impact, and only as a target") {
   CHECK_THROWS_WITH(run(scene), Catch::Matchers::Contains("nothing of this body moves"));
 }
 
+TEST_CASE(
+    "what moves along a smooth plane changes nothing of a rebound from it: not e, not the step, not whether it is "
+    "seen") {
+  Scene scene = on_plane(60, 0.05, 300);
+  scene.contact = ExponentialRepulsion{};
+  const Outcome head_on = run(scene);
+  for (const double psi1 : {1.0, 1000.0}) {
+    scene.launch.speed = not_given;
+    scene.launch.normal_speed = 0.05;
+    scene.launch.psi1 = psi1;
+    const Outcome o = run(scene);
+    INFO(o.reason);
+    REQUIRE(o.status == Status::finished);
+    CHECK(o.step == head_on.step);
+    CHECK(o.e == Catch::Detail::Approx(head_on.e).epsilon(1e-7));
+    CHECK(o.vt == Catch::Detail::Approx(psi1 * 0.05).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("adhesion to a plane is minus the slope of its energy, above it and inside") {
+  const Adhesion law{0.5, 200};
+  const ExponentialRepulsion repulsion;
+  const Plane plane;
+  for (const double y : {0.01, -0.003}) {
+    Gaps gaps, bare;
+    for (Gaps* g : {&gaps, &bare}) {
+      g->resize(1);
+      g->px[0] = 0.3;
+      g->py[0] = y;
+    }
+    measure(gaps, repulsion, {law}, &plane);
+    measure(bare, repulsion, {}, &plane);
+    CHECK(gaps.fy[0] - bare.fy[0] == Catch::Detail::Approx(law.force(y)).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a start at which many nodes together show is refused by its height") {
+  Scene scene = on_plane(60, 0.1, 300);
+  scene.contact = ExponentialRepulsion{};
+  scene.projectile =
+      std::make_shared<Body>(Body{{{-2, 0}, {2, 0}, {2, 0.5}, {-2, 0.5}}, numbers(300, 1e4, 0, 1), {}, {}});
+  scene.launch.height = 0.0625;
+  CHECK_THROWS_WITH(run(scene), Catch::Matchers::Contains("all nodes that stand near"));
+}
+
 TEST_CASE("an effect on what a rigid target has not is refused by its name") {
   const auto refused = [](Effect effect, const char* words) {
     Scene scene = on_plane(60, 0.1, 300);

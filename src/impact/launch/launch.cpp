@@ -23,11 +23,19 @@ Start bodies_at_launch(const Scene& scene, const Solids& solids) {
   return start;
 }
 
+// What of the projectile's motion its contact can meet: before a plane, which has nothing to catch on, what is along
+// the plane goes on for ever.
+Placement met_by(const Solid& target, Placement placement) {
+  if (const auto* plane = std::get_if<Plane>(&target.surface))
+    placement.velocity = placement.velocity.dot(plane->normal) * plane->normal;
+  return placement;
+}
+
 // Energy at launch, and whether it is too little to cross a cell: that of the relative motion, in the frame where it is
 // least; an anchored target is infinitely heavy.
 void take_energy(Start& start, const Scene& scene, const Solids& solids) {
   const Solid &projectile = *solids[0], &target = *solids[1];
-  const Placement& flies = start.bodies[0];
+  const Placement flies = met_by(target, start.bodies[0]);
   const double mass = projectile.total_mass();
   const double reduced = target.anchored() ? mass : mass * target.total_mass() / (mass + target.total_mass());
   const double spin = flies.spin.z(), speed2 = in_plane(flies.velocity).squaredNorm();
@@ -58,8 +66,8 @@ Start launch(const Scene& scene, const Solids& solids) {
   Start start = bodies_at_launch(scene, solids);
   const Solid &projectile = *solids[0], &target = *solids[1];
   const Flight flight(projectile, target, displacement_at_start(scene.effects));
-  const double fastest = flight.fastest(start.bodies[0]);
-  const auto [step, theta] = choose_step(scene, solids, fastest);
+  const double fastest = flight.fastest(start.bodies[0]), meeting = flight.fastest(met_by(target, start.bodies[0]));
+  const auto [step, theta] = choose_step(scene, solids, meeting);
   start.step = step;
   start.theta = theta;
   const double normal_speed = -start.bodies[0].velocity.y();
@@ -67,7 +75,7 @@ Start launch(const Scene& scene, const Solids& solids) {
       !std::isnan(scene.integration.time_limit) ? scene.integration.time_limit : 100 + 2 / std::max(normal_speed, 1e-9);
   const Vec2 centre = projectile.centre();
   check_progress(scene, start, fastest, std::max(centre.norm(), flight.radius()));
-  check_contact_is_seen(scene, step, fastest, flight.radius());
+  check_contact_is_seen(scene, step, meeting, flight.radius());
   take_energy(start, scene, solids);
   const double lift = flight.resting_lift(scene.launch.at);
   if (std::isnan(lift))

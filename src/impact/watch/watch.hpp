@@ -120,6 +120,10 @@ class Watch {
             if constexpr (AtStart<E>) warm = E::name;
           },
           effect);
+    if (warm.empty())
+      throw FieldError("height",
+                       "the repulsion of all nodes that stand near shows at the start; raise launch.height, or leave "
+                       "it out");
     throw FieldError("effects", warm +
                                     ": the vibration reaches across the gap between the bodies at the start; lower its "
                                     "temperature or raise contact.reach");
@@ -256,6 +260,7 @@ class Watch {
   }
 
   std::optional<Ending> flew_through(const Run& run) const {
+    if (std::holds_alternative<Plane>(state_.solids[role::target]->surface)) return std::nullopt;  // nothing passes it
     const double touch = std::log(run.start.contact.V0 / run.threshold) / run.start.contact.xi;
     const double enough = std::max(touch / 2, 1e-4 * run.projectile_radius);
     const double least = closest_approach(run.start, state_.solids, enough);
