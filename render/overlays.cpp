@@ -8,7 +8,7 @@
 namespace ricochet::render {
 namespace {
 
-constexpr Colour black{20, 20, 30, 255}, grey{120, 120, 130, 255}, faint{205, 205, 210, 255};
+constexpr Colour grey{120, 120, 130, 255}, faint{205, 205, 210, 255};
 
 // The round step that gives `count` ticks or a few more.
 double round_step(double extent, int count) {

@@ -11,8 +11,6 @@
 namespace ricochet::render {
 namespace {
 
-constexpr Colour black{20, 20, 30, 255};
-
 const ColourMap& map_of(const Show& show, const Quantity& quantity) {
   return colour_map_named(show.colours != "auto" ? show.colours.c_str() : quantity.is_signed ? "puor" : "ylgnbu");
 }

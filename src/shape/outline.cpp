@@ -31,6 +31,15 @@ bool boxes_meet(const Vec2& low, const Vec2& high, const Vec2& other_low, const 
 
 }  // namespace
 
+Box bounding_box(const Points& points) {
+  Box box{points.front(), points.front()};
+  for (const Vec2& p : points) {
+    box.low = box.low.cwiseMin(p);
+    box.high = box.high.cwiseMax(p);
+  }
+  return box;
+}
+
 double signed_area(const Points& outline) {
   double twice = 0;
   for (std::size_t i = 0, n = outline.size(); i < n; ++i) twice += cross(outline[i], outline[(i + 1) % n]);

@@ -7,6 +7,14 @@
 
 namespace ricochet {
 
+/// Two opposite corners of an upright rectangle.
+struct Box {
+  Vec2 low, high;
+};
+
+/// The least box that holds all points, at least one.
+Box bounding_box(const Points& points);
+
 /// Signed area: positive if the points run counter-clockwise. [unit of length squared]
 double signed_area(const Points& outline);
 

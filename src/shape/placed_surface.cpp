@@ -10,19 +10,6 @@
 namespace ricochet {
 namespace {
 
-struct Box {
-  Vec2 low, high;
-};
-
-Box box_of(const Points& points) {
-  Box box{points[0], points[0]};
-  for (const Vec2& p : points) {
-    box.low = box.low.cwiseMin(p);
-    box.high = box.high.cwiseMax(p);
-  }
-  return box;
-}
-
 double above(const Plane& plane, const Vec2& p) { return plane.normal.dot(in_space(p)) - plane.offset; }
 
 // Of the corners of a box from a plane.
@@ -79,9 +66,9 @@ double PlacedSurface::height(double x, bool highest) const {
 }
 
 double box_distance(const PlacedSurface& a, const PlacedSurface& b) {
-  if (a.plane()) return b.plane() ? 0 : std::max(0.0, above(*a.plane(), box_of(b.points())));
+  if (a.plane()) return b.plane() ? 0 : std::max(0.0, above(*a.plane(), bounding_box(b.points())));
   if (b.plane()) return box_distance(b, a);
-  const Box p = box_of(a.points()), q = box_of(b.points());
+  const Box p = bounding_box(a.points()), q = bounding_box(b.points());
   const Vec2 gap = (q.low - p.high).cwiseMax(p.low - q.high).cwiseMax(0.0);
   return gap.norm();
 }

@@ -12,19 +12,6 @@
 namespace ricochet {
 namespace {
 
-struct Box {
-  Vec2 low, high;
-};
-
-Box bounding_box(const Points& points) {
-  Box box{points.front(), points.front()};
-  for (const Vec2& p : points) {
-    box.low = box.low.cwiseMin(p);
-    box.high = box.high.cwiseMax(p);
-  }
-  return box;
-}
-
 /// Answers `contains` quickly for many points: edges sorted into horizontal strips.
 class Inside {
  public:

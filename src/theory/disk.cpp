@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <numbers>
 
 namespace ricochet::theory {
 namespace {
 
-using boost::math::constants::pi;
+using std::numbers::pi;
 
 template <class S>
 Arguments<S> material() {
@@ -36,7 +36,7 @@ Arguments<DiskCompression> DiskCompression::fields() {
 double disk_force(const DiskCompression& at) {
   checked(at);
   if (at.h >= at.R) throw FieldError("h", fmt::format("must be below R = {:g}, is {:g}", at.R, at.h));
-  return pi<double>() * modulus(at) * (at.h + at.tau0 * at.rate) / std::log(4 * at.R / at.h);
+  return pi * modulus(at) * (at.h + at.tau0 * at.rate) / std::log(4 * at.R / at.h);
 }
 
 Arguments<DiskImpact> DiskImpact::fields() {
@@ -59,9 +59,9 @@ DiskRebound disk_log_law(const DiskImpact& impact) {
   const double c = std::sqrt(modulus(impact) / impact.rho);
   if (impact.v >= c) throw FieldError("v", fmt::format("must be below the sound speed {:g}, is {:g}", c, impact.v));
   const double root = std::sqrt(std::log(4 * c / impact.v));
-  const double e = 1 - pi<double>() / 2 * impact.tau0 * c / impact.R / root;
+  const double e = 1 - pi / 2 * impact.tau0 * c / impact.R / root;
   if (e < 0.5) throw FieldError("tau0", fmt::format("must be small: to first order e would be {:.3g}", e));
-  return {pi<double>() * impact.R / c * root, e, c};
+  return {pi * impact.R / c * root, e, c};
 }
 
 Arguments<DiskLoad> DiskLoad::fields() {
@@ -76,7 +76,7 @@ Arguments<DiskApproach> DiskApproach::fields() {
 
 DiskApproach disk_on_plane(const DiskLoad& load) {
   checked(load);
-  const double f = load.F / (pi<double>() * modulus(load)), a = std::sqrt(4 * f * load.R);
+  const double f = load.F / (pi * modulus(load)), a = std::sqrt(4 * f * load.R);
   if (a > load.R)
     throw FieldError("F", fmt::format("is too great: the contact's half width would be {:.3g} R", a / load.R));
   return {a > 0 ? f * (2 * std::log(4 * load.R / a) - 1) : 0, a};
@@ -116,7 +116,7 @@ DiskImpactOnPlane disk_impact(const DiskSlowImpact& impact) {
     return a <= 0 ? 0.0 : a * (std::log(4 / a) - 1) / std::sqrt(v * v - energy(a)) * 2 * most * w;
   };
   const double time = 2 * boost::math::quadrature::gauss_kronrod<double, 61>::integrate(slowness, 0, 1, 10, 1e-10);
-  const double F = most * most / 4 * pi<double>();
+  const double F = most * most / 4 * pi;
   return {time * impact.R / c, most * most / 4 * (2 * std::log(4 / most) - 1) * impact.R, most * impact.R,
           F * modulus(impact) * impact.R, c};
 }

@@ -1,12 +1,12 @@
 #include "theory/maw.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <numbers>
 
 namespace ricochet::theory {
 namespace {
 
-const double pi = boost::math::constants::pi<double>();
+using std::numbers::pi;
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 // In units where Omega, the normal speed and m are 1: forces and velocities of one contact, closed forms of each phase.

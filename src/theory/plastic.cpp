@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <numbers>
 
 namespace ricochet::theory {
 namespace {
 
-const double pi = boost::math::constants::pi<double>();
+using std::numbers::pi;
 
 template <class S>
 Arguments<S> sphere() {

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 #include "theory/hertz.hpp"
 
@@ -14,7 +14,7 @@ namespace ricochet::theory {
 namespace {
 
 using Complex = std::complex<double>;
-const double pi = boost::math::constants::pi<double>();
+using std::numbers::pi;
 
 // c_S/c_P = 1/zeta; zeta^2 = 2 (1 - nu)/(1 - 2 nu).
 double zeta_squared(double nu) { return 2 * (1 - nu) / (1 - 2 * nu); }

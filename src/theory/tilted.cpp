@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "theory/spline.hpp"
 
 namespace ricochet::theory {
+
+using std::numbers::pi;
 
 Arguments<TiltedSurface> TiltedSurface::fields() {
   using S = TiltedSurface;
@@ -33,7 +35,7 @@ Arguments<TiltedRebound> TiltedRebound::fields() {
 
 TiltedRebound tilted_surface(const TiltedSurface& impact) {
   checked(impact);
-  const double nu = impact.nu, psi1 = impact.psi1, mu = impact.mu, pi = boost::math::constants::pi<double>();
+  const double nu = impact.nu, psi1 = impact.psi1, mu = impact.mu;
   const double theta = std::atan2(1 - 2 * nu, mu * (2 - 2 * nu)) / pi;  // mu = 0: 1/2, no tilt
   const double t = (1 - 2 * theta) / (2 - 2 * theta) * impact.offset;
   if (mu * t >= 1)
