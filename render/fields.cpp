@@ -9,10 +9,6 @@
 namespace ricochet::render {
 namespace {
 
-Vec2 at(const std::vector<Eigen::Vector2f>& values, int node) {
-  return values[static_cast<std::size_t>(node)].cast<double>();
-}
-
 double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) { return std::abs(cross(b - a, c - a)); }
 
 std::array<int, 2> nodes_of(const FrameMesh& mesh, int body) {
@@ -26,16 +22,18 @@ Motion motion_of(const FrameMesh& mesh, const Frame& frame, int body) {
   const auto [first, last] = nodes_of(mesh, body);
   Motion motion;
   bool held = false;
+  double whole = 0;
   for (int i = first; i < last; ++i) {
-    motion.rest_centre += mesh.rest[i];
-    motion.centre += at(frame.position, i);
-    motion.velocity += at(frame.velocity, i);
+    const double mass = mesh.mass[static_cast<std::size_t>(i)];
+    motion.rest_centre += mass * seen(mesh, mesh.rest, i);
+    motion.centre += mass * seen(mesh, frame.position, i);
+    motion.velocity += mass * seen(mesh, frame.velocity, i);
+    whole += mass;
     held = held || mesh.anchored[i];
   }
-  const double count = last - first;
-  motion.rest_centre /= count;
-  motion.centre /= count;
-  motion.velocity /= count;
+  motion.rest_centre /= whole;
+  motion.centre /= whole;
+  motion.velocity /= whole;
   if (held) {
     motion.centre = motion.rest_centre;
     motion.velocity.setZero();
@@ -43,11 +41,13 @@ Motion motion_of(const FrameMesh& mesh, const Frame& frame, int body) {
   }
   double along = 0, across = 0, moment = 0, inertia = 0;
   for (int i = first; i < last; ++i) {
-    const Vec2 then = mesh.rest[i] - motion.rest_centre, now = at(frame.position, i) - motion.centre;
-    along += then.dot(now);
-    across += cross(then, now);
-    moment += cross(now, at(frame.velocity, i) - motion.velocity);
-    inertia += then.squaredNorm();
+    const double mass = mesh.mass[static_cast<std::size_t>(i)];
+    const Vec2 then = seen(mesh, mesh.rest, i) - motion.rest_centre,
+               now = seen(mesh, frame.position, i) - motion.centre;
+    along += mass * then.dot(now);
+    across += mass * cross(then, now);
+    moment += mass * cross(now, seen(mesh, frame.velocity, i) - motion.velocity);
+    inertia += mass * then.squaredNorm();
   }
   motion.angle = std::atan2(across, along);
   motion.spin = moment / inertia;
@@ -76,7 +76,7 @@ void each_surface_node(const BodyMesh& body, Use&& use) {
 }
 
 // The surface node of a body that is nearest to a place; of an open chain, the nearest place on it.
-Vec2 nearest_place(const BodyMesh& body, const Frame& frame, const Vec2& place) {
+Vec2 nearest_place(const FrameMesh& mesh, const BodyMesh& body, const Frame& frame, const Vec2& place) {
   double nearest = std::numeric_limits<double>::infinity();
   Vec2 found = place;
   const auto consider = [&](const Vec2& other) {
@@ -85,10 +85,11 @@ Vec2 nearest_place(const BodyMesh& body, const Frame& frame, const Vec2& place) 
     nearest = d;
     found = other;
   };
-  each_surface_node(body, [&](int node) { consider(at(frame.position, node)); });
+  each_surface_node(body, [&](int node) { consider(seen(mesh, frame.position, node)); });
   for (const MeshChain& chain : body.surface)
     for (std::size_t k = 0; k + 1 < chain.node.size() && !chain.closed; ++k) {
-      const Vec2 a = at(frame.position, chain.node[k]), edge = at(frame.position, chain.node[k + 1]) - a;
+      const Vec2 a = seen(mesh, frame.position, chain.node[k]),
+                 edge = seen(mesh, frame.position, chain.node[k + 1]) - a;
       consider(a + std::clamp((place - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0) * edge);
     }
   return found;
@@ -101,7 +102,7 @@ Vec2 contact_place(const FrameMesh& mesh, const Frame& frame) {
   std::vector<std::pair<double, Vec2>> gaps;
   double least = std::numeric_limits<double>::infinity();
   each_surface_node(mesh.bodies[0], [&](int node) {
-    const Vec2 place = at(frame.position, node), other = nearest_place(mesh.bodies[1], frame, place);
+    const Vec2 place = seen(mesh, frame.position, node), other = nearest_place(mesh, mesh.bodies[1], frame, place);
     const double gap = (other - place).norm();
     gaps.emplace_back(gap, (place + other) / 2);
     least = std::min(least, gap);
@@ -119,7 +120,7 @@ Vec2 contact_place(const FrameMesh& mesh, const Frame& frame) {
 double plotted_value(const std::string& name, const FrameMesh& mesh, const Frame& frame) {
   if (name == "force_n" || name == "force_t") {
     Vec2 sum = Vec2::Zero();
-    for (int i = 0; i < mesh.bodies.front().nodes; ++i) sum += at(frame.contact_force, i);
+    for (int i = 0; i < mesh.bodies.front().nodes; ++i) sum += seen(mesh, frame.contact_force, i);
     return name == "force_n" ? sum.y() : sum.x();
   }
   if (name == "vibration") return frame.energy[2] + frame.energy[5];
@@ -132,7 +133,7 @@ double plotted_value(const std::string& name, const FrameMesh& mesh, const Frame
 }
 
 Fields::Fields(const FrameMesh& mesh)
-    : mesh_(mesh), shared_by_(mesh.springs.size(), 0.0), rest_area_(mesh.rest.size(), 0.0) {
+    : mesh_(mesh), shared_by_(mesh.springs.size(), 0.0), rest_area_(mesh.mass.size(), 0.0) {
   for (const BodyMesh& body : mesh.bodies) laws_.push_back(law_of(body.law));
   const auto key = [](int a, int b) {
     return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b));
@@ -148,7 +149,8 @@ Fields::Fields(const FrameMesh& mesh)
       const auto found = spring.find(key(t[(corner + 1) % 3], t[(corner + 2) % 3]));
       sides[corner] = found == spring.end() ? -1 : found->second;
       if (sides[corner] >= 0) ++shared_by_[sides[corner]];
-      rest_area_[t[corner]] += twice_area(mesh.rest[t[0]], mesh.rest[t[1]], mesh.rest[t[2]]) / 2;
+      rest_area_[t[corner]] +=
+          twice_area(seen(mesh, mesh.rest, t[0]), seen(mesh, mesh.rest, t[1]), seen(mesh, mesh.rest, t[2])) / 2;
     }
     sides_.push_back(sides);
   }
@@ -162,7 +164,8 @@ std::vector<double> Fields::of_springs(const std::string& name, const Frame& fra
   std::vector<double> values(mesh_.springs.size());
   for (std::size_t s = 0; s < values.size(); ++s) {
     const auto& ends = mesh_.springs[s];
-    const double x = elongation(frame, s, (at(frame.position, ends[1]) - at(frame.position, ends[0])).norm());
+    const double x =
+        elongation(frame, s, (seen(mesh_, frame.position, ends[1]) - seen(mesh_, frame.position, ends[0])).norm());
     const double ka = mesh_.stiffness[s];
     values[s] = with_spring_law(laws_[static_cast<std::size_t>(mesh_.body_of(ends[0]))], [&](const auto& law) {
       return name == "tension" ? ka * law.tension(x) : name == "energy" ? ka * law.energy(x) : x / mesh_.length[s];
@@ -176,20 +179,22 @@ std::vector<double> Fields::stress(const Frame& frame, bool pressure) const {
   struct Tensor {
     double xx = 0, xy = 0, yy = 0, area = 0;
   };
-  std::vector<Tensor> sums(mesh_.rest.size());
+  std::vector<Tensor> sums(mesh_.mass.size());
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     const auto& corners = mesh_.triangles[t];
     Tensor tensor;
     for (const int s : sides_[t]) {
       if (s < 0 || std::isnan(tension[s])) continue;
-      const Vec2 r = at(frame.position, mesh_.springs[s][1]) - at(frame.position, mesh_.springs[s][0]);
+      const Vec2 r =
+          seen(mesh_, frame.position, mesh_.springs[s][1]) - seen(mesh_, frame.position, mesh_.springs[s][0]);
       const double length = r.norm(), weight = length > 0 ? tension[s] / (length * shared_by_[s]) : 0;
       tensor.xx += weight * r.x() * r.x();
       tensor.xy += weight * r.x() * r.y();
       tensor.yy += weight * r.y() * r.y();
     }
-    tensor.area =
-        twice_area(at(frame.position, corners[0]), at(frame.position, corners[1]), at(frame.position, corners[2])) / 2;
+    tensor.area = twice_area(seen(mesh_, frame.position, corners[0]), seen(mesh_, frame.position, corners[1]),
+                             seen(mesh_, frame.position, corners[2])) /
+                  2;
     for (const int i : corners) {
       sums[i].xx += tensor.xx;
       sums[i].xy += tensor.xy;
@@ -209,11 +214,11 @@ std::vector<double> Fields::stress(const Frame& frame, bool pressure) const {
 
 std::vector<double> Fields::of_material(const std::string& name, const Frame& frame) const {
   if (name == "pressure" || name == "von_mises") return stress(frame, name == "pressure");
-  std::vector<double> values(mesh_.rest.size(), 0.0);
+  std::vector<double> values(mesh_.mass.size(), 0.0);
   if (name == "energy_density" || name == "stretch") {
     const bool energy = name == "energy_density";
     const std::vector<double> springs = of_springs(energy ? "energy" : "stretch", frame);
-    std::vector<double> weight(mesh_.rest.size(), 0.0);
+    std::vector<double> weight(mesh_.mass.size(), 0.0);
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       for (const int s : sides_[t]) {
         if (s < 0 || std::isnan(springs[s])) continue;
@@ -229,7 +234,7 @@ std::vector<double> Fields::of_material(const std::string& name, const Frame& fr
     return values;
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const Eigen::Vector2f& v = frame.velocity[i];
+    const Vec2 v = seen(mesh_, frame.velocity, static_cast<int>(i));
     values[i] = name == "velocity_x" ? v.x() : name == "velocity_y" ? v.y() : std::hypot(v.x(), v.y());
   }
   return values;

@@ -10,6 +10,13 @@
 
 namespace ricochet::render {
 
+/// Flat vectors of a mesh as pictures see them: a node's part in the plane.
+template <class Number>
+Vec2 seen(const FrameMesh& mesh, const std::vector<Number>& vectors, int node) {
+  const std::size_t first = static_cast<std::size_t>(mesh.dim * node);
+  return {static_cast<double>(vectors[first]), static_cast<double>(vectors[first + 1])};
+}
+
 /// The rigid motion of a body that lies nearest to a frame, and its velocity.
 struct Motion {
   Vec2 centre = Vec2::Zero(), rest_centre = Vec2::Zero(), velocity = Vec2::Zero();

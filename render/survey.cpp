@@ -11,13 +11,13 @@ namespace ricochet::render {
 
 Points shown_places(const Show& show, const FrameMesh& mesh, const Frame& frame) {
   Points places;
-  for (const Eigen::Vector2f& p : frame.position) places.push_back(p.cast<double>());
+  for (int i = 0; i < mesh.nodes(); ++i) places.push_back(seen(mesh, frame.position, i));
   if (show.magnify == 1) return places;
   for (std::size_t b = 0; b < mesh.bodies.size(); ++b) {
     const Motion motion = motion_of(mesh, frame, static_cast<int>(b));
     const BodyMesh& body = mesh.bodies[b];
     for (int i = body.first; i < body.first + body.nodes; ++i) {
-      const Vec2 rigid = motion.moved(mesh.rest[i]);
+      const Vec2 rigid = motion.moved(seen(mesh, mesh.rest, i));
       places[i] = rigid + show.magnify * (places[i] - rigid);
     }
   }
@@ -68,7 +68,7 @@ void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, 
   }
   if (show.forces)
     for (int i = 0; i < mesh.bodies.front().nodes; ++i)
-      most_force = std::max<double>(most_force, frame.contact_force[static_cast<std::size_t>(i)].norm());
+      most_force = std::max<double>(most_force, seen(mesh, frame.contact_force, i).norm());
   if (show.velocity || show.trail) {
     const Motion motion = motion_of(mesh, frame, 0);
     most_speed = std::max(most_speed, motion.velocity.norm());

@@ -43,7 +43,7 @@ void draw_material(Panel& panel, const Brush& brush, const Tile& tile, const Poi
   const FrameMesh& mesh = subject.mesh;
   const Quantity* quantity = coloured_quantity(brush.show);
   const bool by_material = quantity && brush.show.material == quantity->name, by_springs = quantity && !by_material;
-  std::vector<float> value(mesh.rest.size(), 0.0f), spring(mesh.springs.size(), 0.0f);
+  std::vector<float> value(mesh.mass.size(), 0.0f), spring(mesh.springs.size(), 0.0f);
   const float at_rest = static_cast<float>(brush.scale(0));  // springs between held nodes, which the mesh leaves out
   if (by_material) {
     const std::vector<double> values = subject.fields.of_material(quantity->name, *tile.frame);
@@ -87,7 +87,7 @@ void draw_material(Panel& panel, const Brush& brush, const Tile& tile, const Poi
 void draw_wreck(Canvas& canvas, const Brush& brush, const Tile& tile, const Points& pixels) {
   const std::vector<float>& elongation = tile.frame->elongation;
   const FrameMesh& mesh = tile.subject->mesh;
-  std::vector<bool> held(mesh.rest.size(), false), near_hole(mesh.springs.size(), false);
+  std::vector<bool> held(mesh.mass.size(), false), near_hole(mesh.springs.size(), false);
   const auto broken = [&](int s) { return s >= 0 && std::isnan(elongation[static_cast<std::size_t>(s)]); };
   for (const auto& sides : tile.subject->fields.sides())
     if (broken(sides[0]) || broken(sides[1]) || broken(sides[2]))
@@ -190,7 +190,8 @@ void draw_projectile_marks(Canvas& canvas, const Brush& brush, const Tile& tile,
   if (show.spin) {
     double radius = 0;
     for (const MeshChain& chain : mesh.bodies.front().surface)
-      for (const int node : chain.node) radius = std::max(radius, (mesh.rest[node] - motion.rest_centre).norm());
+      for (const int node : chain.node)
+        radius = std::max(radius, (seen(mesh, mesh.rest, node) - motion.rest_centre).norm());
     const Vec2 end = motion.centre + 0.8 * radius * (Eigen::Rotation2Dd(motion.angle) * Vec2(0, 1));
     canvas.line(view(motion.centre), view(end), 2.5 * brush.unit, black);
     canvas.disc(view(motion.centre), 3 * brush.unit, black);
@@ -205,7 +206,7 @@ void draw_forces(Canvas& canvas, const Brush& brush, const Tile& tile, const Poi
   const double most = tile.subject->survey.most_force;
   if (!(most > 0)) return;
   for (int i = 0; i < tile.subject->mesh.bodies.front().nodes; ++i) {
-    const Vec2 force = tile.frame->contact_force[static_cast<std::size_t>(i)].cast<double>();
+    const Vec2 force = seen(tile.subject->mesh, tile.frame->contact_force, i);
     if (force.norm() < 0.02 * most) continue;
     const Vec2 step = 4.0 * brush.text / most * force;
     canvas.arrow(pixels[i], pixels[i] + Vec2(step.x(), -step.y()), 1.6 * brush.unit, kind_colour(5));
@@ -245,7 +246,7 @@ Panel draw_tile(const Brush& brush, Font& font, const Tile& tile, const View& vi
       const Motion motion = motion_of(mesh, *tile.frame, static_cast<int>(b));
       for (const MeshChain& chain : mesh.bodies[b].surface) {
         Points rigid;
-        for (const int node : chain.node) rigid.push_back(view(motion.moved(mesh.rest[node])));
+        for (const int node : chain.node) rigid.push_back(view(motion.moved(seen(mesh, mesh.rest, node))));
         above.polyline(rigid, brush.unit, ghost_colour, chain.closed);
       }
     }

@@ -19,28 +19,36 @@ struct MeshChain {
 /// A body's part of a mesh.
 struct BodyMesh {
   int first = 0, nodes = 0;        ///< its nodes: first ... first + nodes - 1
-  double mass = 1;                 ///< of a node [m0]
   std::vector<double> law;         ///< numbers of its springs' law, as material/spring_law.hpp lists them
   std::vector<MeshChain> surface;  ///< a plane is an open chain of two held nodes, far apart
 };
 
-/// What stays the same over a sequence. Nodes are those of the bodies, one after another.
+/// What stays the same over a sequence. Nodes are those of the bodies, one after another; vectors by node lie flat:
+/// [dim node + k].
 struct FrameMesh {
+  int dim = 2;                              ///< of the bodies' space
   std::vector<BodyMesh> bodies;             ///< by index: the projectile first
   double psi1 = 0;                          ///< tangent of the incident angle, NaN if the launch has none
-  Points rest;                              ///< [node] [R]
+  std::vector<double> rest;                 ///< [dim node + k] [R]
+  std::vector<double> mass;                 ///< [node] [m0]
   std::vector<bool> anchored;               ///< [node]
   std::vector<std::array<int, 2>> springs;  ///< [spring] its ends
   std::vector<double> length, stiffness;    ///< [spring] rest length [R], ka [m0 c^2/R^2]
   std::vector<std::array<int, 3>> triangles;
 
-  int nodes() const { return static_cast<int>(rest.size()); }
+  int nodes() const { return static_cast<int>(mass.size()); }
   int body_of(int node) const {
     int body = 0;
     while (node >= bodies[static_cast<std::size_t>(body)].first + bodies[static_cast<std::size_t>(body)].nodes) ++body;
     return body;
   }
 };
+
+/// Adds a vector of the plane to flat ones.
+template <class Number>
+void append(std::vector<Number>& vectors, const Vec2& v) {
+  for (int k = 0; k < 2; ++k) vectors.push_back(static_cast<Number>(v[k]));
+}
 
 /// Where the energy is, in the order of Frame::energy.
 inline constexpr std::array<const char*, 8> frame_energies{"projectile_translation",
@@ -57,7 +65,7 @@ inline constexpr std::array<const char*, 8> frame_energies{"projectile_translati
 struct Frame {
   double time = 0;  ///< since the rims came within reach of each other; negative in free flight before [R/c]
   std::int64_t step = 0;
-  std::vector<Eigen::Vector2f> position, velocity, contact_force;  ///< [node] [R, c, m0 c^2/R]
+  std::vector<float> position, velocity, contact_force;  ///< [dim node + k] [R, c, m0 c^2/R]
   std::vector<float> elongation;   ///< [spring] elastic, NaN if broken; empty if the places tell it [R]
   std::array<double, 8> energy{};  ///< [m0 c^2]
 };

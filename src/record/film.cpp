@@ -17,8 +17,8 @@ namespace {
 // How closely a course is followed. [R/c]
 constexpr double course_spacing = 0.1;
 
-void append(std::vector<Eigen::Vector2f>& all, const Points& points) {
-  for (const Vec2& p : points) all.push_back(p.cast<float>());
+void append_all(std::vector<float>& all, const Points& points) {
+  for (const Vec2& p : points) append(all, p);
 }
 
 Frame frame_of(const Snapshot& shot) {
@@ -27,9 +27,9 @@ Frame frame_of(const Snapshot& shot) {
   frame.step = shot.step;
   std::size_t entry = 0;
   for (std::size_t b = 0; b < shot.bodies.size(); ++b) {
-    append(frame.position, shot.bodies[b].place);
-    append(frame.velocity, shot.bodies[b].velocity);
-    append(frame.contact_force, shot.bodies[b].force);
+    append_all(frame.position, shot.bodies[b].place);
+    append_all(frame.velocity, shot.bodies[b].velocity);
+    append_all(frame.contact_force, shot.bodies[b].force);
     const BodyEnergy& energy = shot.energy.bodies[b];
     for (const double part : {energy.translation, energy.rotation, energy.vibration}) frame.energy[entry++] = part;
   }
@@ -102,9 +102,10 @@ std::vector<MeshChain> chains_in_mesh(const Solid& solid, int first) {
 void add_body(FrameMesh& mesh, const Scene& scene, const Solid& solid, double stiffness) {
   const Plane* plane = std::get_if<Plane>(&solid.surface);
   const Points points = plane ? plane_ends(*plane, scene) : solid.points;
-  BodyMesh body{mesh.nodes(), static_cast<int>(points.size()), solid.mass.each(), {}, {}};
+  BodyMesh body{mesh.nodes(), static_cast<int>(points.size()), {}, {}};
   for (int i = 0; i < body.nodes; ++i) {
-    mesh.rest.push_back(points[static_cast<std::size_t>(i)]);
+    append(mesh.rest, points[static_cast<std::size_t>(i)]);
+    mesh.mass.push_back(plane ? 1 : solid.mass[i]);
     mesh.anchored.push_back(i >= solid.free);
   }
   if (const Springs* springs = solid.springs()) {

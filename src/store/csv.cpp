@@ -26,10 +26,10 @@ std::string cell(double value) { return std::isnan(value) ? std::string() : fmt:
 // A line of what the columns give: the numbers first.
 template <class OfNumber, class OfText>
 std::string line(const Table& table, OfNumber of_number, OfText of_text) {
-  std::string text;
-  for (const NumberColumn& column : table.numbers) text += "," + of_number(column);
-  for (const TextColumn& column : table.texts) text += "," + of_text(column);
-  return (text.empty() ? text : text.substr(1)) + "\n";
+  std::vector<std::string> cells;
+  for (const NumberColumn& column : table.numbers) cells.push_back(of_number(column));
+  for (const TextColumn& column : table.texts) cells.push_back(of_text(column));
+  return fmt::format("{}\n", fmt::join(cells, ","));
 }
 
 }  // namespace

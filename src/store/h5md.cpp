@@ -41,10 +41,13 @@ void link_times(hid_t from, hid_t to) {
 }
 
 // The same member of every frame, one after another: [frame][node][3].
-std::vector<float> gathered(const std::vector<Frame>& frames, std::vector<Eigen::Vector2f> Frame::*member) {
+std::vector<float> gathered(int dim, const std::vector<Frame>& frames, std::vector<float> Frame::*member) {
   std::vector<float> values;
   for (const Frame& frame : frames)
-    for (const Eigen::Vector2f& v : frame.*member) values.insert(values.end(), {v.x(), v.y(), 0.0f});
+    for (auto v = (frame.*member).begin(); v != (frame.*member).end(); v += dim) {
+      values.insert(values.end(), v, v + dim);
+      values.resize(values.size() + static_cast<std::size_t>(3 - dim));
+    }
   return values;
 }
 
@@ -59,13 +62,13 @@ std::string energy_doc(const std::string& name) {
                                : "energy of the " + body + "'s vibration";
 }
 
-// Ragged lists, one after another. A body: its first node, how many, a node's mass, how many numbers its law has,
+// Ragged lists, one after another. A body: its first node, how many, how many numbers its law has,
 // these. A chain: its body, 1 if it is closed, how many nodes, these.
 void write_bodies(const hdf5::Handle& own, const FrameMesh& mesh) {
   std::vector<double> bodies, chains;
   for (std::size_t b = 0; b < mesh.bodies.size(); ++b) {
     const BodyMesh& body = mesh.bodies[b];
-    bodies.insert(bodies.end(), {static_cast<double>(body.first), static_cast<double>(body.nodes), body.mass,
+    bodies.insert(bodies.end(), {static_cast<double>(body.first), static_cast<double>(body.nodes),
                                  static_cast<double>(body.law.size())});
     bodies.insert(bodies.end(), body.law.begin(), body.law.end());
     for (const MeshChain& chain : body.surface) {
@@ -83,16 +86,16 @@ void write_drawing(const hdf5::Handle& file, const FrameMesh& mesh, const std::v
   const hdf5::Handle own = hdf5::group(file, "ricochet");
   hdf5::numbers(own, "launch", std::vector<double>{mesh.psi1});
   write_bodies(own, mesh);
-  std::vector<double> rest, anchored;
-  for (const Vec2& p : mesh.rest) rest.insert(rest.end(), {p.x(), p.y()});
+  std::vector<double> anchored;
   for (const bool held : mesh.anchored) anchored.push_back(held);
-  hdf5::numbers(own, "rest", rest);
+  hdf5::numbers(own, "dimension", std::vector<double>{static_cast<double>(mesh.dim)});
+  hdf5::numbers(own, "rest", mesh.rest);
   hdf5::numbers(own, "anchored", anchored);
   hdf5::numbers(own, "rest_length", mesh.length);
   hdf5::numbers(own, "stiffness", mesh.stiffness);
-  const Shape per_node{frames.size(), mesh.rest.size(), 3};
-  hdf5::dataset(own, "contact_force", H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, per_node, Shape{1, mesh.rest.size(), 3},
-                gathered(frames, &Frame::contact_force).data());
+  const Shape per_node{frames.size(), mesh.mass.size(), 3};
+  hdf5::dataset(own, "contact_force", H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, per_node, Shape{1, mesh.mass.size(), 3},
+                gathered(mesh.dim, frames, &Frame::contact_force).data());
   if (frames.empty() || frames.front().elongation.empty()) return;
   std::vector<float> elongation;
   for (const Frame& frame : frames)
@@ -119,26 +122,23 @@ hdf5::Handle write_nodes(const hdf5::Handle& all, const FrameMesh& mesh, const s
   variable_text_attribute(box, "boundary", {"none", "none", "none"}, false);
   hdf5::Handle position = hdf5::group(all, "position");
   const hdf5::Handle velocity = hdf5::group(all, "velocity");
-  const hsize_t nodes = mesh.rest.size();
+  const hsize_t nodes = mesh.mass.size();
   const Shape shape{frames.size(), nodes, 3}, chunk{1, nodes, 3}, series{frames.size()};
   hdf5::dataset(position, "value", H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, shape, chunk,
-                gathered(frames, &Frame::position).data());
+                gathered(mesh.dim, frames, &Frame::position).data());
   hdf5::dataset(velocity, "value", H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, shape, chunk,
-                gathered(frames, &Frame::velocity).data());
+                gathered(mesh.dim, frames, &Frame::velocity).data());
   std::vector<std::int64_t> step;
-  std::vector<double> time, mass;
+  std::vector<double> time;
   std::vector<int> species;
   for (const Frame& frame : frames) {
     step.push_back(frame.step);
     time.push_back(frame.time);
   }
-  for (int i = 0; i < mesh.nodes(); ++i) {
-    species.push_back(mesh.body_of(i));
-    mass.push_back(mesh.bodies[static_cast<std::size_t>(mesh.body_of(i))].mass);
-  }
+  for (int i = 0; i < mesh.nodes(); ++i) species.push_back(mesh.body_of(i));
   hdf5::dataset(position, "step", H5T_STD_I64LE, H5T_NATIVE_INT64, series, {}, step.data());
   hdf5::dataset(position, "time", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, series, {}, time.data());
-  hdf5::dataset(all, "mass", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, Shape{nodes}, {}, mass.data());
+  hdf5::dataset(all, "mass", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, Shape{nodes}, {}, mesh.mass.data());
   hdf5::dataset(all, "species", H5T_STD_I32LE, H5T_NATIVE_INT, Shape{nodes}, {}, species.data());
   link_times(position, velocity);
   return position;

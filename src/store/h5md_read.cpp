@@ -61,7 +61,6 @@ std::vector<BodyMesh> read_bodies(const hdf5::Handle& own, std::size_t nodes) {
     must_be(list.whole(nodes) == known, "the bodies");
     body.first = static_cast<int>(known);
     body.nodes = static_cast<int>(list.whole(nodes - known));
-    body.mass = list.number();
     for (std::size_t n = list.whole(16); n > 0; --n) body.law.push_back(list.number());
     must_be(body.nodes > 0, "the bodies");
     known += static_cast<std::size_t>(body.nodes);
@@ -82,14 +81,19 @@ std::vector<BodyMesh> read_bodies(const hdf5::Handle& own, std::size_t nodes) {
 
 FrameMesh read_mesh(const hdf5::Handle& file) {
   const hdf5::Handle own = hdf5::open_group(file, "ricochet"), connectivity = hdf5::open_group(file, "connectivity");
-  if (H5Lexists(own, "chains", H5P_DEFAULT) <= 0)
+  if (H5Lexists(own, "dimension", H5P_DEFAULT) <= 0)
     throw FileError("it was recorded by an older version, or another program; record it again");
   FrameMesh mesh;
-  const std::vector<double> rest = hdf5::read_numbers(own, "rest"), launch = hdf5::read_numbers(own, "launch");
-  must_be(launch.size() == 1 && rest.size() % 2 == 0 && !rest.empty(), "the places at rest");
-  for (std::size_t i = 0; i + 1 < rest.size(); i += 2) mesh.rest.emplace_back(rest[i], rest[i + 1]);
-  const std::size_t nodes = mesh.rest.size();
+  const std::vector<double> launch = hdf5::read_numbers(own, "launch");
+  must_be(launch.size() == 1, "the launch");
   mesh.psi1 = launch[0];
+  const std::vector<int> dim = indices(own, "dimension", 4);
+  must_be(dim.size() == 1 && dim[0] >= 2, "the dimension");
+  mesh.dim = dim[0];
+  mesh.mass = hdf5::read_numbers(hdf5::open_group(hdf5::open_group(file, "particles"), "trajectory"), "mass");
+  mesh.rest = hdf5::read_numbers(own, "rest");
+  const std::size_t nodes = mesh.mass.size();
+  must_be(nodes > 0 && mesh.rest.size() == nodes * static_cast<std::size_t>(mesh.dim), "the places at rest");
   mesh.bodies = read_bodies(own, nodes);
   for (const int held : indices(own, "anchored", 2)) mesh.anchored.push_back(held != 0);
   mesh.springs = tuples<2>(indices(connectivity, "springs", nodes));
@@ -109,17 +113,19 @@ std::vector<Frame> read_frames(const hdf5::Handle& file, const FrameMesh& mesh) 
                      observed = hdf5::open_group(file, "observables");
   const std::vector<double> time = hdf5::read_numbers(position, "time"), step = hdf5::read_numbers(position, "step");
   std::vector<Frame> frames(time.size());
-  const std::size_t nodes = mesh.rest.size();
+  const std::size_t nodes = mesh.mass.size();
+  const std::ptrdiff_t dim = mesh.dim;
   must_be(step.size() == time.size(), "times and steps");
   for (std::size_t k = 0; k < frames.size(); ++k) {
     frames[k].time = time[k];
     frames[k].step = static_cast<std::int64_t>(step[k]);
   }
-  const auto spread = [&](const std::vector<float>& values, std::vector<Eigen::Vector2f> Frame::*member) {
+  const auto spread = [&](const std::vector<float>& values, std::vector<float> Frame::*member) {
     must_be(values.size() == frames.size() * nodes * 3, "frames and nodes");
-    for (std::size_t k = 0; k < frames.size(); ++k)
-      for (std::size_t i = 0; i < nodes; ++i)
-        (frames[k].*member).emplace_back(values[(k * nodes + i) * 3], values[(k * nodes + i) * 3 + 1]);
+    auto value = values.begin();
+    for (Frame& frame : frames)
+      for (std::size_t i = 0; i < nodes; ++i, value += 3)
+        (frame.*member).insert((frame.*member).end(), value, value + dim);
   };
   spread(hdf5::read_floats(position, "value"), &Frame::position);
   spread(hdf5::read_floats(velocity, "value"), &Frame::velocity);

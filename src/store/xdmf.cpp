@@ -23,7 +23,7 @@ std::string vectors(const std::string& file, const char* what, std::size_t frame
 void write_xdmf(const std::filesystem::path& path, const Trajectory& trajectory, const Provenance&) {
   const std::string file = std::filesystem::path(path).replace_extension(".h5").filename().string();
   const std::size_t frames = trajectory.frames().size();
-  const std::size_t nodes = trajectory.mesh().rest.size(), triangles = trajectory.mesh().triangles.size();
+  const std::size_t nodes = trajectory.mesh().mass.size(), triangles = trajectory.mesh().triangles.size();
   std::string text =
       "<?xml version=\"1.0\" ?>\n<Xdmf Version=\"3.0\">\n<Domain>\n<Grid Name=\"impact\" GridType=\"Collection\" "
       "CollectionType=\"Temporal\">\n";

@@ -81,9 +81,10 @@ void write_mesh(const std::filesystem::path& folder, const FrameMesh& mesh, cons
       colours(folder / "values.txt");
   for (const auto& t : mesh.triangles) triangles << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
   for (const auto& s : mesh.springs) springs << s[0] << ' ' << s[1] << '\n';
-  for (std::size_t i = 0; i < mesh.rest.size(); ++i) colours << values[i] << '\n';
+  for (std::size_t i = 0; i < mesh.mass.size(); ++i) colours << values[i] << '\n';
   for (const Frame& frame : frames)
-    for (const auto& p : frame.position) places << p.x() << ' ' << p.y() << '\n';
+    for (std::size_t i = 0; i < frame.position.size(); i += 2)
+      places << frame.position[i] << ' ' << frame.position[i + 1] << '\n';
 }
 
 }  // namespace

@@ -37,16 +37,19 @@ int dark_pixels(const Image& image, int x0, int y0, int x1, int y1) {
 
 // A wall of two triangles, 4 R wide and 1 R deep below y = 0, held at the bottom, and a projectile of one triangle
 // above it.
+Vec2 rest(const FrameMesh& mesh, int node) { return seen(mesh, mesh.rest, node); }
+
 FrameMesh small_mesh() {
   FrameMesh mesh;
-  mesh.bodies = {{0, 3, 1, {0}, {{{0, 1, 2}}}}, {3, 4, 1, {0}, {{{3, 4, 5, 6}}}}};
+  mesh.bodies = {{0, 3, {0}, {{{0, 1, 2}}}}, {3, 4, {0}, {{{3, 4, 5, 6}}}}};
   mesh.psi1 = 1.5;
-  mesh.rest = {{-0.5, 0.2}, {0.5, 0.2}, {0, 1.2}, {-2, -1}, {2, -1}, {2, 0}, {-2, 0}};
+  mesh.rest = {-0.5, 0.2, 0.5, 0.2, 0, 1.2, -2, -1, 2, -1, 2, 0, -2, 0};
+  mesh.mass.assign(7, 1.0);
   mesh.anchored = {false, false, false, true, true, false, false};
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {3, 5, 6}};
   mesh.springs = {{0, 1}, {1, 2}, {0, 2}, {3, 5}, {5, 6}, {4, 5}, {3, 6}};
   for (const auto& s : mesh.springs) {
-    mesh.length.push_back((mesh.rest[s[0]] - mesh.rest[s[1]]).norm());
+    mesh.length.push_back((rest(mesh, s[0]) - rest(mesh, s[1])).norm());
     mesh.stiffness.push_back(100);
   }
   return mesh;
@@ -56,9 +59,9 @@ Frame frame_of(const FrameMesh& mesh, const Vec2& shift = Vec2::Zero()) {
   Frame frame;
   for (int i = 0; i < mesh.nodes(); ++i) {
     const bool projectile = i < mesh.bodies[0].nodes;
-    frame.position.push_back((mesh.rest[i] + (projectile ? shift : Vec2(0, 0))).cast<float>());
-    frame.velocity.push_back(projectile ? Eigen::Vector2f(0.3f, -0.4f) : Eigen::Vector2f(0, 0));
-    frame.contact_force.emplace_back(0, 0);
+    append(frame.position, rest(mesh, i) + (projectile ? shift : Vec2(0, 0)));
+    append(frame.velocity, projectile ? Vec2(0.3, -0.4) : Vec2(0, 0));
+    append(frame.contact_force, Vec2(0, 0));
   }
   frame.energy[0] = frame.energy[7] = 1;
   return frame;
@@ -258,23 +261,23 @@ TEST_CASE("the deformation is magnified, a rigid motion is not") {
   show.magnify = 10;
   Frame frame = frame_of(mesh, {0.7, 0.1});
   const Points rigid = shown_places(show, mesh, frame);
-  for (int i = 0; i < 3; ++i) CHECK((rigid[i] - mesh.rest[i] - Vec2(0.7, 0.1)).norm() < 1e-5);
-  frame.position[5].y() -= 0.01f;  // a node of the wall
+  for (int i = 0; i < 3; ++i) CHECK((rigid[i] - rest(mesh, i) - Vec2(0.7, 0.1)).norm() < 1e-5);
+  frame.position[2 * 5 + 1] -= 0.01f;  // a node of the wall
   CHECK_THAT(shown_places(show, mesh, frame)[5].y(), Catch::Matchers::WithinAbs(-0.1, 1e-5));
 }
 
 TEST_CASE("the nearest rigid motion of a body is the one that it made") {
   FrameMesh mesh = small_mesh();
-  Frame frame = frame_of(mesh);
+  Frame frame;
   const Eigen::Rotation2Dd turn(0.7);
   for (int i = 0; i < 3; ++i) {
-    frame.position[i] = (turn * mesh.rest[i] + Vec2(1, 2)).cast<float>();
-    frame.velocity[i] = (2.0 * perpendicular(turn * mesh.rest[i]) + Vec2(0, 3)).cast<float>();
+    append(frame.position, turn * rest(mesh, i) + Vec2(1, 2));
+    append(frame.velocity, 2.0 * perpendicular(turn * rest(mesh, i)) + Vec2(0, 3));
   }
   const Motion motion = motion_of(mesh, frame, 0);
   CHECK_THAT(motion.angle, Catch::Matchers::WithinAbs(0.7, 1e-6));
   CHECK_THAT(motion.spin, Catch::Matchers::WithinAbs(2, 1e-5));
-  for (int i = 0; i < 3; ++i) CHECK((motion.moved(mesh.rest[i]) - (turn * mesh.rest[i] + Vec2(1, 2))).norm() < 1e-6);
+  for (int i = 0; i < 3; ++i) CHECK((motion.moved(rest(mesh, i)) - (turn * rest(mesh, i) + Vec2(1, 2))).norm() < 1e-6);
 }
 
 namespace {
@@ -282,10 +285,10 @@ namespace {
 // A triangular lattice of unit springs, for which the stress is known.
 FrameMesh triangular(int side) {
   FrameMesh mesh;
-  mesh.bodies = {{0, side * side, 1, {0}, {}}};
+  mesh.bodies = {{0, side * side, {0}, {}}};
   const auto node = [&](int i, int j) { return j * side + i; };
   for (int j = 0; j < side; ++j)
-    for (int i = 0; i < side; ++i) mesh.rest.emplace_back(i + 0.5 * j, j * std::sqrt(3.0) / 2);
+    for (int i = 0; i < side; ++i) append(mesh.rest, Vec2(i + 0.5 * j, j * std::sqrt(3.0) / 2));
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i) {
       if (i + 1 < side) mesh.springs.push_back({node(i, j), node(i + 1, j)});
@@ -296,7 +299,8 @@ FrameMesh triangular(int side) {
         mesh.triangles.push_back({node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)});
       }
     }
-  mesh.anchored.assign(mesh.rest.size(), false);
+  mesh.mass.assign(mesh.rest.size() / 2, 1.0);
+  mesh.anchored.assign(mesh.mass.size(), false);
   mesh.length.assign(mesh.springs.size(), 1.0);
   mesh.stiffness.assign(mesh.springs.size(), 7.0);
   return mesh;
@@ -312,9 +316,9 @@ TEST_CASE(
   const FrameMesh mesh = triangular(12);
   const double eps = 0.01;
   Frame frame;
-  for (const Vec2& p : mesh.rest) {
-    frame.position.push_back(((1 + eps) * p).cast<float>());
-    frame.velocity.emplace_back(0, 0);
+  for (int i = 0; i < mesh.nodes(); ++i) {
+    append(frame.position, (1 + eps) * rest(mesh, i));
+    append(frame.velocity, Vec2(0, 0));
   }
   const Fields fields(mesh);
   const int inside = 5 * 12 + 5;
