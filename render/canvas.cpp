@@ -13,8 +13,6 @@ ShapeVertex vertex(const Vec2& p, const Colour& colour, double u = 0, double v =
           static_cast<float>(half),  static_cast<float>(length)};
 }
 
-constexpr Colour white{255, 255, 255, 255};
-
 }  // namespace
 
 void Canvas::quad(const std::array<ShapeVertex, 4>& c) {

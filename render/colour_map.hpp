@@ -9,6 +9,7 @@ namespace ricochet::render {
 using Colour = std::array<std::uint8_t, 4>;  ///< red, green, blue, alpha
 
 inline constexpr Colour black{20, 20, 30, 255};  ///< of text and lines: softer than none at all
+inline constexpr Colour white{255, 255, 255, 255};
 
 /// Colours for values from 0 to 1, that people with any colour vision can put in order.
 struct ColourMap {

@@ -6,8 +6,7 @@
 namespace ricochet::render {
 namespace {
 
-constexpr Colour white{255, 255, 255, 255}, rim_colour{25, 25, 38, 255}, ghost_colour{110, 110, 120, 200},
-    hatch_colour{90, 90, 100, 255};
+constexpr Colour rim_colour{25, 25, 38, 255}, ghost_colour{110, 110, 120, 200}, hatch_colour{90, 90, 100, 255};
 
 // The box that shows all of every tile: what is larger shall look larger, and what lies higher, higher.
 std::pair<Vec2, Vec2> common_box(const std::vector<Tile>& tiles) {

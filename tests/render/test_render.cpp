@@ -26,7 +26,7 @@ bool near(const std::array<int, 3>& a, const std::array<int, 3>& b, int toleranc
 
 std::array<int, 3> rgb(const Colour& c) { return {c[0], c[1], c[2]}; }
 
-constexpr std::array<int, 3> white{255, 255, 255};
+constexpr std::array<int, 3> paper{255, 255, 255};
 
 int dark_pixels(const Image& image, int x0, int y0, int x1, int y1) {
   int count = 0;
@@ -95,11 +95,11 @@ TEST_CASE("bodies stand where they belong: up is up, right is right, and nothing
   CHECK(near(pixel(image, 200, 100), body));  // the projectile, in the middle and above
   CHECK(near(pixel(image, 200, 240), body));  // the wall
   CHECK(near(pixel(image, 30, 200), body));   // its left end
-  CHECK(near(pixel(image, 60, 60), white));
-  CHECK(near(pixel(image, 200, 154), white));  // the gap between them
+  CHECK(near(pixel(image, 60, 60), paper));
+  CHECK(near(pixel(image, 200, 154), paper));  // the gap between them
   const Image moved = drawn(bare(), mesh, frame_of(mesh, {1.2, 0}));
   CHECK(near(pixel(moved, 310, 100), body));
-  CHECK(near(pixel(moved, 130, 100), white));
+  CHECK(near(pixel(moved, 130, 100), paper));
 }
 
 TEST_CASE("a value has the colour that the map gives it") {
@@ -220,7 +220,7 @@ TEST_CASE("what effects owe is taken off the ledger's bar, which never leaves it
   frame.energy[7] = 1;  // a potential has fallen by 2
   const Image image = drawn(show, mesh, frame, 640, 360);
   for (int y = 0; y < 360; ++y)
-    for (int x = 630; x < 640; ++x) CHECK(near(pixel(image, x, y), white));
+    for (int x = 630; x < 640; ++x) CHECK(near(pixel(image, x, y), paper));
   int owed = 0;
   for (int y = 180; y < 360; ++y) {
     int here = 0;
@@ -358,7 +358,7 @@ TEST_CASE("smoothing by samples gives the same picture, smoother") {
     INFO(smoothing);
     CHECK(image.width == 400);
     CHECK(near(pixel(image, 200, 100), {237, 237, 240}));
-    CHECK(near(pixel(image, 60, 60), white));
+    CHECK(near(pixel(image, 60, 60), paper));
     std::set<int> shades;  // along the slanted side of the projectile
     for (int y = 60; y < 140; ++y)
       for (int x = 100; x < 200; ++x) shades.insert(pixel(image, x, y)[0]);
