@@ -234,7 +234,7 @@ std::vector<double> Fields::of_material(const std::string& name, const Frame& fr
     return values;
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const Vec2 v = seen(mesh_, frame.velocity, static_cast<int>(i));
+    const Eigen::Vector2f v = seen(mesh_, frame.velocity, static_cast<int>(i)).cast<float>();
     values[i] = name == "velocity_x" ? v.x() : name == "velocity_y" ? v.y() : std::hypot(v.x(), v.y());
   }
   return values;

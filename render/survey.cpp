@@ -68,7 +68,7 @@ void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, 
   }
   if (show.forces)
     for (int i = 0; i < mesh.bodies.front().nodes; ++i)
-      most_force = std::max<double>(most_force, seen(mesh, frame.contact_force, i).norm());
+      most_force = std::max<double>(most_force, seen(mesh, frame.contact_force, i).cast<float>().norm());
   if (show.velocity || show.trail) {
     const Motion motion = motion_of(mesh, frame, 0);
     most_speed = std::max(most_speed, motion.velocity.norm());
