@@ -3,6 +3,7 @@
 -- lattice. `./workbench bench` measures what lies below: the spring sweep against the processor's limit, and LAMMPS
 -- beside it.
 local ricochet = require "ricochet"
+local figures = require "ricochet.figures"
 
 local p = ricochet.parameters {
   nodes   = { 800, int = true, min = 30, doc = "of the disk; the wall has five times as many" },
@@ -14,10 +15,13 @@ local p = ricochet.parameters {
 
 local function scene(nodes, sample, psi1, how)
   local given = {
-    projectile = ricochet.disk { nodes = nodes // 6, roughness = 0.03, placement = "poisson_disk", seed = sample },
-    target = ricochet.wall { nodes = nodes // 6 * 5, stiffness = 100, roughness = 0.03, placement = "poisson_disk",
+    projectile = ricochet.disk { nodes = nodes // 6, mass = 1, roughness = 0.03, placement = "poisson_disk",
+      seed = sample },
+    target = ricochet.wall { nodes = nodes // 6 * 5, mass = 1, stiffness = 100, roughness = 0.03,
+      placement = "poisson_disk",
       seed = sample },
     launch = { speed = 0.1, psi1 = psi1 },
+    contact = figures.contact,
   }
   for field, value in pairs(how) do given[field] = value end
   return ricochet.scene(given)

@@ -1,6 +1,7 @@
 -- What a standard error of e costs on the paper's soft wall: the errors of time step, lattice size and samples from a
 -- pilot, the cheapest plan, its predicted and its real time, and e with the error that was wanted.
 local ricochet = require "ricochet"
+local figures = require "ricochet.figures"
 
 local p = ricochet.parameters {
   psi1 = { { 0, 1, 3, 6 }, min = 0, doc = "tangents of the incident angle" },
@@ -15,10 +16,13 @@ local sweep = ricochet.sweep {
   over = { sample = ricochet.range(100), psi1 = p.psi1 },
   scene = function(at)
     return ricochet.scene {
-      projectile = ricochet.disk { nodes = p.nodes, placement = "poisson_disk", roughness = 0.03, seed = at.sample },
-      target = ricochet.wall { nodes = 5 * p.nodes, placement = "poisson_disk", stiffness = 100, roughness = 0.03,
+      projectile = ricochet.disk { nodes = p.nodes, mass = 1, placement = "poisson_disk", roughness = 0.03,
+        seed = at.sample },
+      target = ricochet.wall { nodes = 5 * p.nodes, mass = 1, placement = "poisson_disk", stiffness = 100,
+        roughness = 0.03,
         seed = at.sample },
       launch = { speed = 0.1, psi1 = at.psi1 },
+      contact = figures.contact,
     }
   end,
 }

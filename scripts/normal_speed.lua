@@ -21,10 +21,11 @@ local rows = ricochet.sweep {
   over = { sample = ricochet.range(p.samples), speed = p.speed },
   scene = function(at)
     return ricochet.scene {
-      projectile = ricochet.disk { nodes = p.nodes, stiffness = 1e4, placement = p.placement, seed = at.sample },
+      projectile = ricochet.disk { nodes = p.nodes, mass = 1, stiffness = 1e4, placement = p.placement,
+        seed = at.sample },
       target = ricochet.plane {},
       launch = { speed = at.speed },
-      contact = { xi = p.xi, V0 = 2 * energy(at.speed), reach = 30 / p.xi },
+      contact = { xi = p.xi, V0 = 2 * energy(at.speed), reach = 30 / p.xi, sides = "one" },
       method = p.method,
       step = p.step > 0 and p.step or nil,
       accuracy = p.step == 0 and p.accuracy > 0 and p.method == "auto" and p.accuracy or nil,

@@ -19,11 +19,13 @@ local sweep = ricochet.sweep {
   over = { sample = ricochet.range(p.samples), psi1 = p.psi1 },
   scene = function(at)
     return ricochet.scene {
-      projectile = ricochet.disk { nodes = p.nodes, stiffness = 1e4, placement = p.placement, roughness = p.roughness,
+      projectile = ricochet.disk { nodes = p.nodes, mass = 1, stiffness = 1e4, placement = p.placement,
+        roughness = p.roughness,
         seed = at.sample },
-      target = ricochet.wall { nodes = 5 * p.nodes, stiffness = 1e4 * p.ratio, placement = p.placement,
+      target = ricochet.wall { nodes = 5 * p.nodes, mass = 1, stiffness = 1e4 * p.ratio, placement = p.placement,
         roughness = p.roughness, seed = at.sample },
       launch = { speed = p.speed, psi1 = at.psi1 },
+      contact = figures.contact,
       method = p.method,
       step = p.step > 0 and p.step or nil,
       accuracy = p.accuracy > 0 and p.accuracy or nil,

@@ -2,6 +2,7 @@
 -- beside the paper's own (Forest & Ruth at a step of 1e-3 R/c; Hayakawa & Kuninaka 2003, section V), and beside what
 -- the size of the lattice changes.
 local ricochet = require "ricochet"
+local figures = require "ricochet.figures"
 
 local p = ricochet.parameters {
   psi1 = { 1, min = 0, doc = "tangent of the incident angle" },
@@ -12,10 +13,11 @@ local p = ricochet.parameters {
 }
 
 local scene = ricochet.scene {
-  projectile = ricochet.disk { nodes = p.nodes, placement = "poisson_disk", roughness = 0.03, seed = p.seed },
-  target = ricochet.wall { nodes = 5 * p.nodes, placement = "poisson_disk", stiffness = 100, roughness = 0.03,
+  projectile = ricochet.disk { nodes = p.nodes, mass = 1, placement = "poisson_disk", roughness = 0.03, seed = p.seed },
+  target = ricochet.wall { nodes = 5 * p.nodes, mass = 1, placement = "poisson_disk", stiffness = 100, roughness = 0.03,
     seed = p.seed },
   launch = { speed = 0.1, psi1 = p.psi1 },
+  contact = figures.contact,
 }
 
 -- The picture for a first look, then every method.

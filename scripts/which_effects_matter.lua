@@ -1,6 +1,7 @@
 -- "Gravity and dissipation do not matter at 0.1 c" (Hayakawa & Kuninaka 2003, section V): what each changes of e, beta
 -- and mu of the paper's scene beside the sampling error, then the speeds at which each may.
 local ricochet = require "ricochet"
+local figures = require "ricochet.figures"
 
 local p = ricochet.parameters {
   speed   = { { 0.005, 0.01, 0.02, 0.05, 0.1, 0.2 }, unit = "c", min = 1e-3, doc = "impact speeds" },
@@ -13,10 +14,12 @@ local p = ricochet.parameters {
 
 local function scene(speed)
   return ricochet.scene {
-    projectile = ricochet.disk { nodes = p.nodes, placement = "poisson_disk", roughness = 0.03, seed = 1 },
-    target = ricochet.wall { nodes = 5 * p.nodes, stiffness = 100, placement = "poisson_disk", roughness = 0.03,
+    projectile = ricochet.disk { nodes = p.nodes, mass = 1, placement = "poisson_disk", roughness = 0.03, seed = 1 },
+    target = ricochet.wall { nodes = 5 * p.nodes, mass = 1, stiffness = 100, placement = "poisson_disk",
+      roughness = 0.03,
       seed = 1 },
     launch = { speed = speed, psi1 = 1 },
+    contact = figures.contact,
   }
 end
 

@@ -40,6 +40,7 @@ inline BodyNumbers numbers(int nodes, double stiffness, double roughness, int se
                            const char* placement = "poisson_disk") {
   BodyNumbers n;
   n.nodes = nodes;
+  n.mass = 1;
   n.stiffness = stiffness;
   n.roughness = roughness;
   n.seed = seed;
@@ -62,12 +63,16 @@ inline std::shared_ptr<const Body> wall(int nodes, double stiffness, double roug
   return std::make_shared<Body>(body);
 }
 
+/// The contact of the paper's scenes.
+inline ExponentialRepulsion paper_contact() { return {150, 300, 0.1, "one"}; }
+
 /// A hard disk of 60 nodes on a soft wall of 150: milliseconds.
 inline Scene small_scene(int seed = 1, double psi1 = 1, double roughness = 0.03) {
   Scene scene;
   scene.projectile = disk(60, 1e4, roughness, seed);
   scene.target = wall(150, 400, roughness, seed);
   scene.launch.psi1 = psi1;
+  scene.contact = paper_contact();
   return scene;
 }
 

@@ -4,6 +4,9 @@ local ricochet = require "ricochet"
 
 local figures = {}
 
+--- The contact of the paper's scenes, which its text leaves open: ours. A node weighs m0 (mass = 1).
+figures.contact = { V0 = 150, xi = 300, reach = 0.1, sides = "one" }
+
 --- The parameters of a figure: those all share, and the script's own, which come first.
 function figures.parameters(own)
   local shared = {
@@ -29,11 +32,13 @@ function figures.scene(p, ratio, at)
   local nodes = at.nodes or p.nodes
   local timed = p.step == 0 and p.accuracy > 0 and p.method == "auto"
   return ricochet.scene {
-    projectile = ricochet.disk { nodes = nodes, stiffness = 1e4, placement = p.placement, roughness = p.roughness,
+    projectile = ricochet.disk { nodes = nodes, mass = 1, stiffness = 1e4, placement = p.placement,
+      roughness = p.roughness,
       seed = at.sample },
-    target = ricochet.wall { nodes = 5 * nodes, stiffness = 1e4 * ratio, placement = p.placement,
+    target = ricochet.wall { nodes = 5 * nodes, mass = 1, stiffness = 1e4 * ratio, placement = p.placement,
       roughness = p.roughness, seed = at.sample },
     launch = at.launch,
+    contact = figures.contact,
     method = p.method,
     step = p.step > 0 and p.step or nil,
     accuracy = timed and p.accuracy or nil,

@@ -50,6 +50,7 @@ std::map<std::string, Scene> reference_scenes() {
   disks.launch.at = 0.5;
   disks.launch.psi1 = 0.4;
   disks.launch.spin = 0.5;
+  disks.contact = paper_contact();
   disks.contact.sides = "two";
   disks.integration.method = "blanes_moan_srkn11b";
   Scene& effects = list["ten effects but one"] = small_scene(3, 2);
@@ -70,6 +71,75 @@ std::map<std::string, Scene> reference_scenes() {
   hard.launch.speed = 0.3;
   hard.integration.method = "chin_4a";
   return list;
+}
+
+// The columns of an outcome that the golden hashes are made of, in their order: those that come later move no hash.
+const std::vector<std::string>& golden_columns() {
+  static const std::vector<std::string> names{"e",
+                                              "beta",
+                                              "mu",
+                                              "psi1",
+                                              "psi2",
+                                              "vn",
+                                              "vt",
+                                              "omega",
+                                              "impulse_n",
+                                              "impulse_t",
+                                              "contact_time",
+                                              "touches",
+                                              "indentation",
+                                              "contact_length",
+                                              "centre_offset",
+                                              "tan_alpha",
+                                              "e_alpha",
+                                              "before_projectile_translation",
+                                              "before_projectile_rotation",
+                                              "before_projectile_vibration",
+                                              "before_target_vibration",
+                                              "before_total",
+                                              "after_projectile_translation",
+                                              "after_projectile_rotation",
+                                              "after_projectile_vibration",
+                                              "after_target_translation",
+                                              "after_target_rotation",
+                                              "after_target_vibration",
+                                              "after_contact",
+                                              "energy_closure",
+                                              "energy_drift",
+                                              "inverted",
+                                              "inversion_time",
+                                              "certified",
+                                              "time",
+                                              "step",
+                                              "theta",
+                                              "theta_most",
+                                              "steps",
+                                              "momentum_residual",
+                                              "error_estimate",
+                                              "gravity_energy",
+                                              "drag_energy",
+                                              "absorbing_energy",
+                                              "moving_anchor_energy",
+                                              "damping_energy",
+                                              "plastic_energy",
+                                              "plastic_springs",
+                                              "breaking_energy",
+                                              "breaking_springs",
+                                              "adhesion_energy",
+                                              "friction_energy"};
+  return names;
+}
+
+std::string golden_text(const Outcome& outcome) {
+  std::string text = name_of(outcome.status) + ";";
+  for (const std::string& name : golden_columns()) {
+    const auto& columns = Outcome::fields();
+    const auto column =
+        std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.first.name == name; });
+    REQUIRE(column != columns.end());
+    text += fmt::format("{:a};", column->second(outcome));
+  }
+  return text;
 }
 
 /// Every finished row of a script's sweep, run by the program.
@@ -140,7 +210,7 @@ TEST_CASE("hard 20: five reference scenes have their golden hashes") {
                   for (const Result& r : results) {
                     INFO(names[r.index] << ": " << r.outcome.reason);
                     CHECK(r.outcome.status == Status::finished);
-                    hashes[r.index] = hash_text(exact_text(r.outcome));
+                    hashes[r.index] = hash_text(golden_text(r.outcome));
                   }
                 });
       for (std::size_t i = 0; i < list.size(); ++i) {
