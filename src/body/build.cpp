@@ -24,6 +24,7 @@ std::shared_ptr<const Solid> build_rigid(const NodePlan& plan) {
   Mesh<2> rim;
   for (int i = 0; i < plan.rim; ++i) rim.node.push_back(i);
   rim.cell = ring(plan.rim);
+  rim.weight = rim_shares(rim, plan.points);
   solid->surface = std::move(rim);
   solid->interior = Rigid{};
   return solid;

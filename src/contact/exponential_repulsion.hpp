@@ -11,11 +11,14 @@ namespace ricochet {
 /// signed. Summed over every segment within `reach`; the sum has a continuous gradient off the rim, while a
 /// nearest-segment rule has kinks that cap the order of every integrator. [Hayakawa & Kuninaka 2003, section V A; the
 /// sum is ours]
+/// What a scene leaves out (NaN), impact/launch/contact_rule.hpp fills in.
 struct ExponentialRepulsion {
-  double V0 = 150;
-  double xi = 300;
-  double reach = 0.1;
-  std::string sides = "one";
+  double V0 = not_given;
+  double xi = not_given;
+  double reach = not_given;
+  std::string sides = "two";
+  /// V0 is that of a length R of rim, of which a node has its share (Mesh::weight). Otherwise each node has all of it.
+  bool by_length = false;
 
   bool two_sided() const { return sides == "two"; }
   double energy(double distance) const { return V0 * exponential(-xi * distance); }
@@ -24,20 +27,27 @@ struct ExponentialRepulsion {
   static const std::vector<Member<ExponentialRepulsion>>& fields() {
     static const std::vector<Member<ExponentialRepulsion>> list{
         {{"V0", "number", "m0 c^2",
-          "energy of a rim node that touches a segment: a total energy below it cannot tunnel", positive, "150"},
+          "energy of a rim node that touches a segment; unless given, a length R of rim has 1000 times the energy of "
+          "the "
+          "impact, and a node its share",
+          positive, "", true},
          &ExponentialRepulsion::V0},
-        {{"xi", "number", "1/R", "inverse range of the repulsion", {0, 7000, true}, "300"}, &ExponentialRepulsion::xi},
+        {{"xi", "number", "1/R",
+          "inverse range of the repulsion; unless given, 1/xi is a fiftieth of the indentation to be expected",
+          positive, "", true},
+         &ExponentialRepulsion::xi},
         {{"reach", "number", "R",
           "segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an "
-          "impact is so slow that what is left out would show",
-          positive, "0.1"},
+          "impact is so slow that what is left out would show; 30/xi unless given",
+          positive, "", true},
          &ExponentialRepulsion::reach},
         {{"sides",
           "string",
           "",
-          "one: projectile nodes are pushed off target segments (the paper); two: and the other way round",
+          "two: nodes of either body are pushed off segments of the other; one: the projectile's alone (the paper), "
+          "between which a tip of the target may stand inside",
           any_number,
-          "one",
+          "two",
           false,
           {"one", "two"}},
          &ExponentialRepulsion::sides},

@@ -199,7 +199,7 @@ class Pair {
     gaps_.resize(candidates.size());
     gaps_.weight.clear();
     const std::vector<double>& weight = std::get<Mesh<2>>(solid_[side]->surface).weight;
-    if (!weight.empty())
+    if (law_[lane]->by_length)
       for (const Near& c : candidates) gaps_.weight.push_back(weight[static_cast<std::size_t>(c.place)]);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       gaps_.px[i] = nodes[2 * candidates[i].node][lane];

@@ -97,6 +97,11 @@ const Columns& of_run() {
        [](O o) { return o.inertia; }},
       {{"inertia_target", "number", "", "I/(M R^2) of the target; undefined if it is anchored"},
        [](O o) { return o.inertia_target; }},
+      {{"xi", "number", "1/R", "inverse range of the repulsion that acted"}, [](O o) { return o.xi; }},
+      {{"V0", "number", "m0 c^2",
+        "energy of the repulsion that acted, of a rim node on a segment; where the scene gave none, of a length R of "
+        "rim"},
+       [](O o) { return o.V0; }},
       {{"certified", "number", "",
         "1 if the total energy is below V0, so that no projectile node can cross a target segment (nor the reverse, "
         "if two-sided)"},

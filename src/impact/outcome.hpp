@@ -58,6 +58,7 @@ struct Outcome {
   double energy_closure = undefined, energy_drift = undefined;
   double inverted = undefined, inversion_time = undefined;
   double inertia = undefined, inertia_target = undefined;
+  double xi = undefined, V0 = undefined;
   double certified = 0, time = undefined, step = undefined, theta = undefined, theta_most = undefined, steps = 0;
   double momentum_residual = undefined, error_estimate = undefined;
 

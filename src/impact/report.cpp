@@ -18,6 +18,8 @@ void report_course(const Run& run, Outcome& o) {
   o.error_estimate = run.scene->error_estimate;
   o.energy_drift = run.drift;
   o.inverted = run.inverted;
+  o.xi = run.start.contact.xi;
+  o.V0 = run.start.contact.V0;
   o.inversion_time = run.inversion_time;
 }
 

@@ -78,7 +78,7 @@ std::string data_file(const Sections& s, const std::string& name) {
 }
 
 std::string input_file(const Scene& scene, const Start& start, const std::string& name) {
-  const ExponentialRepulsion& contact = start.energy > 0 ? start.contact : scene.contact;
+  const ExponentialRepulsion& contact = start.contact;
   const double step = start.step;
   const auto steps = static_cast<std::int64_t>(std::ceil(
       (start.energy > 0 ? 4 / std::max(1e-9, -normal(start.bodies[role::projectile].velocity)) * contact.reach + 10

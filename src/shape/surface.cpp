@@ -29,4 +29,14 @@ const std::vector<int>& surface_nodes(const Surface& surface) {
   return mesh ? mesh->node : none;
 }
 
+std::vector<double> rim_shares(const Mesh<2>& mesh, const Points& places) {
+  std::vector<double> shares(mesh.node.size(), 0.0);
+  for (const auto& [a, b] : mesh.cell) {
+    const double half = (places[static_cast<std::size_t>(a)] - places[static_cast<std::size_t>(b)]).norm() / 2;
+    shares[static_cast<std::size_t>(a)] += half;
+    shares[static_cast<std::size_t>(b)] += half;
+  }
+  return shares;
+}
+
 }  // namespace ricochet

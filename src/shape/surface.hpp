@@ -20,7 +20,7 @@ template <int D>
 struct Mesh {
   std::vector<int> node;       ///< [surface node] its number in the body
   Cells<D> cell;               ///< [cell]
-  std::vector<double> weight;  ///< [surface node] by which its repulsion counts; empty: 1
+  std::vector<double> weight;  ///< [surface node] its share of the rim: half of each cell at it [R]; empty: 1
 };
 
 /// A half-space whose inside is normal . x <= offset, of unit normal.
@@ -33,6 +33,9 @@ using Surface = std::variant<Mesh<2>, Plane>;
 
 /// The closed chain of `count` surface nodes, in their order.
 Cells<2> ring(int count);
+
+/// Half of the length of each cell at a surface node, at these places. [surface node] [R]
+std::vector<double> rim_shares(const Mesh<2>& mesh, const Points& places);
 
 /// A run of cells each of which begins where the one before ended.
 struct Chain {

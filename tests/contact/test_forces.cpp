@@ -99,7 +99,7 @@ TEST_CASE("contact forces are minus the gradient of the contact energy, one-side
   const auto wall_lattice = build_solid(*wall(150, 100, 0.03, 1));
   Random random(5, 5);
   for (const char* sides : {"one", "two"}) {
-    ExponentialRepulsion law;
+    ExponentialRepulsion law = paper_contact();
     law.sides = sides;
     law.V0 = 37;
     law.xi = 250;
@@ -242,7 +242,7 @@ TEST_CASE("a tree of a chain finds what a look at every segment finds") {
 TEST_CASE("a list with a skin never loses a pair while the bodies move") {
   const auto disk_lattice = build_solid(*disk(60, 1e4, 0.03, 1));
   const auto wall_lattice = build_solid(*wall(150, 100, 0.03, 1));
-  ExponentialRepulsion law;
+  ExponentialRepulsion law = paper_contact();
   const std::vector<const Solid*> solids{disk_lattice.get(), wall_lattice.get()};
   Motions<1> bodies{at_rest<1>(*disk_lattice, 1e4), at_rest<1>(*wall_lattice, 100)};
   for (int i = 0; i < disk_lattice->nodes(); ++i) bodies[0].q.add(i, 0, {-1, 1.3});

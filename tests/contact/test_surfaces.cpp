@@ -108,18 +108,18 @@ TEST_CASE("an open chain pushes nodes off its cells, and nothing joins its ends"
   const auto energy = [&](const Surface& surface) {
     const Solid below = held(line, surface);
     Contacts<1> contacts({&above, &below}, {});
-    ExponentialRepulsion law;
+    ExponentialRepulsion law = paper_contact();
     contacts.set(0, &law);
     Motions<1> bodies{at_rest<1>(above), at_rest<1>(below)};
     return contacts.energy(bodies)[0];
   };
-  const ExponentialRepulsion law;
+  const ExponentialRepulsion law = paper_contact();
   const double on_cell = law.energy(0.01);
   CHECK(energy(open) == Catch::Detail::Approx(on_cell).epsilon(1e-12));
   CHECK(energy(closed) == Catch::Detail::Approx(2 * on_cell).epsilon(1e-12));  // the ring's last cell lies along both
 }
 
-TEST_CASE("a pair's number weighs its repulsion") {
+TEST_CASE("a node's share of the rim weighs its repulsion") {
   const Points line{{-1, 0}, {1, 0}};
   Mesh<2> below, above;
   below.node = above.node = {0, 1};
@@ -127,7 +127,8 @@ TEST_CASE("a pair's number weighs its repulsion") {
   above.weight = {0.25, 1};
   const Solid a = held({{0.3, 0.01}, {0.3, 5}}, above), b = held(line, below);
   Contacts<1> contacts({&a, &b}, {});
-  ExponentialRepulsion law;
+  ExponentialRepulsion law = paper_contact();
+  law.by_length = true;
   contacts.set(0, &law);
   Motions<1> bodies{at_rest<1>(a), at_rest<1>(b)};
   std::vector<Lane<1>> energy(1);
@@ -224,7 +225,7 @@ TEST_CASE("the skin of the contact's lists changes no bit, for two bodies and fo
   Random random(11, 0);
   const auto solid = build_solid(*disk(40, 1e3, 0.02, 1));
   const std::vector<const Solid*> solids(6, solid.get());
-  ExponentialRepulsion law;
+  ExponentialRepulsion law = paper_contact();
   law.sides = "two";
   const auto contacts_with = [&](double skin) {
     ContactLaws laws;

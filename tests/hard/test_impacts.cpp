@@ -342,7 +342,7 @@ TEST_CASE("hard 16: bodies that overlap at the start are refused with the gap th
 TEST_CASE("hard 17: the contact force is minus the gradient of its energy in 1e5 poses") {
   Case of(17, "contact force against its energy: random poses, vertices, ties, deep overlap");
   Random random(11, 4);
-  ExponentialRepulsion law;
+  ExponentialRepulsion law = paper_contact();
   double worst = 0, jump = 0, values = 0;
   int poses = 0;
   for (int pose = 0; poses < 100000; ++pose) {

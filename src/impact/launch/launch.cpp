@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "impact/launch/aim.hpp"
 #include "impact/launch/checks.hpp"
+#include "impact/launch/contact_rule.hpp"
 #include "impact/launch/step.hpp"
 
 namespace ricochet {
@@ -31,6 +32,16 @@ Placement met_by(const Solid& target, Placement placement) {
   return placement;
 }
 
+// Of a node that is pushed off the other body, unless it is held. [m0 c^2]
+double least_V0(const ExponentialRepulsion& contact, const Solids& solids) {
+  if (!contact.by_length) return contact.V0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Solid* solid : solids)
+    if (const auto* mesh = std::get_if<Mesh<2>>(&solid->surface))
+      least = std::min(least, *std::min_element(mesh->weight.begin(), mesh->weight.end()));
+  return contact.V0 * least;
+}
+
 // Energy at launch, and whether it is too little to cross a cell: that of the relative motion, in the frame where it is
 // least; an anchored target is infinitely heavy.
 void take_energy(Start& start, const Scene& scene, const Solids& solids) {
@@ -47,7 +58,7 @@ void take_energy(Start& start, const Scene& scene, const Solids& solids) {
                                          return std::visit([]<class E>(const E&) { return BringsEnergy<E>; }, effect);
                                        }) ||
                            rest_energy(projectile) > 0 || rest_energy(target) > 0;
-  start.certified = reduced * speed2 / 2 + rotation < scene.contact.V0 && !more_energy;
+  start.certified = reduced * speed2 / 2 + rotation < least_V0(scene.contact, solids) && !more_energy;
 }
 
 // What is cut off must not show: at 0.1 c a reach of 0.1 R is far enough, below about 1e-4 c it is not.
@@ -59,8 +70,10 @@ ExponentialRepulsion widened(ExponentialRepulsion contact, double energy) {
 
 }  // namespace
 
-Start launch(const Scene& scene, const Solids& solids) {
+Start launch(const Scene& described, const Solids& solids) {
   check_bodies(solids);
+  Scene scene = described;
+  scene.contact = acting_contact(described, solids);
   check_contact(scene.contact);
   check_effects(scene, solids);
   Start start = bodies_at_launch(scene, solids);

@@ -230,7 +230,7 @@ class Watch {
     if (!(run.start.step * omega > bound_slack * state_.method.stability_limit)) return std::nullopt;
     // It may rise further: to what it is if one node holds all energy in its contact, but hardly so far.
     const double highest =
-        std::sqrt(run.interior_bound + 2 * std::pow(run.scene->contact.xi, 2) * run.energy_before / lightest_);
+        std::sqrt(run.interior_bound + 2 * std::pow(run.start.contact.xi, 2) * run.energy_before / lightest_);
     return ending::Unstable{omega, std::max(2 * omega, std::sqrt(omega * highest)),
                             contact_bound > run.interior_bound ? node : run.bound_node};
   }
