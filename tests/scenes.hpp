@@ -66,13 +66,19 @@ inline std::shared_ptr<const Body> wall(int nodes, double stiffness, double roug
 /// The contact of the paper's scenes.
 inline ExponentialRepulsion paper_contact() { return {150, 300, 0.1, "one"}; }
 
+/// Without bodies.
+inline Scene paper_scene() {
+  Scene scene;
+  scene.contact = paper_contact();
+  return scene;
+}
+
 /// A hard disk of 60 nodes on a soft wall of 150: milliseconds.
 inline Scene small_scene(int seed = 1, double psi1 = 1, double roughness = 0.03) {
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(60, 1e4, roughness, seed);
   scene.target = wall(150, 400, roughness, seed);
   scene.launch.psi1 = psi1;
-  scene.contact = paper_contact();
   return scene;
 }
 

@@ -59,7 +59,7 @@ int main(int count, char** values) {
     const double uniform = seconds([&] { solid = build_solid(body("uniform")); });
     const double poisson = seconds([&] { solid = build_solid(body("poisson_disk")); });
     // A disk on its like: where the flight starts, and the search for pairs of a node and a segment.
-    Scene scene;
+    Scene scene = paper_scene();
     scene.projectile = scene.target = std::make_shared<Body>(body("poisson_disk"));
     scene.launch.psi1 = 1;
     Start start;

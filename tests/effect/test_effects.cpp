@@ -94,7 +94,7 @@ double angular_momentum(const Motion<1>& body) {
 }
 
 Scene scene_with(std::vector<Effect> effects, double psi1 = 1) {
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(60, 1e4, 0.02, 3);
   scene.target = wall(200, 400, 0.02, 3, 5, 1.5);
   scene.launch.psi1 = psi1;

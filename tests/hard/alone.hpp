@@ -46,7 +46,7 @@ class Alone {
 /// Vibration: of this speed at every node [c].
 inline std::unique_ptr<Alone> free_disk(const std::string& method, double theta, const Vec2& velocity, double spin,
                                         double vibration, int nodes = 60) {
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(nodes, 1e4, 0.03, 1);
   scene.target = wall(60, 400, 0, 1);
   scene.integration.method = method;

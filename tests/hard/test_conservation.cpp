@@ -50,7 +50,7 @@ TEST_CASE("hard 4: the energy of a smooth contact closes") {
   for (const auto& [method, allowed] : {std::pair{"pefrl", 1e-6}, std::pair{"verlet", 1e-3}}) {
     double worst = 0;
     for (int seed = 1; seed <= 3; ++seed) {
-      Scene scene;
+      Scene scene = paper_scene();
       scene.projectile = disk(400, 1e4, 0, seed);
       scene.target = wall(1600, 100, 0, seed, 6, 2);
       scene.launch.psi1 = 1;
@@ -126,7 +126,7 @@ TEST_CASE("hard 12: angular momentum balances whatever the spin") {
   Case of(12, "spin 0, 1, 5 c/R");
   double worst = 0;
   for (const double spin : {0.0, 1.0, -1.0, 5.0}) {
-    Scene scene;
+    Scene scene = paper_scene();
     scene.projectile = disk(60, 1e4, 0.02, 1);
     scene.target = disk(80, 3e3, 0.02, 2);
     scene.launch.at = 0.5;

@@ -134,7 +134,7 @@ TEST_CASE("hard 9: any ratio of stiffness or mass ends finite, and the step foll
     bool right;
   };
   const auto impact = [](double stiffness_ratio, double mass_ratio) {
-    Scene scene;
+    Scene scene = paper_scene();
     Body upper = *disk(60, 1e4, 0.01, 1), lower = *wall(150, 1e4 * stiffness_ratio, 0.01, 1);
     upper.numbers.mass = mass_ratio;
     scene.projectile = std::make_shared<Body>(upper);
@@ -295,7 +295,7 @@ TEST_CASE("hard 13: aligned rims and rough ones are deterministic and finite") {
   // sliding.
   for (const char* sides : {"one", "two"})
     for (const double psi1 : {0.0, 0.5}) {
-      Scene scene;
+      Scene scene = paper_scene();
       const auto square = [](int seed) {
         return std::make_shared<Body>(
             Body{Points{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, numbers(100, 1e4, 0, seed, "triangular"), {}, {}});

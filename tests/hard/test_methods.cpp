@@ -214,7 +214,7 @@ TEST_CASE("hard 3: wrong steps are refused before the first one, and nothing is 
            "depth = 1.5, mass = 1, stiffness = 400 }, contact = { V0 = 150, xi = 300 },\n" +
            step + ", launch = { psi1 = at.psi1 } } end }:run()\n";
   };
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(60, 1e4, 0, 1);
   const double limit =
       method_named("pefrl").stability_limit /
@@ -283,7 +283,7 @@ TEST_CASE("hard 18: Richardson's estimate of e is within 0.5 to 2 of the true er
   // takahashi_imada and multirate by their outcome order, 4.
   for (const char* method : {"verlet", "forest_ruth", "pefrl", "chin_4a", "takahashi_imada", "multirate_3"})
     for (int seed : {1, 2, 3}) {
-      Scene scene;
+      Scene scene = paper_scene();
       scene.projectile = disk(60, 1e4, 0, seed);
       scene.target = wall(200, 1e3, 0, seed, 5, 1.5);
       scene.launch.psi1 = 1;

@@ -31,7 +31,7 @@ double seconds(Step&& step) {
 }  // namespace
 
 TEST_CASE("a scene without effects costs its kernels alone", "[.benchmark]") {
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(800, 1e4, 0.03, 1);
   scene.target = wall(4000, 100, 0.03, 1, 8, 2);
   scene.launch.psi1 = 1;

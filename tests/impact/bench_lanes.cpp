@@ -16,7 +16,7 @@ using namespace ricochet::test;
 TEST_CASE("ten angles in lanes against the same scenes one by one", "[.benchmark]") {
   std::vector<Scene> list;
   for (double psi1 : {0.0, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0}) {
-    Scene scene;
+    Scene scene = paper_scene();
     scene.projectile = disk(800, 1e4, 0.03, 1);
     scene.target = wall(4000, 100, 0.03, 1, 8, 2);
     scene.launch.psi1 = psi1;

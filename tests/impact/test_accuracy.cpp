@@ -21,7 +21,7 @@ const std::atomic<bool> go_on{false};
 /// Scenes of all kinds the paper has: ratio, roughness, angle, speed.
 Scene random_scene(int seed) {
   Random random(static_cast<std::uint64_t>(seed), 77);
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(60, 1e4, random.uniform(0, 0.03), seed);
   scene.target = wall(150, 1e4 * std::pow(10, random.uniform(-2, 1)), random.uniform(0, 0.03), seed, 5, 1.5);
   scene.launch.psi1 = random.uniform(0, 5);
@@ -99,7 +99,7 @@ TEST_CASE(
     "e of a smooth impact converges at the order that outcomes are said to have, takahashi_imada's and multirate's at "
     "4") {
   for (const char* method : {"verlet", "takahashi_imada", "multirate_2"}) {
-    Scene scene;
+    Scene scene = paper_scene();
     scene.projectile = disk(60, 1e4, 0, 1);
     scene.target = wall(200, 1e3, 0, 1, 5, 1.5);
     scene.launch.psi1 = 0;
@@ -121,7 +121,7 @@ TEST_CASE(
     "kept to order 2 only") {
   for (const char* method : {"takahashi_imada", "multirate_2", "multirate_5"}) {
     const Method& m = method_named(method);
-    Scene scene;
+    Scene scene = paper_scene();
     scene.projectile = disk(60, 1e4, 0, 1);
     scene.target = wall(200, 1e3, 0, 1, 5, 1.5);
     scene.launch.psi1 = 0;

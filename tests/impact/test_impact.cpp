@@ -19,7 +19,7 @@ Outcome outcome_of(const Scene& scene) { return run_scene(BuiltSolids(scene), sc
 
 /// A free disk hits another free disk off centre.
 Scene two_disks() {
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(60, 1e4, 0.02, 1);
   scene.target = disk(80, 3e3, 0.02, 2);
   scene.launch.at = 0.5;
@@ -108,7 +108,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a smooth disk on a smooth wall transmits little tangential impulse: beta = -1") {
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(300, 1e4, 0, 1);
   scene.target = wall(1000, 100, 0, 1, 6, 2);
   scene.launch.psi1 = 4;
@@ -208,7 +208,7 @@ TEST_CASE("endings are statuses with a reason") {
 TEST_CASE("the default step resolves the contact of springs however soft, and of flights however fast") {
   for (const double stiffness : {0.1, 1.0, 10.0, 1e4})
     for (const double speed : {0.01, 0.1, 0.3}) {
-      Scene scene;
+      Scene scene = paper_scene();
       scene.projectile = disk(100, stiffness, 0.02, 3);
       scene.target = wall(300, 4e3, 0.02, 3, 6, 2);
       scene.launch.speed = speed;
@@ -223,7 +223,7 @@ TEST_CASE("the default step resolves the contact of springs however soft, and of
 }
 
 TEST_CASE("a spike of the target that slips between two nodes of the projectile is found out") {
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(60, 1e4, 0, 1);
   Body spike{Points{{-0.2, -2}, {0.2, -2}, {0, 0}}, numbers(200, 1e4, 0, 1, "uniform"), {}, {}};
   for (const Vec2& q : plan_nodes(spike.outline, spike.numbers, {}).points) spike.anchored.push_back(q.y() < -1.9);
@@ -248,7 +248,7 @@ TEST_CASE("a spike of the target that slips between two nodes of the projectile 
 }
 
 TEST_CASE("a disk that rolls off a post has parted from it") {
-  Scene scene;
+  Scene scene = paper_scene();
   Body post{box(2, 2), numbers(200, 1e4, 0, 1, "triangular"), {}, {}};
   for (const Vec2& q : plan_nodes(post.outline, post.numbers, {}).points) post.anchored.push_back(q.y() < -1.99);
   scene.projectile = disk(100, 1e4, 0, 1);
@@ -259,7 +259,7 @@ TEST_CASE("a disk that rolls off a post has parted from it") {
 }
 
 TEST_CASE("a spinning bar has not parted before its ends can no longer come down") {
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = std::make_shared<Body>(
       Body{Points{{-1, -.15}, {1, -.15}, {1, .15}, {-1, .15}}, numbers(60, 1e4, 0, 1, "triangular"), {}, {}});
   scene.target = wall(300, 1e3, 0, 1, 8, 2);
@@ -327,7 +327,7 @@ TEST_CASE(
     const char* method;
     double speed, theta;
   };
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(40, 1, 0.03, 1);
   scene.target = wall(150, 0.1, 0.03, 1);
   scene.launch.psi1 = 0;
@@ -366,7 +366,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the closest approach of a straight flight is that of two circles") {
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(60, 1e4, 0, 1);
   scene.target = disk(80, 1e4, 0, 2);
   scene.launch.psi1 = not_given;

@@ -24,7 +24,7 @@ std::shared_ptr<const Body> plane() {
 }
 
 Scene on_plane(int nodes, double speed, double xi) {
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(nodes, 1e4, 0, 1);
   scene.target = plane();
   scene.launch.speed = speed;

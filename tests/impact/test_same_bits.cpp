@@ -105,7 +105,7 @@ TEST_CASE("a lane of a multirate method cannot tell whether its neighbours are i
 }
 
 TEST_CASE("the lanes may narrow as the contact of an impact beside effects ends") {
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(40, 1e4, 0.03, 1);
   scene.target = wall(150, 400, 0.03, 1);
   scene.launch.speed = 0.2;

@@ -84,7 +84,7 @@ std::string script(std::string input, double step, long steps, bool contact) {
 }
 
 Scene paper_scene(double psi1) {
-  Scene scene;
+  Scene scene = paper_scene();
   scene.projectile = disk(800, 1e4, 0.03, 1);
   scene.target = wall(4000, 100, 0.03, 1, 8, 2);
   scene.launch.psi1 = psi1;
