@@ -129,8 +129,11 @@ void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile) {
 
 void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const Quantity& quantity) {
   const Survey& survey = tile.subject->survey;
-  const auto [least, most] = std::minmax_element(survey.series.begin(), survey.series.end());
-  double low = *least, high = *most;
+  double low = survey.curve.front().y(), high = low;
+  for (const Vec2& point : survey.curve) {
+    low = std::min(low, point.y());
+    high = std::max(high, point.y());
+  }
   if (quantity.name != "height") {
     low = std::min(0.0, low);
     high = std::max(0.0, high);
@@ -164,8 +167,8 @@ void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const
   canvas.line({in.x, in.y}, {in.x, in.y + in.height}, thin, grey);
   canvas.line({in.x, in.y + in.height}, {in.x + in.width, in.y + in.height}, thin, grey);
   Points curve;
-  for (std::size_t k = 0; k <= tile.index && k < survey.series.size(); ++k)
-    curve.push_back({x(survey.times[k]), y(survey.series[k])});
+  for (const Vec2& point : survey.curve)
+    if (point.x() <= tile.frame->time) curve.push_back({x(point.x()), y(point.y())});
   canvas.polyline(curve, std::max(1.2, 0.12 * size), kind_colour(0));
   if (!curve.empty()) canvas.disc(curve.back(), 0.25 * size, kind_colour(5));
 }

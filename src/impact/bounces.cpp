@@ -107,9 +107,7 @@ class Follower {
 };
 
 Start start_of(const Scene& scene, const Solids& solids) {
-  if (fall_of(scene.effects, 0, static_cast<int>(solids.size())) == Vec3::Zero())
-    throw FieldError("effects",
-                     "bounces need gravity on the projectile, which brings it back; add ricochet.gravity { g = 1e-3 }");
+  check_bounces(scene);
   Start start = launch(scene, solids);
   // The usual limit is that of one impact.
   if (std::isnan(scene.integration.time_limit)) start.time_limit = std::numeric_limits<double>::infinity();
@@ -117,6 +115,13 @@ Start start_of(const Scene& scene, const Solids& solids) {
 }
 
 }  // namespace
+
+void check_bounces(const Scene& scene) {
+  const int count = static_cast<int>(scene.bodies().size());
+  if (fall_of(scene.effects, role::projectile, count) == Vec3::Zero())
+    throw FieldError("effects",
+                     "bounces need gravity on the projectile, which brings it back; add ricochet.gravity { g = 1e-3 }");
+}
 
 Bounces follow_bounces(const Solids& solids, const Scene& scene, int count, double least_height,
                        const std::atomic<bool>& stop) {

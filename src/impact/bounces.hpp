@@ -22,6 +22,9 @@ struct Bounces {
   std::string reason;  ///< a sentence if there are fewer than were asked for
 };
 
+/// Throws FieldError if gravity does not act on the projectile.
+void check_bounces(const Scene& scene);
+
 /// Follows a scene through `count` bounces, each from its first touch to the top of the rise after it, in one run.
 /// `least_height`: a bounce that rises less is the last one [R]; NaN: the reach of the contact, below which bodies do
 /// not part. Only a time_limit that is given limits the whole run. Throws FieldError if gravity does not act on the

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "impact/axes.hpp"
 #include "impact/roles.hpp"
@@ -113,6 +114,12 @@ const std::vector<std::pair<Field, std::function<double(const Sample&)>>>& Sampl
     return all;
   }();
   return list;
+}
+
+const std::function<double(const Sample&)>& Sample::value_named(const std::string& name) {
+  for (const auto& [field, value] : fields())
+    if (field.name == name) return value;
+  throw std::logic_error("a sample has no " + name);
 }
 
 Sampler::Sampler(const Scene& scene, const Solids& solids, const Start& start)

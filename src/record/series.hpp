@@ -2,6 +2,7 @@
 // What is told of an impact at a moment, as numbers: the points of a series.
 
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct Sample {
 
   /// Every number of it by name, the time first.
   static const std::vector<std::pair<Field, std::function<double(const Sample&)>>>& fields();
+  static const std::function<double(const Sample&)>& value_named(const std::string& name);
 };
 
 /// Makes samples of what an observer sees of one run, at rising times. Refers to the scene and the solids.

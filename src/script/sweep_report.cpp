@@ -61,6 +61,24 @@ void Progress::add(std::size_t count, std::size_t failed) {
   }
 }
 
+RunProgress::RunProgress(const Session& session, double time_limit)
+    : time_limit_(time_limit), quiet_(session.options.quiet), terminal_(isatty(STDERR_FILENO)) {
+  next_ = terminal_ ? 1 : 10;
+}
+
+RunProgress::~RunProgress() {
+  if (told_ && terminal_) fmt::print(stderr, "\r\033[K");
+}
+
+void RunProgress::tell(double time) {
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  if (quiet_ || seconds < next_) return;
+  const std::string line = fmt::format("scene: t = {:.4g} R/c of {:.4g} at most, {:.0f} s", time, time_limit_, seconds);
+  terminal_ ? fmt::print(stderr, "\r\033[K{}", line) : fmt::print(stderr, "{}\n", line);
+  next_ = terminal_ ? seconds + 1 : 2 * next_;
+  told_ = true;
+}
+
 std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>& rows) {
   const std::size_t step = column("step"), theta = column("theta"), most = column("theta_most");
   std::map<std::string, Steps> methods;
