@@ -155,14 +155,15 @@ void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const
     canvas.text({in.x - 0.4 * size, y(mark * factor) + 0.36 * size},
                 number_text(mark, marks.size() > 1 ? marks[1] - marks[0] : 0), size, black, Align::right);
   }
+  const std::string name = "t [R/c]";
   const auto moments = ticks(first, last, in.width > 30 * size ? 6 : 3);
   for (const double t : moments) {
     canvas.line({x(t), in.y + in.height}, {x(t), in.y + in.height + 0.3 * size}, thin, grey);
-    if (t + 0.12 * (last - first) < last)
-      canvas.text({x(t), in.y + in.height + 1.3 * size},
-                  number_text(t, moments.size() > 1 ? moments[1] - moments[0] : 0), size, black, Align::centre);
+    const std::string text = number_text(t, moments.size() > 1 ? moments[1] - moments[0] : 0);
+    if (x(t) + 0.5 * canvas.text_width(text, size) + 0.6 * size < in.x + in.width - canvas.text_width(name, size))
+      canvas.text({x(t), in.y + in.height + 1.3 * size}, text, size, black, Align::centre);
   }
-  canvas.text({in.x + in.width, in.y + in.height + 1.3 * size}, "t [R/c]", size, black, Align::right);
+  canvas.text({in.x + in.width, in.y + in.height + 1.3 * size}, name, size, black, Align::right);
   canvas.text({box.x, box.y + 0.8 * size}, label_of(quantity, power), size, black);
   canvas.line({in.x, in.y}, {in.x, in.y + in.height}, thin, grey);
   canvas.line({in.x, in.y + in.height}, {in.x + in.width, in.y + in.height}, thin, grey);

@@ -1,83 +1,96 @@
--- A damped ball falls on a rigid floor and bounces under gravity, each lattice in one run: height and e of every bounce.
--- Beside them, balls of the same lattices that come at the same speeds without vibrating: what the ball still does of its
--- last impact changes e, or does not. samples=2 is a quick try; full=true draws more lattices of more nodes (about
--- 6 minutes on two cores).
+-- A damped ball falls on a rigid floor and bounces under gravity, each lattice in one run. Beside every bounce the same
+-- lattice, held still and dropped from the height of the rise before: what it still vibrates of its last impact changes
+-- e, or does not. samples=2 is a quick try; full=true draws the figure in full (about 7 minutes on two cores).
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
-  samples = { 6, int = true, min = 2, doc = "lattices" },
-  bounces = { 6, int = true, min = 1, doc = "followed of each lattice" },
+  samples = { 12, int = true, min = 2, doc = "lattices of 400 nodes" },
+  bounces = { 8, int = true, min = 1, doc = "followed of each lattice" },
   height  = { 1, unit = "R", min = 0.1, max = 100, doc = "from which the ball falls" },
   g       = { 1e-2, unit = "c^2/R", min = 1e-6, max = 0.1, doc = "acceleration" },
   tau     = { 0.02, unit = "R/c", min = 0, max = 1, doc = "retardation time of the ball's springs (Kelvin-Voigt)" },
   film    = { false, doc = "also a film, ball.mp4; needs ffmpeg" },
-  full    = { false, doc = "30 lattices of 800 nodes" },
+  full    = { false, doc = "40 lattices of 800 nodes" },
 }
-local samples, nodes = p.full and 30 or p.samples, p.full and 800 or 200
+local samples, nodes = p.full and 40 or p.samples, p.full and 800 or 400
 
-local fastest = math.sqrt(2 * p.g * p.height)
 local mass = 800  -- of the ball [m0]
-local function scene(sample, launch, gravity)
+local function falling(sample, height)
   return ricochet.scene {
     projectile = ricochet.disk { nodes = nodes, mass = mass / nodes, placement = "poisson_disk", seed = sample },
     target = ricochet.plane {},
-    launch = launch,
-    contact = { xi = 2000, V0 = mass * fastest ^ 2, reach = 0.02 },
-    effects = { ricochet.damping { time = p.tau, on = "projectile" }, gravity },
+    launch = { height = height, speed = 0 },
+    contact = { xi = 2000, V0 = 2 * mass * p.g * p.height, reach = 0.02 },
+    effects = { ricochet.gravity { g = p.g }, ricochet.damping { time = p.tau, on = "projectile" } },
   }
 end
-local function falling(sample)
-  return scene(sample, { height = p.height, speed = 0 }, ricochet.gravity { g = p.g })
-end
 
--- The bounces of all lattices, and by number.
-local of_bounce, speeds = {}, {}
+-- By number, the bounces of all lattices.
+local bounces = {}
 for sample = 1, samples do
-  for _, row in ipairs(falling(sample):bounces { count = p.bounces }) do
-    of_bounce[row.bounce] = of_bounce[row.bounce] or {}
-    table.insert(of_bounce[row.bounce], row)
+  for k, row in ipairs(falling(sample, p.height):bounces { count = p.bounces }) do
+    row.sample = sample
+    bounces[k] = bounces[k] or {}
+    table.insert(bounces[k], row)
   end
 end
-local function mean_and_se(list, column)
-  local sum, square = 0, 0
-  for _, row in ipairs(list) do sum = sum + row[column] end
-  for _, row in ipairs(list) do square = square + (row[column] - sum / #list) ^ 2 end
-  return sum / #list, #list > 1 and math.sqrt(square / (#list - 1) / #list) or 0 / 0
-end
-for k, list in ipairs(of_bounce) do speeds[k] = mean_and_se(list, "speed") end
 
-local still = ricochet.sweep {
-  name = "still",
-  over = { sample = ricochet.range(samples), speed = speeds },
-  scene = function(at) return scene(at.sample, { speed = at.speed }) end,
+-- Mean and standard error of value(row).
+local function statistics(rows, value)
+  local sum, square = 0, 0
+  for _, row in ipairs(rows) do sum = sum + value(row) end
+  for _, row in ipairs(rows) do square = square + (value(row) - sum / #rows) ^ 2 end
+  return sum / #rows, #rows > 1 and math.sqrt(square / (#rows - 1) / #rows) or 0 / 0
+end
+
+-- Balls held still are dropped from the mean height before each bounce.
+local drops, speeds = { p.height }, {}
+for k, rows in ipairs(bounces) do
+  speeds[k] = statistics(rows, function(row) return row.speed end)
+  if bounces[k + 1] then drops[k + 1] = statistics(rows, function(row) return row.height end) end
+end
+local rows = ricochet.sweep {
+  name = "held",
+  over = { sample = ricochet.range(samples), drop = drops },
+  scene = function(at) return falling(at.sample, at.drop) end,
 }:run()
 
-print "bounce  speed [c]  height [R]   e of bounces      e of balls that were still"
-local bouncing, quiet = {}, {}
-for k, list in ipairs(of_bounce) do
-  local e, se = mean_and_se(list, "e")
-  local alone = still:where { speed = speeds[k] }:summary { by = "speed", of = { "e" } }[1].e
-  print(("%6d  %9.4f  %10.4f   %.4f +- %.4f  %.4f +- %.4f"):format(k, speeds[k], mean_and_se(list, "height"), e, se,
-    alone.mean, alone.se))
-  for _, row in ipairs(list) do bouncing[#bouncing + 1] = { row.speed, row.e } end
+local held = {}  -- [drop][sample]: e
+for _, row in ipairs(rows) do
+  held[row.drop] = held[row.drop] or {}
+  held[row.drop][row.sample] = row.e
+  row.ball = "held still, and dropped"
+  for k, drop in ipairs(drops) do
+    if row.drop == drop then row.speed = speeds[k] end
+  end
 end
-for _, row in ipairs(still) do quiet[#quiet + 1] = { row.speed, row.e } end
+print "bounce  speed [c]  height [R]        e        less than held still"
+for k, list in ipairs(bounces) do
+  local height = statistics(list, function(row) return row.height end)
+  local e, e_se = statistics(list, function(row) return row.e end)
+  local less, less_se = statistics(list, function(row) return held[drops[k]][row.sample] - row.e end)
+  print(("%6d  %9.4f  %10.4f  %.4f +- %.4f  %.4f +- %.4f"):format(k, speeds[k], height, e, e_se, less, less_se))
+  for _, row in ipairs(list) do
+    row.ball, row.speed = "bouncing", speeds[k]
+    rows[#rows + 1] = row
+  end
+end
 
 ricochet.plot {
-  rows = still, x = "speed", y = { "e" }, name = "bounces",
-  published = { e = { { name = "bounces, one after another", points = bouncing } } },
-  xlabel = "speed at the first touch [c]",
-  title = "e of a damped ball that bounces under gravity",
-  caption = ("Disk of %d nodes on a rigid plane, τ = %g R/c, from %g R, g = %g c²/R, %d lattices. Filled: balls that " ..
-    "were still."):format(nodes, p.tau, p.height, p.g, samples),
+  rows = rows, x = "speed", y = { "e" }, by = "ball", name = "bounces",
+  xlabel = "normal speed at the first touch [c]",
+  title = "A damped ball that bounces under gravity",
+  caption = ("Disk of %d nodes on a rigid plane, τ = %g R/c, from %g R at g = %g c²/R, %d lattices."):format(nodes, p.tau,
+    p.height, p.g, samples),
 }
 
-local show = { title = "a damped ball under gravity", plot = "height", material = "energy_density", ledger = true }
 local fall = math.sqrt(2 * p.height / p.g)
+local show = { title = "A damped ball under gravity", plot = "height", ledger = true }
 ricochet.contact_sheet {
-  scene = falling(1), times = { -fall, 0.5, 0.8 * fall, 2 * fall, 3 * fall, 4.5 * fall }, columns = 3, out = "ball",
-  size = { 1500, 900 }, show = show,
+  scene = falling(1, p.height), times = { -fall, 0.6, 0.9 * fall, 1.8 * fall, 2.6 * fall, 4.2 * fall }, columns = 3,
+  out = "ball", size = { 1500, 900 }, show = show,
 }
 if p.film then
-  ricochet.animate { scene = falling(1), frames = 450, from = -fall, duration = 6 * fall, film = "ball.mp4", show = show }
+  ricochet.animate { scene = falling(1, p.height), frames = 450, from = -fall, duration = 6 * fall, film = "ball.mp4",
+    show = show }
 end

@@ -289,10 +289,10 @@ local function most_entries(t, list, theory, published)
 end
 
 -- Panel i, of one column. The same margins and range along x in every panel.
-local function add_panel(script, t, i, xs, y, parts)
+local function add_panel(script, t, i, xs, y, margin, parts)
   local column = t.y[i]
   local xroom, yroom = t.xrange and 0 or 0.04, t.yrange[column] and 0 or 0.08
-  script:add("set lmargin 11\nset xrange %s", roomy(xs.low, xs.high, xroom, t.log:find "x"))
+  script:add("set lmargin %d\nset xrange %s", margin, roomy(xs.low, xs.high, xroom, t.log:find "x"))
   script:add("set yrange %s%s%s", roomy(y.low, y.high, yroom, t.log:find "y"), log_tics(t.log, "x", xs.low, xs.high),
     log_tics(t.log, "y", y.low, y.high))
   local xlabel = i == #t.y and quoted(t.xlabel or label(t.x, t.rows)) or "''"
@@ -343,13 +343,17 @@ local function plot(given)
   write_entries(t, "theory", theory, script, xs, ys, t.rows and 0.5 or math.huge)
   finish_yranges(t, ys)
   local titles = titles_of(t, finished, failed, samples)
+  local margin = 11  -- of characters; ticks that differ in the fourth digit or later need more
+  for _, y in ipairs(ys) do
+    if math.max(math.abs(y.low), math.abs(y.high)) > 100 * (y.high - y.low) and y.high > y.low then margin = 15 end
+  end
   script:panels {
     count = #t.y, width = 800, font = 12, key = "outside top right horizontal",
     height = 70 + 20 * #titles + (285 + 18 * most_entries(t, list, theory, published)) * #t.y,
     title = #titles > 0 and table.concat(titles, '."\\n".') or "''",
     axes = t.log ~= "none" and "set logscale " .. t.log .. "\nset format " .. t.log .. " '%g'" or nil,
     draw = function()
-      for i in ipairs(t.y) do add_panel(script, t, i, xs, ys[i], parts_of(t, i, list, theory, published)) end
+      for i in ipairs(t.y) do add_panel(script, t, i, xs, ys[i], margin, parts_of(t, i, list, theory, published)) end
     end,
   }
   script:draw()

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/error.hpp"
 #include "core/turn.hpp"
@@ -204,10 +203,8 @@ class Moments {
  public:
   Moments(const std::vector<double>& times, double step) : times_(times), step_(step) {}
   bool due(double time) const { return next_ < times_.size() && time >= times_[next_] - step_ / 2; }
-  /// The next one, if it lies in the free flight before the run.
-  std::optional<double> before_the_run() const {
-    return next_ < times_.size() && times_[next_] < -step_ / 2 ? std::optional(times_[next_]) : std::nullopt;
-  }
+  /// The next one, if it lies in the free flight before the run; 0 if not.
+  double before_the_run() const { return next_ < times_.size() && times_[next_] < -step_ / 2 ? times_[next_] : 0.0; }
   void take() { ++next_; }
   double end() const { return times_.empty() ? -step_ : times_.back(); }
 
@@ -238,9 +235,13 @@ bool film_scene(const Solids& solids, const Scene& scene, const std::vector<doub
   const auto look = [&](const Snapshot& seen) {
     Snapshot shot = seen;
     add_planes(shot, scene, solids);
-    if (shot.time == 0) {
-      while (const auto time = frames.before_the_run()) hand_over_frame(moved_back(shot, start, *time), shot);
-      while (const auto time = samples.before_the_run()) hand_over_sample(moved_back(shot, start, *time));
+    while (shot.time == 0) {  // the free flight before, whichever comes first
+      const double frame = frames.before_the_run(), sample = samples.before_the_run();
+      if (std::min(frame, sample) >= 0) break;
+      if (frame <= sample)
+        hand_over_frame(moved_back(shot, start, frame), shot);
+      else
+        hand_over_sample(moved_back(shot, start, sample));
     }
     if (frames.due(shot.time)) hand_over_frame(shot, shot);
     if (samples.due(shot.time)) hand_over_sample(shot);
