@@ -9,6 +9,7 @@
 ---@field run fun(self: ricochet.scene): table
 ---@field text fun(self: ricochet.scene): string
 ---@field hash fun(self: ricochet.scene): string
+---@field bounces fun(self: ricochet.scene, t: ricochet.scene_bounces_fields): ricochet.rows, string?
 
 ---@class ricochet.sweep
 ---@field run fun(self: ricochet.sweep): ricochet.rows
@@ -98,22 +99,22 @@ function ricochet.plane(t) end
 ---@field theta? number time step times the bound of the highest frequency of this scene's lattices, instead of a step: equal for lattices of one kind
 ---@field accuracy? number wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs
 ---@field accuracy_of? "e"|"beta"|"mu"|"psi2"|"vn"|"vt"|"omega" the outcome that accuracy is about (default e)
----@field time_limit? number an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given [R/c]
+---@field time_limit? number an impact longer than this ends out_of_time; 100 + 2 / normal speed of the impact unless given [R/c]
 ---@field energy_tolerance? number an impact whose total energy strays further, relative to its start, ends energy_drift (default 0.01)
---- One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream so that its smooth outline would touch the target's at x = launch.at. `scene:run()` runs it and returns a row; `scene:text()` is its canonical text, `scene:hash()` that text's hash.
+--- One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream so that its smooth outline would touch the target's at x = launch.at. `scene:run()` runs it and returns a row, `scene:bounces { }` several impacts one after another; `scene:text()` is its canonical text, `scene:hash()` that text's hash.
 ---@param t ricochet.scene_fields
 ---@return ricochet.scene
 function ricochet.scene(t) end
 
 ---@class ricochet.launch_fields
----@field speed? number impact speed |v|; 0.1 unless normal_speed is given [c]
+---@field speed? number launch speed |v|; 0.1 unless normal_speed is given; 0 only with a height to fall from under gravity [c]
 ---@field psi1? number tangent of the incident angle, v_t / v_n; 0 unless given otherwise
 ---@field angle? number incident angle from the normal, instead of psi1 [degrees]
----@field normal_speed? number speed along the normal, instead of speed [c]
+---@field normal_speed? number speed along the normal, instead of speed; 0 as for speed [c]
 ---@field tangential_speed? number speed along the surface, with normal_speed [c]
 ---@field spin? number angular velocity before impact, counter-clockwise [c/R] (default 0)
 ---@field at? number where along x the smooth projectile would touch the smooth target [R] (default 0)
----@field height? number starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart [R]
+---@field height? number starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart. Gravity on the projectile acts from a given height on, else from the first approach of the rims on; other effects always do so from there on [R]
 
 ---@class ricochet.contact_fields
 ---@field V0? number energy of a rim node that touches a segment: a total energy below it cannot tunnel [m0 c^2] (default 150)
@@ -124,7 +125,7 @@ function ricochet.scene(t) end
 ---@class ricochet.gravity_fields
 ---@field g number acceleration [c^2/R]
 ---@field on? "projectile"|"target"|"both" the bodies it acts on (default projectile)
---- An effect, for the `effects` of a scene. A constant acceleration along -y, from the first approach of the rims on.
+--- An effect, for the `effects` of a scene. A constant acceleration along -y: from the start where launch.height is given, else from the first approach of the rims on.
 ---@param t ricochet.gravity_fields
 ---@return ricochet.effect
 function ricochet.gravity(t) end
@@ -229,6 +230,22 @@ function ricochet.sweep(t) end
 ---@param step? number
 ---@return table
 function ricochet.range(first, last, step) end
+
+---@class ricochet.series_fields
+---@field scene ricochet.scene what happens
+---@field of table list of quantities, and name = function (state) that returns a number; the time is always the first column
+---@field points? integer how many, equally spaced in time; one a step where the steps are fewer (default 400)
+---@field from? number first time; before 0 the projectile is in free flight [R/c] (default 0)
+---@field duration? number time covered, from `from` on, past the end of the impact if it is longer; up to that end unless given [R/c]
+---@field name? string file name without extension (default series)
+--- An impact as columns of numbers over time, sampled between the engine's steps: returns rows, and leaves them as NAME.h5 and NAME.csv in the run's folder. `ricochet.plot` draws them as lines, in their order. `of` names quantities, and functions of the state: a table with every quantity by its name, and `projectile` and `target`, each with the centre x, y [R], its velocity vx, vy [c], angle [rad], spin [c/R] and the energies translation, rotation, vibration [m0 c^2]. The quantities are `time` [R/c]: since the rims came within reach of each other; `step`: steps since then; `x` [R]: where the projectile's centre is, along the surface; `height` [R]: height of the projectile's centre; `vn` [c]: normal velocity of the projectile; `vt` [c]: tangential velocity of the projectile; `omega` [c/R]: spin of the projectile; `angle` [rad]: that the projectile has turned by, counter-clockwise; `target_vn` [c]: normal velocity of the target; 0 if held; `target_vt` [c]: tangential velocity of the target; 0 if held; `target_omega` [c/R]: spin of the target; 0 if held; `force_n` [m0 c^2/R]: normal force of contact on the projectile; `force_t` [m0 c^2/R]: tangential force of contact on the projectile; `overlap` [R]: how much nearer along the normal the centres are than at the first touch; undefined before it; `indentation` [R]: overlap along the normal of the smooth outlines, undeformed, unrotated; below 0 where they are apart; `contact_length` [R]: along the surface, between the outermost nodes of the projectile that bear more than 1 % of the force on the one that bears most; 0 without contact; `vibration` [m0 c^2]: energy of the vibration of both bodies; `projectile_translation` [m0 c^2]: energy: projectile, centre of mass; `projectile_rotation` [m0 c^2]: energy: projectile, spin; `projectile_vibration` [m0 c^2]: energy: projectile, vibration; `target_translation` [m0 c^2]: energy: target, centre of mass (0 if held); `target_rotation` [m0 c^2]: energy: target, spin (0 if held); `target_vibration` [m0 c^2]: energy: target, vibration; `contact_energy` [m0 c^2]: energy of the repulsion; `effects_energy` [m0 c^2]: energy gained in the potentials of effects and lost to those that dissipate, since the start; `total_energy` [m0 c^2]: the sum of all.
+---@param t ricochet.series_fields
+---@return ricochet.rows
+function ricochet.series(t) end
+
+---@class ricochet.scene_bounces_fields
+---@field count? integer how many (default 8)
+---@field least_height? number a bounce that rises less is the last one; the reach of the contact unless given, below which bodies do not part [R]
 
 ---@class ricochet.plot_fields
 ---@field rows? ricochet.rows rows of a sweep; none for a picture of theory alone

@@ -168,14 +168,16 @@ void push_bounce(lua_State* L, int number, const Bounce& bounce) {
   push_strict(L, "a row of bounces");
 }
 
+// With --check: bounces of an elastic ball, with which a script can go on.
 Bounces bounces_of(Session& session, const Scene& asked, int count, double least_height) {
   const Scene scene = with_chosen_step(session, asked);
   const BuiltSolids solids(scene);
   if (!session.options.check) return follow_bounces(solids, scene, count, least_height, stop_requested);
   check_start(solids, scene);
   check_bounces(scene);
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  return {std::vector<Bounce>(static_cast<std::size_t>(count), {unknown, unknown, unknown, unknown}), ""};
+  Bounces bounces;
+  for (int k = 1; k <= count; ++k) bounces.list.push_back({.speed = 0.1, .e = 1, .height = 1, .time = 20.0 * k});
+  return bounces;
 }
 
 // bounces(scene, count, least_height): a list of rows, and why they are fewer than `count`, or nil.
@@ -212,12 +214,21 @@ int add_scene_method(lua_State* L) {
   return 0;
 }
 
-std::string names_of_quantities() {
-  std::string text;
-  for (const auto& [field, value] : Sample::fields())
-    text += fmt::format("{}`{}`{}: {}", text.empty() ? "" : "; ", field.name,
-                        field.unit.empty() ? "" : " [" + field.unit + "]", field.doc);
-  return text;
+// What a function of the state sees, and what `of` can name.
+Function state_table() {
+  const std::string body =
+      "centre x, y [R], its velocity vx, vy [c], angle [rad], spin [c/R], and the energies translation, rotation, "
+      "vibration [m0 c^2]";
+  std::vector<Field> fields;
+  for (const auto& [field, value] : Sample::fields()) fields.push_back(field);
+  fields.push_back({"projectile", "table", "", "of the projectile: " + body});
+  fields.push_back({"target", "table", "", "of the target: " + body});
+  return {.name = "state",
+          .doc =
+              "An impact at a moment, as functions of a `series` see it. Its numbers are the quantities that a series "
+              "can name.",
+          .fields = fields,
+          .is_table = true};
 }
 
 Function series_function() {
@@ -225,15 +236,12 @@ Function series_function() {
       .name = "series",
       .doc =
           "An impact as columns of numbers over time, sampled between the engine's steps: returns rows, and leaves "
-          "them as NAME.h5 and NAME.csv in the run's folder. `ricochet.plot` draws them as lines, in their order. "
-          "`of` names quantities, and functions of the state: a table with every quantity by its name, and "
-          "`projectile` and `target`, each with the centre x, y [R], its velocity vx, vy [c], angle [rad], spin "
-          "[c/R] and the energies translation, rotation, vibration [m0 c^2]. The quantities are " +
-          names_of_quantities() + ".",
+          "them as NAME.h5 and NAME.csv in the run's folder. `ricochet.plot` draws them as lines, in their order. The "
+          "first column is the time.",
       .fields = std::vector<Field>{scene_field(),
                                    {"of", "table", "",
-                                    "list of quantities, and name = function (state) that returns a number; the time "
-                                    "is always the first column"}} +
+                                    "list of quantities of the `state`, and name = function (state) that returns a "
+                                    "number"}} +
                 fields_of<SeriesTimes>() +
                 std::vector<Field>{{"name", "string", "", "file name without extension", any_number, "series"}},
       .returns = "rows",
@@ -266,7 +274,7 @@ Function bounces_method() {
 }  // namespace
 
 Group series_functions() {
-  return {.functions = {series_function(), bounces_method()},
+  return {.functions = {series_function(), state_table(), bounces_method()},
           .natives = {{"sample", guarded<sample>},
                       {"quantities", quantities},
                       {"store_series", guarded<store_series>},
