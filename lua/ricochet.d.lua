@@ -233,15 +233,45 @@ function ricochet.range(first, last, step) end
 
 ---@class ricochet.series_fields
 ---@field scene ricochet.scene what happens
----@field of table list of quantities, and name = function (state) that returns a number; the time is always the first column
+---@field of table list of quantities of the `state`, and name = function (state) that returns a number
 ---@field points? integer how many, equally spaced in time; one a step where the steps are fewer (default 400)
 ---@field from? number first time; before 0 the projectile is in free flight [R/c] (default 0)
 ---@field duration? number time covered, from `from` on, past the end of the impact if it is longer; up to that end unless given [R/c]
 ---@field name? string file name without extension (default series)
---- An impact as columns of numbers over time, sampled between the engine's steps: returns rows, and leaves them as NAME.h5 and NAME.csv in the run's folder. `ricochet.plot` draws them as lines, in their order. `of` names quantities, and functions of the state: a table with every quantity by its name, and `projectile` and `target`, each with the centre x, y [R], its velocity vx, vy [c], angle [rad], spin [c/R] and the energies translation, rotation, vibration [m0 c^2]. The quantities are `time` [R/c]: since the rims came within reach of each other; `step`: steps since then; `x` [R]: where the projectile's centre is, along the surface; `height` [R]: height of the projectile's centre; `vn` [c]: normal velocity of the projectile; `vt` [c]: tangential velocity of the projectile; `omega` [c/R]: spin of the projectile; `angle` [rad]: that the projectile has turned by, counter-clockwise; `target_vn` [c]: normal velocity of the target; 0 if held; `target_vt` [c]: tangential velocity of the target; 0 if held; `target_omega` [c/R]: spin of the target; 0 if held; `force_n` [m0 c^2/R]: normal force of contact on the projectile; `force_t` [m0 c^2/R]: tangential force of contact on the projectile; `overlap` [R]: how much nearer along the normal the centres are than at the first touch; undefined before it; `indentation` [R]: overlap along the normal of the smooth outlines, undeformed, unrotated; below 0 where they are apart; `contact_length` [R]: along the surface, between the outermost nodes of the projectile that bear more than 1 % of the force on the one that bears most; 0 without contact; `vibration` [m0 c^2]: energy of the vibration of both bodies; `projectile_translation` [m0 c^2]: energy: projectile, centre of mass; `projectile_rotation` [m0 c^2]: energy: projectile, spin; `projectile_vibration` [m0 c^2]: energy: projectile, vibration; `target_translation` [m0 c^2]: energy: target, centre of mass (0 if held); `target_rotation` [m0 c^2]: energy: target, spin (0 if held); `target_vibration` [m0 c^2]: energy: target, vibration; `contact_energy` [m0 c^2]: energy of the repulsion; `effects_energy` [m0 c^2]: energy gained in the potentials of effects and lost to those that dissipate, since the start; `total_energy` [m0 c^2]: the sum of all.
+--- An impact as columns of numbers over time, sampled between the engine's steps: returns rows, and leaves them as NAME.h5 and NAME.csv in the run's folder. `ricochet.plot` draws them as lines, in their order. The first column is the time.
 ---@param t ricochet.series_fields
 ---@return ricochet.rows
 function ricochet.series(t) end
+
+---@class ricochet.state_fields
+---@field time number since the rims came within reach of each other [R/c]
+---@field step number steps since then
+---@field x number where the projectile's centre is, along the surface [R]
+---@field height number height of the projectile's centre [R]
+---@field vn number normal velocity of the projectile [c]
+---@field vt number tangential velocity of the projectile [c]
+---@field omega number spin of the projectile [c/R]
+---@field angle number that the projectile has turned by since the rims came within reach, counter-clockwise [rad]
+---@field target_vn number normal velocity of the target; 0 if held [c]
+---@field target_vt number tangential velocity of the target; 0 if held [c]
+---@field target_omega number spin of the target; 0 if held [c/R]
+---@field force_n number normal force of contact on the projectile [m0 c^2/R]
+---@field force_t number tangential force of contact on the projectile [m0 c^2/R]
+---@field overlap number how much nearer along the normal the centres are than at the first touch; undefined before it [R]
+---@field indentation number overlap along the normal of the smooth outlines, undeformed, unrotated; below 0 where they are apart [R]
+---@field contact_length number along the surface, between the outermost nodes of the projectile that bear more than 1 % of the force on the one that bears most; 0 without contact [R]
+---@field vibration number energy of the vibration of both bodies [m0 c^2]
+---@field projectile_translation number energy: projectile, centre of mass [m0 c^2]
+---@field projectile_rotation number energy: projectile, spin [m0 c^2]
+---@field projectile_vibration number energy: projectile, vibration [m0 c^2]
+---@field target_translation number energy: target, centre of mass (0 if held) [m0 c^2]
+---@field target_rotation number energy: target, spin (0 if held) [m0 c^2]
+---@field target_vibration number energy: target, vibration [m0 c^2]
+---@field contact_energy number energy of the repulsion [m0 c^2]
+---@field effects_energy number energy gained in the potentials of effects and lost to those that dissipate, since the start [m0 c^2]
+---@field total_energy number the sum of all [m0 c^2]
+---@field projectile table of the projectile: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]
+---@field target table of the target: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]
 
 ---@class ricochet.scene_bounces_fields
 ---@field count? integer how many (default 8)

@@ -35,6 +35,7 @@ class Follower {
     see();
     bounce.time = time();
     bounce.speed = -speed_;
+    const double touched_at = height_;
     parted_.reset();
     bool rose = false;
     const auto watch_touch = [&] {
@@ -46,8 +47,7 @@ class Follower {
     };
     if (!advance([&] { return parted_.has_value(); }, watch_touch)) return std::nullopt;
     bounce.e = *parted_ / bounce.speed;
-    bounce.height = gap_;
-    const auto watch_rise = [&] { bounce.height = std::max(bounce.height, gap_); };
+    const auto watch_rise = [&] { bounce.height = std::max(bounce.height, height_ - touched_at); };
     if (!advance([&] { return speed_ <= 0; }, watch_rise)) return std::nullopt;
     return bounce;
   }
@@ -62,13 +62,13 @@ class Follower {
   void see() {
     const std::vector<RigidShot> rigid = engine_.snapshot(0).rigid;
     const RigidShot &projectile = rigid[role::projectile], &target = rigid[role::target];
-    gap_ = normal(projectile.centre) - normal(target.centre) - start_.overlap_height;
+    height_ = normal(projectile.centre) - normal(target.centre);
     speed_ = normal(projectile.velocity) - normal(target.velocity);
   }
 
   // Past the side of a target that is not wide enough.
   void watch_fall() {
-    if (gap_ < -run().projectile_radius) reason = "the projectile fell past the target";
+    if (height_ < start_.overlap_height - run().projectile_radius) reason = "the projectile fell past the target";
   }
 
   // Looks at the engine, and lets `watch` look at what is seen.
@@ -102,8 +102,8 @@ class Follower {
   Start start_;
   const std::atomic<bool>& stop_;
   std::int64_t steps_ = 0;
-  double gap_ = 0, speed_ = 0;    // of the projectile over the target, when last seen [R, c]
-  std::optional<double> parted_;  // the speed at parting, since the last touch
+  double height_ = 0, speed_ = 0;  // of the projectile's centre over the target's, when last seen [R, c]
+  std::optional<double> parted_;   // the speed at parting, since the last touch
 };
 
 Start start_of(const Scene& scene, const Solids& solids) {

@@ -13,7 +13,7 @@ namespace ricochet {
 struct Bounce {
   double speed;   ///< normal speed of the projectile's centre relative to the target's at the first touch [c]
   double e;       ///< that at parting over it
-  double height;  ///< of the rise after it: the greatest gap of the smooth outlines along the normal [R]
+  double height;  ///< to which the centre rises after it, above where it was at the first touch [R]
   double time;    ///< of the first touch, since the surfaces first came within reach of each other [R/c]
 };
 

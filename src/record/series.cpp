@@ -26,7 +26,8 @@ Quantities of_motion() {
       {{"vt", "number", "c", "tangential velocity of the projectile"},
        [](S s) { return tangential(s.projectile.velocity); }},
       {{"omega", "number", "c/R", "spin of the projectile"}, [](S s) { return s.projectile.spin; }},
-      {{"angle", "number", "rad", "that the projectile has turned by, counter-clockwise"},
+      {{"angle", "number", "rad",
+        "that the projectile has turned by since the rims came within reach, counter-clockwise"},
        [](S s) { return s.projectile.angle; }},
       {{"target_vn", "number", "c", "normal velocity of the target; 0 if held"},
        [](S s) { return normal(s.target.velocity); }},
@@ -79,13 +80,14 @@ Quantities of_energy() {
   };
 }
 
-// The turn that brings the body at rest nearest to its places, weighed by mass: where the sum of m r x p' vanishes.
-double turn_of(const Solid& solid, const Points& places, const Vec2& centre) {
+// The turn since the start that brings the body at rest nearest to its places, weighed by mass: where the sum of
+// m r x p' vanishes.
+double turn_of(const Solid& solid, const Turn& at_start, const Points& places, const Vec2& centre) {
   const Vec2 rest = solid.centre();
   double sine = 0, cosine = 0;
   for (int i = 0; i < solid.nodes(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const Vec2 before = solid.points[k] - rest, now = places[k] - centre;
+    const Vec2 before = at_start(solid.points[k] - rest), now = places[k] - centre;
     sine += solid.mass[i] * cross(before, now);
     cosine += solid.mass[i] * before.dot(now);
   }
@@ -152,7 +154,8 @@ Sample Sampler::operator()(const Snapshot& shot) {
     // Whole turns are those that the spin has made since the last time.
     const double since = std::isnan(last_time_) ? shot.time : shot.time - last_time_;
     const double expected = angle_[b] + since * (std::isnan(last_time_) ? body.spin : spin_[b]);
-    const double turn = turn_of(*solids_[b], shot.bodies[b].place, body.centre), whole = 2 * std::numbers::pi;
+    const double turn = turn_of(*solids_[b], start_.bodies[b].turn, shot.bodies[b].place, body.centre),
+                 whole = 2 * std::numbers::pi;
     body.angle = turn + whole * std::round((expected - turn) / whole);
     angle_[b] = body.angle;
     spin_[b] = body.spin;

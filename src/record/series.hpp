@@ -16,7 +16,7 @@ namespace ricochet {
 /// A body at a moment; a held one has no rigid motion.
 struct BodySample {
   Vec2 centre, velocity;  ///< of mass [R], [c]
-  double angle = 0;       ///< that it has turned by, counter-clockwise: the turn that fits its nodes best [rad]
+  double angle = 0;       ///< that it has turned by since time 0, counter-clockwise: what fits its nodes best [rad]
   double spin = 0;        ///< [c/R]
   BodyEnergy energy;
 };

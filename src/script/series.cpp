@@ -217,7 +217,8 @@ int add_scene_method(lua_State* L) {
 // What a function of the state sees, and what `of` can name.
 Function state_table() {
   const std::string body =
-      "centre x, y [R], its velocity vx, vy [c], angle [rad], spin [c/R], and the energies translation, rotation, "
+      "centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies "
+      "translation, rotation, "
       "vibration [m0 c^2]";
   std::vector<Field> fields;
   for (const auto& [field, value] : Sample::fields()) fields.push_back(field);
@@ -257,7 +258,7 @@ Function bounces_method() {
       .doc =
           "Lets gravity bring the projectile back, in one run in which the bodies vibrate on. Returns rows, one a "
           "bounce: `bounce`; `speed` [c], the normal speed at the first touch; `e`, that at parting over it; "
-          "`height` [R], of the rise after it, the greatest gap of the smooth outlines; `time` [R/c] of the first "
+          "`height` [R], to which the centre then rises above where it was at that touch; `time` [R/c] of the first "
           "touch, since the rims first came within reach. Where there are fewer than `count`, a second result tells "
           "why. Only a time_limit that the scene names limits the whole run.",
       .fields = {{"count", "integer", "", "how many", {1, 1e6}, "8"},

@@ -19,7 +19,8 @@ constexpr double g = 1e-2;
 // A smooth disk over the plane.
 Scene falling(double height, double speed) {
   Scene scene;
-  scene.projectile = disk(60, 1e4, 0, 1);
+  // Symmetric, so that it does not begin to spin.
+  scene.projectile = std::make_shared<Body>(Body{circle(), numbers(60, 1e4, 0, 1, "triangular"), {}, {}});
   Body plane;
   plane.plane = Plane{};
   scene.target = std::make_shared<Body>(plane);
@@ -113,11 +114,12 @@ TEST_CASE("each bounce rises as high as its speed takes it, and falls back as fa
     INFO("bounce " << k + 1 << ": e = " << bounce.e << ", height " << bounce.height);
     CHECK(bounce.e > 0.3);
     CHECK(bounce.e < 1);
-    // From where the bodies part, some ranges of the repulsion above the plane.
-    CHECK(std::abs(bounce.height - std::pow(bounce.e * bounce.speed, 2) / (2 * g)) < 0.01);
+    // The places where they touch and part differ by less than the range in which the repulsion shows.
+    const double parting = std::pow(bounce.e * bounce.speed, 2);
+    CHECK(std::abs(bounce.height - parting / (2 * g)) < 0.01);
     if (k == 3) break;
     const Bounce& next = bounces.list[k + 1];
-    CHECK(next.speed == Approx(bounce.e * bounce.speed).epsilon(0.01));
+    CHECK(std::abs(next.speed * next.speed - parting) < 2 * g * 0.01);
     CHECK(next.time - bounce.time == Approx(2 * bounce.e * bounce.speed / g).epsilon(0.1));
   }
 }
@@ -131,8 +133,8 @@ TEST_CASE("bounces end early with a reason") {
   CHECK(low.list.size() < 8);
   CHECK(low.list.back().height < 0.1);
   CHECK_THAT(low.reason, Catch::Matchers::Contains("R, less than 0.1 R"));
-  scene.integration.time_limit = 15;
-  CHECK_THAT(follow_bounces(solids, scene, 8, 0.1, go_on).reason, Catch::Matchers::Contains("time_limit of 15 R/c"));
+  scene.integration.time_limit = 5;
+  CHECK_THAT(follow_bounces(solids, scene, 8, 0.1, go_on).reason, Catch::Matchers::Contains("time_limit of 5 R/c"));
   scene.effects.erase(scene.effects.begin());
   CHECK_THROWS_WITH(follow_bounces(solids, scene, 8, 0.1, go_on), Catch::Matchers::Contains("bounces need gravity"));
 }

@@ -44,7 +44,7 @@ TEST_CASE("the sampled force is what changes the projectile's momentum, and its 
   const std::vector<Sample> samples = sampled(scene, times(0, outcome.time, 400));
   REQUIRE(samples.size() == 400);
   Vec2 impulse = Vec2::Zero();
-  double deepest = 0;
+  double deepest = samples[0].indentation;
   for (std::size_t k = 1; k < samples.size(); ++k) {
     impulse += (samples[k].time - samples[k - 1].time) / 2 * (samples[k].force + samples[k - 1].force);
     deepest = std::max(deepest, samples[k].indentation);

@@ -43,7 +43,8 @@ ricochet.plot { rows = rows, x = "height", y = { "force_n" }, name = "loop" }
 TEST_CASE("mistakes in a series are told at their place") {
   const Workplace place;
   const auto told = [&](const std::string& of) {
-    return place.script(head + "ricochet.series { scene = ball, of = " + of + ", points = 4, duration = 1 }").err;
+    return place.script(head + "ricochet.series { scene = ball, of = " + of + ", points = 4, duration = 1 }", "--force")
+        .err;
   };
   CHECK_THAT(told("{ \"force\" }"), Contains("'of' holds 'force' at place 1, which is no quantity (did you mean"));
   CHECK_THAT(told("{ function(state) return 1 end }"), Contains("a function needs a name"));
