@@ -64,16 +64,23 @@ for _, row in ipairs(rows) do
     if row.drop == drop then row.speed = speeds[k] end
   end
 end
-print "bounce  speed [c]  height [R]        e        less than held still"
+print "bounce  speed [c]  rise [R]        e        more than held still"
+local more_of = {}  -- [sample]: mean over all bounces but the first, which are one and the same impact
 for k, list in ipairs(bounces) do
   local height = statistics(list, function(row) return row.height end)
   local e, e_se = statistics(list, function(row) return row.e end)
-  local less, less_se = statistics(list, function(row) return held[drops[k]][row.sample] - row.e end)
-  print(("%6d  %9.4f  %10.4f  %.4f +- %.4f  %.4f +- %.4f"):format(k, speeds[k], height, e, e_se, less, less_se))
+  local more, more_se = statistics(list, function(row) return row.e - held[drops[k]][row.sample] end)
+  print(("%6d  %9.4f  %8.4f  %.4f +- %.4f  %+.4f +- %.4f"):format(k, speeds[k], height, e, e_se, more, more_se))
   for _, row in ipairs(list) do
+    local difference = (row.e - held[drops[k]][row.sample]) / (#bounces - 1)
+    if k > 1 then more_of[row.sample] = (more_of[row.sample] or 0) + difference end
     row.ball, row.speed = "bouncing", speeds[k]
     rows[#rows + 1] = row
   end
+end
+if #bounces > 1 then
+  print(("bounces 2 to %d: e is higher than held still by %+.4f +- %.4f"):format(#bounces,
+    statistics(more_of, function(more) return more end)))
 end
 
 ricochet.plot {

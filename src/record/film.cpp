@@ -51,8 +51,7 @@ Snapshot moved_back(const Snapshot& shot, const Start& start, double time) {
     const Vec2 way = since * velocity + since * since / 2 * fall, faster = since * fall;
     const Turn turn(spin * since);
     BodyShot& body = earlier.bodies[b];
-    Vec2 centre = Vec2::Zero();
-    for (const Vec2& p : body.place) centre += p / static_cast<double>(body.place.size());
+    const Vec2 centre = shot.rigid[b].centre;
     for (Vec2& p : body.place) p = centre + way + turn(p - centre);
     for (Vec2& v : body.velocity) v = velocity + turn(v - velocity) + faster;
     earlier.rigid[b].centre += way;
