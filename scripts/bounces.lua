@@ -87,8 +87,8 @@ ricochet.plot {
   rows = rows, x = "speed", y = { "e" }, by = "ball", name = "bounces",
   xlabel = "normal speed at the first touch [c]",
   title = "A damped ball that bounces under gravity",
-  caption = ("Disk of %d nodes on a rigid plane, τ = %g R/c, from %g R at g = %g c²/R, %d lattices."):format(nodes, p.tau,
-    p.height, p.g, samples),
+  caption = ("Disk of %d nodes on a rigid plane, τ = %g R/c, from %g R at g = %g c²/R, %d lattices."):format(nodes,
+    p.tau, p.height, p.g, samples),
 }
 
 local fall = math.sqrt(2 * p.height / p.g)

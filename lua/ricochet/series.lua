@@ -2,7 +2,7 @@
 local core = require "ricochet.core"
 local rows_of = require("ricochet.rows").rows_of
 
--- What `of` asks for: columns { name =, unit =, doc =, f = }, the time first; those with `f` are functions of the state.
+-- What `of` asks for: columns { name =, unit =, doc =, f = }, the time first; those with `f` are functions of a state.
 local function columns_of(of)
   local known, names = {}, {}
   for i, quantity in ipairs(core.quantities()) do
@@ -11,10 +11,10 @@ local function columns_of(of)
   local columns, taken = { known.time }, { time = true }
   for i, name in ipairs(of) do
     if not known[name] then
-      core.fail(("'of' holds %s at place %d, which is no quantity%s"):format(
-        type(name) == "string" and "'" .. name .. "'" or "a " .. type(name), i,
-        type(name) == "string" and core.did_you_mean(name, names) or "; a function needs a name: name = function (state)"),
-        "of")
+      local named = type(name) == "string"
+      core.fail(("'of' holds %s at place %d, which is no quantity%s"):format(named and "'" .. name .. "'"
+        or "a " .. type(name), i, named and core.did_you_mean(name, names)
+        or "; a function needs a name: name = function (state)"), "of")
     end
     if not taken[name] then columns[#columns + 1], taken[name] = known[name], true end
   end
