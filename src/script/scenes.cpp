@@ -1,6 +1,7 @@
 // ricochet.scene, its tables and its effects.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -85,7 +86,7 @@ Outcome run_one(Session& session, Scene& scene) {
     check_start(solids, scene);
     return {};
   }
-  RunProgress progress(session, launch(scene, solids).time_limit);
+  RunProgress progress(session.options.quiet, isatty(STDERR_FILENO), launch(scene, solids).time_limit);
   const auto pass = [&](double time) {
     progress.tell(time);
     return false;
