@@ -278,7 +278,7 @@ function ricochet.series(t) end
 ---@field least_height? number a bounce that rises less is the last one; the reach of the contact unless given, below which bodies do not part [R]
 
 ---@class ricochet.plot_fields
----@field rows? ricochet.rows rows of a sweep; none for a picture of theory alone
+---@field rows? ricochet.rows rows of a sweep, or of a series, drawn as a line in their order; none for a picture of theory alone
 ---@field x string column along x; rows are grouped by it
 ---@field y string[] columns along y, one panel each
 ---@field by? string column whose values are drawn as a line each
