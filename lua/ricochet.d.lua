@@ -331,7 +331,7 @@ function ricochet.animate(t) end
 ---@field colour_bar? boolean what the colours mean, with unit (default true)
 ---@field clock? boolean time and Psi1 (default true)
 ---@field ledger? boolean where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, vibration, target, contact (default false)
----@field plot? "none"|"vn"|"vt"|"omega"|"height"|"force_n"|"force_t"|"vibration" a plot that grows with time; vn: normal velocity of the projectile [c]; vt: tangential velocity of the projectile [c]; omega: spin of the projectile [c/R]; height: height of the projectile's centre [R]; force_n: normal force of contact on the projectile [m_0c^2/R]; force_t: tangential force of contact on the projectile [m_0c^2/R]; vibration: energy of the vibration of both bodies [m_0c^2] (default none)
+---@field plot? "none"|"vn"|"vt"|"omega"|"height"|"force_n"|"force_t"|"vibration" a plot that grows with time, of every moment while a run is drawn, of its frames if a recording is; vn: normal velocity of the projectile [c]; vt: tangential velocity of the projectile [c]; omega: spin of the projectile [c/R]; height: height of the projectile's centre [R]; force_n: normal force of contact on the projectile [m_0c^2/R]; force_t: tangential force of contact on the projectile [m_0c^2/R]; vibration: energy of the vibration of both bodies [m_0c^2] (default none)
 ---@field colours? "auto"|"ylgnbu"|"puor"|"cividis" of the colour bar; auto: ylgnbu, or puor for a quantity of both signs (default auto)
 ---@field scale? "auto"|"linear"|"sqrt" of the colour bar; auto: sqrt for energies, else linear (default auto)
 ---@field low? number lower end of the colour bar; from the whole sequence unless given
