@@ -1,6 +1,6 @@
 -- A damped ball falls on a rigid floor and bounces under gravity, each lattice in one run. Beside every bounce the same
 -- lattice, held still and dropped from the height of the rise before: what it still vibrates of its last impact changes
--- e, or does not. samples=2 is a quick try; full=true draws the figure in full (about 7 minutes on two cores).
+-- e, or does not. samples=2 is a quick try; full=true draws the figure in full (about 3 minutes).
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
