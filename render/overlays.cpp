@@ -129,8 +129,11 @@ void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile) {
 
 void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const Quantity& quantity) {
   const Survey& survey = tile.subject->survey;
-  const auto [least, most] = std::minmax_element(survey.series.begin(), survey.series.end());
-  double low = *least, high = *most;
+  double low = survey.curve.front().y(), high = low;
+  for (const Vec2& point : survey.curve) {
+    low = std::min(low, point.y());
+    high = std::max(high, point.y());
+  }
   if (quantity.name != "height") {
     low = std::min(0.0, low);
     high = std::max(0.0, high);
@@ -152,20 +155,21 @@ void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const
     canvas.text({in.x - 0.4 * size, y(mark * factor) + 0.36 * size},
                 number_text(mark, marks.size() > 1 ? marks[1] - marks[0] : 0), size, black, Align::right);
   }
+  const std::string name = "t [R/c]";
   const auto moments = ticks(first, last, in.width > 30 * size ? 6 : 3);
   for (const double t : moments) {
     canvas.line({x(t), in.y + in.height}, {x(t), in.y + in.height + 0.3 * size}, thin, grey);
-    if (t + 0.12 * (last - first) < last)
-      canvas.text({x(t), in.y + in.height + 1.3 * size},
-                  number_text(t, moments.size() > 1 ? moments[1] - moments[0] : 0), size, black, Align::centre);
+    const std::string text = number_text(t, moments.size() > 1 ? moments[1] - moments[0] : 0);
+    if (x(t) + 0.5 * canvas.text_width(text, size) + 0.6 * size < in.x + in.width - canvas.text_width(name, size))
+      canvas.text({x(t), in.y + in.height + 1.3 * size}, text, size, black, Align::centre);
   }
-  canvas.text({in.x + in.width, in.y + in.height + 1.3 * size}, "t [R/c]", size, black, Align::right);
+  canvas.text({in.x + in.width, in.y + in.height + 1.3 * size}, name, size, black, Align::right);
   canvas.text({box.x, box.y + 0.8 * size}, label_of(quantity, power), size, black);
   canvas.line({in.x, in.y}, {in.x, in.y + in.height}, thin, grey);
   canvas.line({in.x, in.y + in.height}, {in.x + in.width, in.y + in.height}, thin, grey);
   Points curve;
-  for (std::size_t k = 0; k <= tile.index && k < survey.series.size(); ++k)
-    curve.push_back({x(survey.times[k]), y(survey.series[k])});
+  for (const Vec2& point : survey.curve)
+    if (point.x() <= tile.frame->time) curve.push_back({x(point.x()), y(point.y())});
   canvas.polyline(curve, std::max(1.2, 0.12 * size), kind_colour(0));
   if (!curve.empty()) canvas.disc(curve.back(), 0.25 * size, kind_colour(5));
 }

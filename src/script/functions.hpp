@@ -39,6 +39,7 @@ Group parameter_functions();
 Group body_functions();
 Group scene_functions();
 Group sweep_functions();
+Group series_functions();
 Group plot_functions();
 Group picture_functions();
 Group record_functions();

@@ -64,6 +64,13 @@ double told(const std::string& text, const std::string& before) {
   return at == std::string::npos ? 0 : std::atof(text.c_str() + at + before.size());
 }
 
+double acting_xi(const Scene& scene, const Solids& solids) {
+  Placement arrives = placed_at_rest(*solids[0]);
+  arrives.velocity = in_space(scene.launch.velocity());
+  arrives.spin = about_z(scene.launch.spin);
+  return acting_contact(scene, solids, arrives).xi;
+}
+
 }  // namespace
 
 RandomScene random_scene(std::uint64_t seed) {
@@ -193,7 +200,7 @@ Verdict judged(const RandomScene& random, double steps) {
       (std::isnan(scene.integration.step) ? finer.integration.theta : finer.integration.step) = told(text, "; give ");
       const double kicks = method.multirate() ? static_cast<double>(method.stages.size()) : 1;
       right = asked * (scene.launch.velocity().norm() + 3 * std::abs(scene.launch.spin)) / kicks >
-              std::min(3 / acting_contact(scene, {projectile.get(), target.get()}).xi, 0.01);
+              std::min(3 / acting_xi(scene, {projectile.get(), target.get()}), 0.01);
       try {
         launch(finer, {projectile.get(), target.get()});
       } catch (const FieldError&) {

@@ -28,6 +28,12 @@ Scene on_plane(int nodes, double speed) {
 
 Outcome outcome(const Scene& scene) { return run_scene(BuiltSolids(scene), scene, go_on); }
 
+Placement arriving(const Scene& scene, const BuiltSolids& built) {
+  Placement placement = placed_at_rest(built[0]);
+  placement.velocity = in_space(scene.launch.velocity());
+  return placement;
+}
+
 }  // namespace
 
 TEST_CASE("a contact that nobody gives is a fiftieth of the expected indentation, and its columns say so") {
@@ -36,7 +42,8 @@ TEST_CASE("a contact that nobody gives is a fiftieth of the expected indentation
     const Outcome o = outcome(scene);
     INFO(speed << ": " << o.reason);
     REQUIRE(o.status == Status::finished);
-    const LineImpact expected = expected_impact(scene, BuiltSolids(scene));
+    const BuiltSolids built(scene);
+    const LineImpact expected = expected_impact(scene, built, arriving(scene, built));
     CHECK(o.xi == Catch::Detail::Approx(50 / expected.approach));
     CHECK(o.V0 == Catch::Detail::Approx(1000 * o.before.total()));
     CHECK(o.certified == 1);
@@ -60,17 +67,17 @@ TEST_CASE("the contact by the rule is as good as a hard one") {
 TEST_CASE("what a scene gives of its contact acts as it is given") {
   Scene scene = small_scene(1, 1);
   const BuiltSolids built(scene);
-  ExponentialRepulsion acts = acting_contact(scene, built);
+  ExponentialRepulsion acts = acting_contact(scene, built, arriving(scene, built));
   CHECK(acts.V0 == 150);
   CHECK(acts.xi == 300);
   CHECK(acts.reach == 0.1);
   CHECK(!acts.by_length);
   scene.contact.V0 = not_given;
-  acts = acting_contact(scene, built);
+  acts = acting_contact(scene, built, arriving(scene, built));
   CHECK(acts.xi == 300);
   CHECK(acts.by_length);
   scene.contact = {150, not_given, not_given, "one"};
-  acts = acting_contact(scene, built);
+  acts = acting_contact(scene, built, arriving(scene, built));
   CHECK(acts.V0 == 150);
   CHECK(acts.reach == Catch::Detail::Approx(30 / acts.xi));
 }

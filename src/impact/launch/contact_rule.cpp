@@ -53,9 +53,9 @@ double reduced_mass(const Solid& projectile, const Solid& target) {
 }
 
 // Kinetic energy of the relative motion and of the spin.
-double energy_of(const Scene& scene, const Solids& solids) {
-  return reduced_mass(*solids[0], *solids[1]) * scene.launch.velocity().squaredNorm() / 2 +
-         solids[0]->inertia() * scene.launch.spin * scene.launch.spin / 2;
+double energy_of(const Solids& solids, const Placement& arrives) {
+  return reduced_mass(*solids[0], *solids[1]) * arrives.velocity.squaredNorm() / 2 +
+         solids[0]->inertia() * arrives.spin.squaredNorm() / 2;
 }
 
 bool yields(const Scene& scene) {
@@ -64,27 +64,27 @@ bool yields(const Scene& scene) {
   });
 }
 
-double rule_of_xi(const Scene& scene, const Solids& solids) {
-  const LineImpact impact = expected_impact(scene, solids);
+double rule_of_xi(const Scene& scene, const Solids& solids, const Placement& arrives) {
+  const LineImpact impact = expected_impact(scene, solids, arrives);
   const double hard = 1 / (softness * impact.approach);
-  return yields(scene) ? std::max(hard, impact.force / (held * energy_of(scene, solids))) : hard;
+  return yields(scene) ? std::max(hard, impact.force / (held * energy_of(solids, arrives))) : hard;
 }
 
 }  // namespace
 
-LineImpact expected_impact(const Scene& scene, const Solids& solids) {
-  const Vec2 velocity = scene.launch.velocity();
+LineImpact expected_impact(const Scene& scene, const Solids& solids, const Placement& arrives) {
+  const Vec2 velocity = in_plane(arrives.velocity);
   const double speed = std::max(std::abs(normal(velocity)), least_slope * velocity.norm());
   const auto bodies = scene.bodies();
   return line_impact(pressed_together(line_body(*bodies[0], *solids[0]), line_body(*bodies[1], *solids[1])),
                      reduced_mass(*solids[0], *solids[1]), speed);
 }
 
-ExponentialRepulsion acting_contact(const Scene& scene, const Solids& solids) {
+ExponentialRepulsion acting_contact(const Scene& scene, const Solids& solids, const Placement& arrives) {
   ExponentialRepulsion contact = scene.contact;
-  if (std::isnan(contact.xi)) contact.xi = rule_of_xi(scene, solids);
+  if (std::isnan(contact.xi)) contact.xi = rule_of_xi(scene, solids, arrives);
   contact.by_length = std::isnan(contact.V0);
-  if (contact.by_length) contact.V0 = strength * energy_of(scene, solids);
+  if (contact.by_length) contact.V0 = strength * energy_of(solids, arrives);
   if (std::isnan(contact.reach)) contact.reach = ranges / contact.xi;
   return contact;
 }

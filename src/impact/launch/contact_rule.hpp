@@ -9,12 +9,13 @@ namespace ricochet {
 
 /// What line contact says of an aimed scene: both bodies smooth, a free one as a disk of its own area, a held one as a
 /// block of its own depth, the modulus that of an even lattice of its springs.
-LineImpact expected_impact(const Scene& scene, const Solids& solids);
+/// `arrives`: the projectile as it meets the target.
+LineImpact expected_impact(const Scene& scene, const Solids& solids, const Placement& arrives);
 
 /// The scene's contact, with what it leaves out. It is to be hard as the bodies see it: 1/xi is `softness` of the
 /// expected indentation; where springs yield or break, it holds no more than `held` of the energy besides, since it
 /// gives back what they would have kept. A length R of rim has `strength` times the energy of the impact, so that
 /// neither the spacing of its nodes nor the impact lets one pass. The reach is 30/xi. [here]
-ExponentialRepulsion acting_contact(const Scene& scene, const Solids& solids);
+ExponentialRepulsion acting_contact(const Scene& scene, const Solids& solids, const Placement& arrives);
 
 }  // namespace ricochet
