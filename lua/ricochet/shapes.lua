@@ -3,30 +3,82 @@ local core = require "ricochet.core"
 
 local shapes = {}
 
--- The fields of ricochet.body among those of a shape: all but its own.
-local function body_fields(t, ...)
-  local body = {}
-  for name, value in pairs(t) do body[name] = value end
-  for _, own in ipairs { ... } do body[own] = nil end
-  return body
+-- The fields of a shape checked, with their defaults; and those of ricochet.body among them: all but its own. Nodes
+-- given one by one have no default beside them.
+local function checked(name, given, own)
+  local t, body = core.check(name, given), {}
+  for field, value in pairs(t) do body[field] = value end
+  for _, field in ipairs(own) do body[field] = nil end
+  if t.points then body.nodes, body.placement = given.nodes, given.placement end
+  return t, body
+end
+
+-- Points along an ellipse, or a circle.
+local function curve(a, b, corners)
+  local outline = {}
+  for i = 1, corners do
+    local angle = 2 * math.pi * (i - 1) / corners
+    outline[i] = { a * math.cos(angle), b * math.sin(angle) }
+  end
+  return outline
+end
+
+-- Eight corners a rim node, of which there are `rim`: the points lie on a circle to within its sagitta,
+-- (pi / corners)^2 / 2. A finer rim has more, but no more than the body has nodes.
+local function corners(t, rim, perimeter)
+  local nodes = math.max(t.nodes, t.points and #t.points or 0)
+  return 8 * math.ceil(math.max(rim * math.sqrt(nodes), math.min(perimeter / (t.rim_spacing or math.huge), nodes)))
 end
 
 function shapes.disk(given)
-  local t = core.check("disk", given)
-  local body = body_fields(t, "radius")
+  local t, body = checked("disk", given, { "radius" })
+  body.outline = curve(t.radius, t.radius, corners(t, math.sqrt(4 * math.pi), 2 * math.pi * t.radius))
+  return core.own_body(body)
+end
+
+function shapes.ellipse(given)
+  local t, body = checked("ellipse", given, { "a", "b" })
+  -- The perimeter to within 0.04 %.  [Ramanujan 1914, Q. J. Math. 45, 350]
+  local h = ((t.a - t.b) / (t.a + t.b)) ^ 2
+  local perimeter = math.pi * (t.a + t.b) * (1 + 3 * h / (10 + math.sqrt(4 - 3 * h)))
+  body.outline = curve(t.a, t.b, corners(t, perimeter / math.sqrt(math.pi * t.a * t.b), perimeter))
+  return core.own_body(body)
+end
+
+function shapes.rectangle(given)
+  local t, body = checked("rectangle", given, { "width", "height" })
+  local x, y = t.width / 2, t.height / 2
+  body.outline = { { -x, -y }, { x, -y }, { x, y }, { -x, y } }
+  return core.own_body(body)
+end
+
+function shapes.regular_polygon(given)
+  local t, body = checked("regular_polygon", given, { "sides", "radius" })
   body.outline = {}
-  -- Eight corners a rim node: the points lie on the circle to within its sagitta, (pi / corners)^2 / 2.
-  local corners = 8 * math.ceil(math.sqrt(4 * math.pi * t.nodes))
-  for i = 1, corners do
-    local angle = 2 * math.pi * (i - 1) / corners
+  for i = 1, t.sides do
+    local angle = 2 * math.pi * (i - 0.5) / t.sides - math.pi / 2
     body.outline[i] = { t.radius * math.cos(angle), t.radius * math.sin(angle) }
   end
   return core.own_body(body)
 end
 
+function shapes.polygon(given)
+  local _, body = checked("polygon", given, {})
+  return core.own_body(body)
+end
+
+function shapes.rotated(given)
+  local t = core.check("rotated", given)
+  local body = core.given(t.body)
+  if next(body) == nil then
+    core.fail("'body': a plane cannot be turned; take a wide rectangle with interior = \"rigid\"", "body")
+  end
+  body.angle = (body.angle or 0) + t.angle
+  return core.own_body(body)
+end
+
 function shapes.wall(given)
-  local t = core.check("wall", given)
-  local body = body_fields(t, "width", "depth")
+  local t, body = checked("wall", given, { "width", "depth" })
   local half, depth = t.width / 2, t.depth
   body.outline = { { -half, -depth }, { half, -depth }, { half, 0 }, { -half, 0 } }
   local rounding = 1e-9 * t.width

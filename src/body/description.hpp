@@ -2,6 +2,7 @@
 // A body as a script describes it: plain data, from which a Solid is built.
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ struct BodyNumbers : SpringLawNumbers {
   double stiffness = 1e4;
   double mass = 1;
   double roughness = 0;
+  double rim_spacing = std::numeric_limits<double>::quiet_NaN();  ///< not given: that of the lattice
+  double margin = 0;
+  double angle = 0;
   double prestress = 0;
   std::string interior = "springs";
 
@@ -28,14 +32,19 @@ struct BodyNumbers : SpringLawNumbers {
   bool rigid() const { return interior == "rigid"; }
 };
 
-/// `anchored` and `node_stiffness` hold what the script's functions said of each planned node, evaluated once; empty
-/// where no function was given.
+/// All places are those before the body is turned by its angle. `anchored` and `node_stiffness` hold what the script's
+/// functions said of each planned node, evaluated once; empty where no function was given.
 struct Body {
   Points outline;  ///< simple, counter-clockwise
   BodyNumbers numbers;
   std::vector<bool> anchored;          ///< [plan node]
   std::vector<double> node_stiffness;  ///< [plan node], in m0 c^2 / R^2
   std::optional<Plane> plane{};        ///< a rigid half-space instead of all this
+  std::vector<Points> holes{};         ///< simple, clockwise, inside the outline and outside of each other
+  Points points{};                     ///< nodes that were given, instead of placed ones
+  std::vector<std::string> files{};    ///< hashes of the files that points were read from
+  Vec2 velocity = Vec2::Zero();        ///< a target's own, before the impact [c]
+  double spin = 0;                     ///< the same [c/R]
 
   bool rigid() const { return plane || numbers.rigid(); }
   int moving_nodes() const { return rigid() ? 0 : numbers.nodes; }  ///< about as many as are computed

@@ -47,8 +47,7 @@ Frame moved_back(const Snapshot& shot, const Start& start, double time) {
     if (velocity == Vec2::Zero() && spin == 0) continue;
     const Turn turn(spin * time);
     BodyShot& body = earlier.bodies[b];
-    Vec2 centre = Vec2::Zero();
-    for (const Vec2& p : body.place) centre += p / static_cast<double>(body.place.size());
+    const Vec2 centre = in_plane(start.bodies[b].centre);
     for (Vec2& p : body.place) p = centre + time * velocity + turn(p - centre);
     for (Vec2& v : body.velocity) v = velocity + turn(v - velocity);
   }

@@ -49,13 +49,78 @@ const std::vector<Mistake> mistakes{
      "error: s.lua:2: disk: takes one table of named fields, e.g. ricochet.disk { nodes = 800, roughness = 0.03, seed "
      "= 7 }"},
     {"missing outline", "local b = ricochet.body { nodes = 50 }",
-     "error: s.lua:2: body: 'outline' is missing: corners { {x, y}, ... } in order along the boundary; concave is "
-     "fine, crossing itself is not"},
+     "error: s.lua:2: body: 'outline' is missing: corners { {x, y}, ... } in order along the boundary; the first may "
+     "close it as the last; concave is fine, crossing itself is not"},
     {"outline of two points", "local b = ricochet.body { nodes = 50, outline = { {0, 0}, {1, 0} } }",
      "error: s.lua:2: body: 'outline': needs at least 3 points, has 2"},
     {"outline that crosses itself",
      "local b = ricochet.body { nodes = 50,\n outline = { {0, 0}, {1, 1}, {1, 0}, {0, 1} } }",
      "error: s.lua:3: body: 'outline': crosses or touches itself; give its points in order along the boundary"},
+    {"outline with a point twice",
+     "local b = ricochet.polygon { nodes = 50,\n outline = { {0, 0}, {1, 0}, {1, 0}, {0, 1}, {0, 0} } }",
+     "error: s.lua:3: polygon: 'outline': points 2 and 3 are both (1, 0); leave one out"},
+    {"outline that comes back to a point",
+     "local b = ricochet.polygon { outline = { {0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1} } }",
+     "error: s.lua:2: polygon: 'outline': points 3 and 6 are both (1, 1); leave one out"},
+    {"negative axis", "local b = ricochet.ellipse { a = -1 }",
+     "error: s.lua:2: ellipse: 'a' must be greater than 0 R, is -1"},
+    {"two sides", "local b = ricochet.regular_polygon { sides = 2 }",
+     "error: s.lua:2: regular_polygon: 'sides' must be between 3 and 1000, is 2"},
+    {"a hole that is no list of points", "local b = ricochet.disk { holes = { {0, 0}, {1, 0}, {0, 1} } }",
+     "error: s.lua:2: disk: 'holes[1]' must hold points {x, y} of finite numbers; element 1 is 0"},
+    {"a hole across the outline",
+     "local b = ricochet.disk { nodes = 60,\n holes = { { {0.5, 0}, {1.5, 0}, {0.5, 0.5} } } }",
+     "error: s.lua:3: disk: 'holes': hole 1 crosses or touches the outline or a hole before it; move it, or make one "
+     "of "
+     "both"},
+    {"a hole beside the body",
+     "local b = ricochet.disk { holes = { { {0, 0}, {.1, 0}, {0, .1} }, { {5, 0}, {6, 0}, {5, 1} } } }",
+     "error: s.lua:2: disk: 'holes': hole 2 must lie inside the outline and outside of other holes; move it"},
+    {"a hole in a hole",
+     "local b = ricochet.disk { holes = { { {-.5, -.5}, {.5, -.5}, {0, .5} }, { {-.1, -.1}, {.1, -.1}, {0, .1} } } }",
+     "error: s.lua:2: disk: 'holes': hole 2 must lie inside the outline and outside of other holes; move it"},
+    {"a hole with a point twice", "local b = ricochet.disk { holes = { { {0, 0}, {.1, 0}, {.1, 0}, {0, .1} } } }",
+     "error: s.lua:2: disk: 'holes': hole 1: points 2 and 3 are both (0.1, 0); leave one out"},
+    {"nodes given beside their number", "local b = ricochet.disk { points = { {0, 0} },\n nodes = 50 }",
+     "error: s.lua:3: disk: 'nodes': give points or nodes, not both"},
+    {"a node outside", "local b = ricochet.disk { points = { {0, 0}, {0, 1.5} } }",
+     "error: s.lua:2: disk: 'points': point 2 at (0, 1.5) lies outside of the body; leave it out, or move it"},
+    {"a node twice", "local b = ricochet.disk { points = { {0, 0}, {0, .5}, {0, 0} } }",
+     "error: s.lua:2: disk: 'points': point 3 at (0, 0) is point 1 again; leave one out"},
+    {"a rim without a corner", "local b = ricochet.rectangle { points = { {0, 0}, {0, .5}, {0.5, 0.5} } }",
+     "error: s.lua:2: rectangle: 'points': some lie on the outline, but none at its corner (-1, -0.5); give one there, "
+     "or "
+     "none on the outline"},
+    {"a rim finer than the nodes", "local b = ricochet.disk {\n  rim_spacing = 1e-9 }",
+     "error: s.lua:3: disk: 'rim_spacing': 1e-09 would take 6.28e+09 nodes on the rim; raise it, or nodes"},
+    {"a rim of more nodes than there are", "local b = ricochet.disk { rim_spacing = 6e-3 }",
+     "error: s.lua:2: disk: 'nodes': 800 nodes cannot cover this outline, which needs 1047 for itself"},
+    {"a margin without room", "local b = ricochet.disk { nodes = 60, margin = 1.1, placement = 'poisson_disk' }",
+     "error: s.lua:2: disk: 'margin': 1.1 leaves no room inside the rim; lower it"},
+    {"a margin of a rigid body", "local b = ricochet.disk { interior = 'rigid', margin = 0.1 }",
+     "error: s.lua:2: disk: 'margin': says nothing of a rigid body, inside which nothing moves; leave it out"},
+    {"a wall that flies", "local b = ricochet.wall { nodes = 100,\n velocity = {0, 1} }",
+     "error: s.lua:3: wall: 'velocity': an anchored body stays where it is; leave it out, or anchor nothing"},
+    {"a rigid body that spins", "local b = ricochet.disk { interior = 'rigid', spin = 1 }",
+     "error: s.lua:2: disk: 'spin': a rigid body stays where it is; leave it out, or take interior springs"},
+    {"a velocity of three numbers", "local b = ricochet.disk { velocity = {0, 1, 2} }",
+     "error: s.lua:2: disk: 'velocity': must be {vx, vy}, has 3 numbers"},
+    {"a projectile with a velocity of its own",
+     "local b = ricochet.disk { nodes = 60, velocity = {0, 1} }\nricochet.scene { projectile = b, target = b }",
+     "error: s.lua:3: scene: 'projectile': has a velocity or spin of its own, which only a target has; say them in "
+     "launch "
+     "instead"},
+    {"a turned plane", "local b = ricochet.rotated { body = ricochet.plane {},\n angle = 3 }",
+     "error: s.lua:2: rotated: 'body': a plane cannot be turned; take a wide rectangle with interior = \"rigid\""},
+    {"a turn of no body", "local b = ricochet.rotated { body = 3, angle = 3 }",
+     "error: s.lua:2: rotated: 'body' must be a body (from ricochet.disk, ricochet.wall, ricochet.body or another "
+     "shape), "
+     "is 3"},
+    {"nodes by hand made finer",
+     "local b = ricochet.disk { points = { {0, 0}, {0.5, 0}, {0, 0.5} } }\nricochet.accuracy { scene = ricochet.scene "
+     "{ "
+     "projectile = b, target = ricochet.plane {} } }",
+     "error: s.lua:3: nodes that were given one by one cannot be made finer; give other points"},
     {"rough rim that crosses itself", "local d = ricochet.disk { nodes = 400,\n  roughness = 1 }",
      "error: s.lua:3: disk: 'roughness': the rough rim crosses itself (roughness 1, seed 1); lower the roughness or "
      "take another seed"},
@@ -67,8 +132,8 @@ const std::vector<Mistake> mistakes{
      "local w = ricochet.wall { nodes = 150 }\nlocal s = ricochet.scene { projectile = w, target = w }",
      "error: s.lua:3: scene: 'projectile': must be free, but this body has anchored nodes"},
     {"number for a body", "local s = ricochet.scene { projectile = 3, target = 4 }",
-     "error: s.lua:2: scene: 'projectile' must be a body (from ricochet.disk, ricochet.wall, ricochet.plane or "
-     "ricochet.body), is 3"},
+     "error: s.lua:2: scene: 'projectile' must be a body (from ricochet.disk, ricochet.wall, ricochet.body or "
+     "another shape), is 3"},
     {"misspelt field of an inner table",
      "local s = ricochet.scene { projectile = d, target = w,\n launch = {\n  spede = 1 } }",
      "error: s.lua:5: scene: launch: unknown field 'spede' (did you mean 'speed'?)"},

@@ -12,6 +12,7 @@ Placement flown(const Placement& placement, double time) {
   Placement later = placement;
   later.centre += time * placement.velocity;
   later.turn = placement.turn.then(time * placement.spin.z());
+  later.time += time;
   return later;
 }
 

@@ -12,6 +12,7 @@ struct Placement {
   Vec3 velocity = Vec3::Zero();  ///< [c]
   Vec3 spin = Vec3::Zero();      ///< [c/R]
   Turn turn{};                   ///< from its place at rest
+  double time = 0;               ///< since it was launched [R/c]
 };
 
 /// A body as it was built, at rest.
