@@ -24,10 +24,11 @@ local function curve(a, b, corners)
 end
 
 -- Eight corners a rim node, of which there are `rim`: the points lie on a circle to within its sagitta,
--- (pi / corners)^2 / 2. A finer rim has more, but no more than the body has nodes.
+-- (pi / corners)^2 / 2. A finer rim has more, but no more than the body has nodes: a longer one is refused anyway.
 local function corners(t, rim, perimeter)
   local nodes = math.max(t.nodes, t.points and #t.points or 0)
-  return 8 * math.ceil(math.max(rim * math.sqrt(nodes), math.min(perimeter / (t.rim_spacing or math.huge), nodes)))
+  return 8 * math.ceil(math.min(math.max(rim * math.sqrt(nodes), perimeter / (t.rim_spacing or math.huge)),
+    math.max(nodes, 100)))
 end
 
 function shapes.disk(given)

@@ -104,26 +104,40 @@ bool follows(const Rim& rim) {
   return is_simple(CellTree(rim.points, rim.cells));
 }
 
+// What would take more nodes than a body can have, or too few to follow a chain, before it is laid.
+void check_spacing(const Body& body, double spacing) {
+  const double wanted = length_of(body) / spacing;
+  constexpr double most = 1e7;
+  if (!given(body.numbers.rim_spacing)) {
+    if (!(wanted <= most))
+      throw FieldError("nodes", fmt::format("{} nodes cannot cover this outline, which needs {:.3g} for itself",
+                                            body.numbers.nodes, wanted));
+    return;
+  }
+  if (!(wanted <= (body.points.empty() ? body.numbers.nodes : most)))
+    throw FieldError("rim_spacing",
+                     fmt::format("{:g} would take {:.4g} nodes on the rim; raise it, or nodes", spacing, wanted));
+  for (const Points& chain : outlines_of(body))
+    if (const double length = perimeter(chain); 4 * spacing > length)
+      throw FieldError("rim_spacing", fmt::format("{:g} is too long to follow an outline of length {:.4g}; lower it",
+                                                  spacing, length));
+}
+
 Rim lay_rim(const Body& body, const GivenNodes& nodes) {
-  const BodyNumbers& numbers = body.numbers;
-  const double spacing = rim_spacing_of(body, nodes), most = body.points.empty() ? numbers.nodes : 1e7;
-  if (given(numbers.rim_spacing) && !(length_of(body) / spacing < 2 * most))
-    throw FieldError("rim_spacing", fmt::format("{:g} would take {:.3g} nodes on the rim; raise it, or nodes", spacing,
-                                                length_of(body) / spacing));
+  const double spacing = rim_spacing_of(body, nodes);
+  check_spacing(body, spacing);
   Rim rim;
   const std::vector<Points> chains = outlines_of(body);
   for (std::size_t k = 0; k < chains.size(); ++k)
     rim.add(nodes.on_chain[k].empty() ? resample(chains[k], spacing) : nodes.on_chain[k]);
-  const char* field = !body.points.empty() ? "points" : given(numbers.rim_spacing) ? "rim_spacing" : "nodes";
-  if (static_cast<double>(rim.points.size()) > most)
+  if (body.points.empty() && static_cast<int>(rim.points.size()) > body.numbers.nodes)
     throw FieldError("nodes", fmt::format("{} nodes cannot cover this outline, which needs {} for itself",
-                                          numbers.nodes, rim.points.size()));
-  if (!follows(rim))
-    throw FieldError(field,
-                     body.points.empty() && !given(numbers.rim_spacing)
-                         ? fmt::format("{} nodes are too few to follow this outline without crossing it", numbers.nodes)
-                         : "leaves too few nodes on the rim to follow the outline without crossing it");
-  return rim;
+                                          body.numbers.nodes, rim.points.size()));
+  if (follows(rim)) return rim;
+  if (!body.points.empty())
+    throw FieldError("points", "are too few to follow the outline without crossing it; give more, or a rim_spacing");
+  throw FieldError("nodes",
+                   fmt::format("{} nodes are too few to follow this outline without crossing it", body.numbers.nodes));
 }
 
 // Moves the rim's points along its normals.

@@ -246,27 +246,40 @@ std::vector<Field> number_fields(const BodyNumbers& defaults = {}) {
   return fields;
 }
 
-}  // namespace
-
-Group body_functions() {
-  const std::vector<Field> outline{
+const std::vector<Field>& outline_field() {
+  static const std::vector<Field> outline{
       {"outline", "points", "R",
        "corners { {x, y}, ... } in order along the boundary; the first may close it as the last; concave is fine, "
        "crossing itself is not"}};
-  // What every shape takes beside what it is made from.
-  const std::vector<Field> more{
+  return outline;
+}
+
+// What a body takes beside its shape and its numbers.
+std::vector<Field> common_fields() {
+  return {
       {"holes", "outlines", "R", "outlines inside it, free of nodes, whose rims are as its own", any_number, "", true},
       {"points", "points", "R",
        "its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of "
-       "its "
-       "rim there; an outline without any is divided as usual",
+       "its rim there; an outline without any is divided as usual",
        any_number, "", true},
-      {"anchored", "function", "", "function (x, y) that is true where a node is held fixed", any_number, "", true},
       {"velocity", "numbers", "c", "{vx, vy} before the impact, in space as launch.speed is; of a free target",
        any_number, "", true},
       {"spin", "number", "c/R", "angular velocity before the impact, counter-clockwise; of a free target", any_number,
        "0"}};
-  const std::vector<Field> more_of_wall{more[0], more[1], more[3], more[4]};
+}
+
+Function shape(const char* name, const char* doc, const std::vector<Field>& own, const char* example) {
+  const std::vector<Field> anchored{
+      {"anchored", "function", "", "function (x, y) that is true where a node is held fixed", any_number, "", true}};
+  return {.name = name,
+          .doc = doc,
+          .fields = own + number_fields() + anchored + common_fields(),
+          .returns = "body",
+          .example = example};
+}
+
+// Those that lua/ricochet/shapes.lua makes of a size.
+std::vector<Function> sized_shapes() {
   const std::vector<Field> radius{{"radius", "number", "R", "radius", positive, "1"}};
   const std::vector<Field> axes{{"a", "number", "R", "half axis along x", positive, "1"},
                                 {"b", "number", "R", "half axis along y", positive, "0.5"}};
@@ -274,55 +287,64 @@ Group body_functions() {
                                  {"height", "number", "R", "extent along y, centred", positive, "1"}};
   const std::vector<Field> corners{{"sides", "integer", "", "how many sides, of equal length", {3, 1000}, "6"},
                                    {"radius", "number", "R", "of its corners from the centre", positive, "1"}};
+  return {
+      shape("disk", "A disk around the origin.", radius, "ricochet.disk { nodes = 800, roughness = 0.03, seed = 7 }"),
+      shape("ellipse", "An ellipse around the origin.", axes,
+            "ricochet.ellipse { a = 1.2, b = 0.8, nodes = 800, placement = \"poisson_disk\" }"),
+      shape("rectangle", "A rectangle around the origin.", sides,
+            "ricochet.rectangle { width = 2, height = 0.5, velocity = {0, 0.02}, spin = 0.01 }"),
+      shape("regular_polygon",
+            "A regular polygon around the origin that stands on a side. From 12 sides on its rim takes the corners "
+            "for a curve, and may cut them.",
+            corners, "ricochet.regular_polygon { sides = 3, radius = 1, nodes = 400 }")};
+}
+
+Function rotated_function() {
+  return {.name = "rotated",
+          .doc = "A body turned about the origin: the same nodes and springs, elsewhere. A plane is refused.",
+          .fields = {{"body", "body", "", "what is turned; stays as it is"},
+                     {"angle", "number", "degrees", "counter-clockwise"}},
+          .returns = "body",
+          .example = "ricochet.rotated { body = ricochet.rectangle {}, angle = 30 }"};
+}
+
+Function wall_function() {
   const std::vector<Field> extent{{"width", "number", "R", "extent along x, centred", positive, "8"},
                                   {"depth", "number", "R", "extent below y = 0", positive, "2"}};
   BodyNumbers of_wall;
   of_wall.nodes = 4000;
-  const auto shape = [&](const char* name, const char* doc, const std::vector<Field>& own, const char* example) {
-    return Function{
-        .name = name, .doc = doc, .fields = own + number_fields() + more, .returns = "body", .example = example};
-  };
-  Function body_function = shape("body", "A random mass-spring lattice in a closed outline, or a rigid body.", outline,
-                                 "ricochet.body { outline = { {0, 0}, {2, 0}, {1, 2} }, nodes = 300 }");
-  body_function.call = guarded<body<false>>;
-  return {
-      .functions =
-          {body_function,
-           shape("disk", "A disk around the origin.", radius,
-                 "ricochet.disk { nodes = 800, roughness = 0.03, seed = 7 }"),
-           shape("ellipse", "An ellipse around the origin.", axes,
-                 "ricochet.ellipse { a = 1.2, b = 0.8, nodes = 800, placement = \"poisson_disk\" }"),
-           shape("rectangle", "A rectangle around the origin.", sides,
-                 "ricochet.rectangle { width = 2, height = 0.5, velocity = {0, 0.02}, spin = 0.01 }"),
-           shape(
-               "regular_polygon",
-               "A regular polygon around the origin that stands on a side. From 12 sides on its rim takes the corners "
-               "for a curve, and may cut them.",
-               corners, "ricochet.regular_polygon { sides = 3, radius = 1, nodes = 400 }"),
-           shape("polygon", "A body in a closed outline, such as one from a file; the same as ricochet.body.", outline,
-                 "ricochet.polygon { outline = { {0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0} }, holes = { { {0.5, 0.5}, "
-                 "{1.5, 0.5}, {1, 1.5} } } }"),
-           {.name = "rotated",
-            .doc = "A body turned about the origin: the same nodes and springs, elsewhere. A plane is refused.",
-            .fields = {{"body", "body", "", "what is turned; stays as it is"},
-                       {"angle", "number", "degrees", "counter-clockwise"}},
-            .returns = "body",
-            .example = "ricochet.rotated { body = ricochet.rectangle {}, angle = 30 }"},
-           {.name = "wall",
-            .doc = "A rectangular block whose top is y = 0, held at both sides and at the bottom.",
-            .fields = extent + number_fields(of_wall) + more_of_wall,
-            .returns = "body",
-            .example = "ricochet.wall { nodes = 4000, stiffness = 100, roughness = 0.03, seed = 7 }"},
-           {.name = "plane",
-            .doc = "The rigid half-plane y <= 0, as a target: a projectile's rim node at the height y has the "
-                   "energy V0 exp(-xi y). Nothing in it moves, so a scene costs the projectile alone.",
-            .fields = {},
-            .returns = "body",
-            .example = "ricochet.plane {}",
-            .call = guarded<plane>}},
-      .natives = {{"own_body", guarded<body<true>>}},
-      .add = [](lua_State* L) { make_type(L, "ricochet.body", collect_object<BodyObject>); },
-  };
+  return {.name = "wall",
+          .doc = "A rectangular block whose top is y = 0, held at both sides and at the bottom.",
+          .fields = extent + number_fields(of_wall) + common_fields(),
+          .returns = "body",
+          .example = "ricochet.wall { nodes = 4000, stiffness = 100, roughness = 0.03, seed = 7 }"};
+}
+
+Function plane_function() {
+  return {.name = "plane",
+          .doc =
+              "The rigid half-plane y <= 0, as a target: a projectile's rim node at the height y has the "
+              "energy V0 exp(-xi y). Nothing in it moves, so a scene costs the projectile alone.",
+          .fields = {},
+          .returns = "body",
+          .example = "ricochet.plane {}",
+          .call = guarded<plane>};
+}
+
+}  // namespace
+
+Group body_functions() {
+  Function of_outline = shape("body", "A random mass-spring lattice in a closed outline, or a rigid body.",
+                              outline_field(), "ricochet.body { outline = { {0, 0}, {2, 0}, {1, 2} }, nodes = 300 }");
+  of_outline.call = guarded<body<false>>;
+  const Function polygon = shape(
+      "polygon", "A body in a closed outline, such as one from a file; the same as ricochet.body.", outline_field(),
+      "ricochet.polygon { outline = { {0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0} }, holes = { { {0.5, 0.5}, "
+      "{1.5, 0.5}, {1, 1.5} } } }");
+  return {.functions = std::vector{of_outline} + sized_shapes() +
+                       std::vector{polygon, rotated_function(), wall_function(), plane_function()},
+          .natives = {{"own_body", guarded<body<true>>}},
+          .add = [](lua_State* L) { make_type(L, "ricochet.body", collect_object<BodyObject>); }};
 }
 
 }  // namespace ricochet

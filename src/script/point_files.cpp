@@ -78,7 +78,7 @@ class PointReader {
 };
 
 // points(name): the list { {x, y}, ..., hash = that of the file }.
-int points(lua_State* L) {
+int points_file(lua_State* L) {
   if (lua_type(L, 1) != LUA_TSTRING)
     throw at_this_call(L, fmt::format("takes the name of a file beside the script, is {}", shown(L, 1)));
   std::size_t length = 0;
@@ -125,7 +125,7 @@ Group point_functions() {
                       "the points: another file makes another scene.",
                .returns = "points",
                .example = "local wing = ricochet.polygon { outline = ricochet.points(\"wing.csv\"), nodes = 400 }",
-               .call = guarded<points>,
+               .call = guarded<points_file>,
                .arguments = {{"name", "string"}}}}};
 }
 

@@ -92,9 +92,13 @@ const std::vector<Mistake> mistakes{
      "or "
      "none on the outline"},
     {"a rim finer than the nodes", "local b = ricochet.disk {\n  rim_spacing = 1e-9 }",
-     "error: s.lua:3: disk: 'rim_spacing': 1e-09 would take 6.28e+09 nodes on the rim; raise it, or nodes"},
+     "error: s.lua:3: disk: 'rim_spacing': 1e-09 would take 6.283e+09 nodes on the rim; raise it, or nodes"},
     {"a rim of more nodes than there are", "local b = ricochet.disk { rim_spacing = 6e-3 }",
-     "error: s.lua:2: disk: 'nodes': 800 nodes cannot cover this outline, which needs 1047 for itself"},
+     "error: s.lua:2: disk: 'rim_spacing': 0.006 would take 1047 nodes on the rim; raise it, or nodes"},
+    {"a rim too coarse for its outline", "local b = ricochet.disk { rim_spacing = 3 }",
+     "error: s.lua:2: disk: 'rim_spacing': 3 is too long to follow an outline of length 6.283; lower it"},
+    {"a needle", "local b = ricochet.ellipse { a = 1e-9, b = 1e9 }",
+     "error: s.lua:2: ellipse: 'nodes': 800 nodes cannot cover this outline, which needs *"},
     {"a margin without room", "local b = ricochet.disk { nodes = 60, margin = 1.1, placement = 'poisson_disk' }",
      "error: s.lua:2: disk: 'margin': 1.1 leaves no room inside the rim; lower it"},
     {"a margin of a rigid body", "local b = ricochet.disk { interior = 'rigid', margin = 0.1 }",
@@ -117,9 +121,8 @@ const std::vector<Mistake> mistakes{
      "shape), "
      "is 3"},
     {"nodes by hand made finer",
-     "local b = ricochet.disk { points = { {0, 0}, {0.5, 0}, {0, 0.5} } }\nricochet.accuracy { scene = ricochet.scene "
-     "{ "
-     "projectile = b, target = ricochet.plane {} } }",
+     "local b = ricochet.disk { points = { {0, 0}, {0.5, 0}, {0, 0.5} } }\nricochet.accuracy { methods = { 'verlet' }, "
+     "lattices = { 2, 4 }, steps = { 1e-3 },\n  scene = ricochet.scene { projectile = b, target = ricochet.plane {} } }",
      "error: s.lua:3: nodes that were given one by one cannot be made finer; give other points"},
     {"rough rim that crosses itself", "local d = ricochet.disk { nodes = 400,\n  roughness = 1 }",
      "error: s.lua:3: disk: 'roughness': the rough rim crosses itself (roughness 1, seed 1); lower the roughness or "
