@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "impact/launch/launch.hpp"
 #include "impact/watch/parting.hpp"
 #include "scenes.hpp"
 #include "script/objects.hpp"
@@ -368,6 +369,34 @@ return r.scene {{ projectile = r.disk {{ nodes = 60, placement = "triangular" }}
                                             3 * side));
     CHECK_THAT(starts(side * 3.001), Catch::Matchers::Contains("passes beside the target"));
   }
+}
+
+TEST_CASE("a disk that lands on either edge of its target does the same, mirrored") {
+  const auto on_edge = [](int side) {
+    const Chunk made(fmt::format(R"lua(
+local side = {}
+local function strewn(count, inside)
+  local points = {{}}
+  for i = 1, count do
+    local x, y = 2 * ((0.754877666 * i) % 1) - 1, 2 * ((0.569840291 * i) % 1) - 1
+    if inside(x, y) then points[#points + 1] = {{ side * x, y }} end
+  end
+  return points
+end
+local disk = r.disk {{ points = strewn(60, function(x, y) return x * x + y * y < 0.7 end) }}
+local block = r.rectangle {{ width = 2.2, height = 2.2, points = strewn(60, function() return true end) }}
+return r.scene {{ projectile = disk, target = block, launch = {{ at = 1.6 * side, speed = 0.1 }},
+  contact = {{ V0 = 150, xi = 300, reach = 0.1, sides = "two" }} }})lua",
+                                 side));
+    const Scene& scene = made.scene();
+    return run_scene(BuiltSolids(scene), scene, go_on);
+  };
+  const Outcome left = on_edge(-1), right = on_edge(1);
+  REQUIRE(left.status == Status::finished);
+  CHECK(left.vt < -0.03);  // off the edge, not off the top
+  CHECK(left.e == Approx(right.e).epsilon(1e-6));
+  CHECK(left.vt == Approx(-right.vt).epsilon(1e-6));
+  CHECK(left.omega == Approx(-right.omega).epsilon(1e-6));
 }
 
 TEST_CASE("points come from a file beside the script, and another file makes another scene") {
