@@ -45,9 +45,9 @@ function ricochet.parameters(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
 ---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
----@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- A random mass-spring lattice in a closed outline, or a rigid body.
@@ -69,9 +69,9 @@ function ricochet.body(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
 ---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
----@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- A disk around the origin.
@@ -94,9 +94,9 @@ function ricochet.disk(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
 ---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
----@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- An ellipse around the origin.
@@ -119,9 +119,9 @@ function ricochet.ellipse(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
 ---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
----@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- A rectangle around the origin.
@@ -144,9 +144,9 @@ function ricochet.rectangle(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
 ---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
----@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- A regular polygon around the origin that stands on a side. From 12 sides on its rim takes the corners for a curve, and may cut them.
@@ -168,9 +168,9 @@ function ricochet.regular_polygon(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
 ---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
----@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- A body in a closed outline, such as one from a file; the same as ricochet.body.

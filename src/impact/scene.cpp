@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "impact/axes.hpp"
 
 namespace ricochet {
 namespace {
@@ -25,7 +26,8 @@ std::string text_of(const std::string& prefix, const Struct& values) {
 // Only where there is one, so that older texts stay.
 std::string motion_text(const Body& target) {
   if (target.velocity == Vec2::Zero() && target.spin == 0) return "";
-  return fmt::format("target velocity {} {} spin {}\n", target.velocity.x(), target.velocity.y(), target.spin);
+  return fmt::format("target velocity {} {} spin {}\n", tangential(target.velocity), normal(target.velocity),
+                     target.spin);
 }
 
 }  // namespace

@@ -122,7 +122,8 @@ const std::vector<Mistake> mistakes{
      "is 3"},
     {"nodes by hand made finer",
      "local b = ricochet.disk { points = { {0, 0}, {0.5, 0}, {0, 0.5} } }\nricochet.accuracy { methods = { 'verlet' }, "
-     "lattices = { 2, 4 }, steps = { 1e-3 },\n  scene = ricochet.scene { projectile = b, target = ricochet.plane {} } }",
+     "lattices = { 2, 4 }, steps = { 1e-3 },\n  scene = ricochet.scene { projectile = b, target = ricochet.plane {} } "
+     "}",
      "error: s.lua:3: nodes that were given one by one cannot be made finer; give other points"},
     {"rough rim that crosses itself", "local d = ricochet.disk { nodes = 400,\n  roughness = 1 }",
      "error: s.lua:3: disk: 'roughness': the rough rim crosses itself (roughness 1, seed 1); lower the roughness or "

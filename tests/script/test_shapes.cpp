@@ -149,7 +149,7 @@ TEST_CASE("a body with a hole has the mass and the area that are left, and a rim
 TEST_CASE("a body in a hole touches nothing until it comes to the hole's rim, and bounces off it there") {
   // A plate with a wide hole, held; a small disk falls inside it.
   const Chunk made(R"lua(
-local plate = r.rectangle { width = 6, height = 6, nodes = 700, placement = "poisson_disk", interior = "rigid",
+local plate = r.rectangle { width = 6, height = 6, nodes = 700, interior = "rigid",
   holes = { { {-2, -2}, {2, -2}, {2, 2}, {-2, 2} } } }
 return r.disk { radius = 0.3, nodes = 40, placement = "triangular" }, plate)lua");
   const auto ball = build_solid(made.body(1)), plate = build_solid(made.body(2));
@@ -185,9 +185,9 @@ TEST_CASE("nodes given one by one are the body's: those on the outline are its r
   CHECK(surface_nodes(block->surface).size() == 24);
   CHECK(sheet_of(*block).area == Approx(2).epsilon(1e-12));
   CHECK(made.body(1).numbers.nodes == 45);
-  // Where none lies on the outline, the rim is spaced as they are: (4 + L/s) s^2 = pi, so s = 0.5.
-  CHECK(surface_nodes(disk->surface).size() == 13);
-  CHECK(disk->nodes() == 17);
+  // Where none lies on the outline, the rim is spaced as they are: (4 + L/s) s^2 = pi, so s = 0.399.
+  CHECK(surface_nodes(disk->surface).size() == 16);
+  CHECK(disk->nodes() == 20);
 }
 
 TEST_CASE("nodes given on a circle count as its rim, though the outline is a polygon") {
@@ -248,7 +248,7 @@ for i = 1, 60 do
   points[i] = {{ side * (1.9 * a - 0.95), 0.4 * b - 0.2 }}
 end
 local bar = r.rectangle {{ width = 2, height = 0.5, points = points, stiffness = 1e5 }}
-return r.scene {{ projectile = r.rotated {{ body = bar, angle = 25 * side }}, target = r.plane {{}},
+return r.scene {{ projectile = r.rotated {{ body = bar, angle = 50 * side }}, target = r.plane {{}},
   contact = {{ V0 = 150, xi = 300, reach = 0.1, sides = "two" }}, launch = {{ speed = 0.02 }} }})lua",
                                side));
   return made.scene();
@@ -263,12 +263,13 @@ TEST_CASE("a tilted bar takes the spin of its impulse's arm, and its mirror imag
   REQUIRE(a.status == Status::finished);
   CHECK(a.e == Approx(b.e).epsilon(1e-6));
   CHECK(a.omega == Approx(-b.omega).epsilon(1e-6));
-  // omega I = (r x J)_z with r from the centre of mass to the lowest corner: the plane pushes along its normal alone.
+  // It strikes once: its centre leaves upwards.  omega I = (r x J)_z with r from the centre of mass to the lowest
+  // corner: the plane pushes along its normal alone.
   Vec2 lowest = built[0].points[0];
   for (const Vec2& p : built[0].points)
     if (p.y() < lowest.y()) lowest = p;
   const double arm = (lowest - built[0].centre()).x();
-  CHECK(std::abs(arm) > 0.5);
+  CHECK(std::abs(arm) > 0.4);
   CHECK(a.omega == Approx(arm * a.impulse_n / built[0].inertia()).epsilon(0.02));
 }
 
@@ -352,9 +353,9 @@ TEST_CASE("bodies have not parted for good while a spinning target can still str
 TEST_CASE("launch.at ends alike at both edges of the target") {
   const auto starts = [](double at) {
     const Chunk made(fmt::format(R"lua(
-return r.scene {{ projectile = r.disk {{ nodes = 60, placement = "triangular" }},
+return r.scene {{ projectile = r.rectangle {{ width = 2, height = 1, points = {} }},
   target = r.rectangle {{ width = 4, height = 1, nodes = 60, interior = "rigid" }}, launch = {{ at = {} }} }})lua",
-                                 at));
+                                 grid(8, 4, 2, 1), at));
     const Scene& scene = made.scene();
     try {
       return launch(scene, BuiltSolids(scene)).touches ? std::string("touches") : std::string("misses");
@@ -371,7 +372,7 @@ return r.scene {{ projectile = r.disk {{ nodes = 60, placement = "triangular" }}
   }
 }
 
-TEST_CASE("a disk that lands on either edge of its target does the same, mirrored") {
+TEST_CASE("a body that lands on either edge of its target does the same, mirrored") {
   const auto on_edge = [](int side) {
     const Chunk made(fmt::format(R"lua(
 local side = {}
@@ -383,9 +384,9 @@ local function strewn(count, inside)
   end
   return points
 end
-local disk = r.disk {{ points = strewn(60, function(x, y) return x * x + y * y < 0.7 end) }}
+local octagon = r.regular_polygon {{ sides = 8, points = strewn(60, function(x, y) return x * x + y * y < 0.7 end) }}
 local block = r.rectangle {{ width = 2.2, height = 2.2, points = strewn(60, function() return true end) }}
-return r.scene {{ projectile = disk, target = block, launch = {{ at = 1.6 * side, speed = 0.1 }},
+return r.scene {{ projectile = octagon, target = block, launch = {{ at = 1.6 * side, speed = 0.1 }},
   contact = {{ V0 = 150, xi = 300, reach = 0.1, sides = "two" }} }})lua",
                                  side));
     const Scene& scene = made.scene();
