@@ -3,14 +3,14 @@ local core = require "ricochet.core"
 
 local shapes = {}
 
--- The fields of a shape checked, with their defaults; and those of ricochet.body among them: all but its own. Nodes
--- given one by one have no default beside them.
-local function checked(name, given, own)
-  local t, body = core.check(name, given), {}
-  for field, value in pairs(t) do body[field] = value end
-  for _, field in ipairs(own) do body[field] = nil end
+-- The fields of ricochet.body among those of a shape: all but its own. Nodes given one by one have no default beside
+-- them.
+local function body_fields(given, t, ...)
+  local body = {}
+  for name, value in pairs(t) do body[name] = value end
+  for _, own in ipairs { ... } do body[own] = nil end
   if t.points then body.nodes, body.placement = given.nodes, given.placement end
-  return t, body
+  return body
 end
 
 -- Points along an ellipse, or a circle.
@@ -32,13 +32,15 @@ local function corners(t, rim, perimeter)
 end
 
 function shapes.disk(given)
-  local t, body = checked("disk", given, { "radius" })
+  local t = core.check("disk", given)
+  local body = body_fields(given, t, "radius")
   body.outline = curve(t.radius, t.radius, corners(t, math.sqrt(4 * math.pi), 2 * math.pi * t.radius))
   return core.own_body(body)
 end
 
 function shapes.ellipse(given)
-  local t, body = checked("ellipse", given, { "a", "b" })
+  local t = core.check("ellipse", given)
+  local body = body_fields(given, t, "a", "b")
   -- The perimeter to within 0.04 %.  [Ramanujan 1914, Q. J. Math. 45, 350]
   local h = ((t.a - t.b) / (t.a + t.b)) ^ 2
   local perimeter = math.pi * (t.a + t.b) * (1 + 3 * h / (10 + math.sqrt(4 - 3 * h)))
@@ -47,14 +49,16 @@ function shapes.ellipse(given)
 end
 
 function shapes.rectangle(given)
-  local t, body = checked("rectangle", given, { "width", "height" })
+  local t = core.check("rectangle", given)
+  local body = body_fields(given, t, "width", "height")
   local x, y = t.width / 2, t.height / 2
   body.outline = { { -x, -y }, { x, -y }, { x, y }, { -x, y } }
   return core.own_body(body)
 end
 
 function shapes.regular_polygon(given)
-  local t, body = checked("regular_polygon", given, { "sides", "radius" })
+  local t = core.check("regular_polygon", given)
+  local body = body_fields(given, t, "sides", "radius")
   body.outline = {}
   for i = 1, t.sides do
     local angle = 2 * math.pi * (i - 0.5) / t.sides - math.pi / 2
@@ -64,8 +68,7 @@ function shapes.regular_polygon(given)
 end
 
 function shapes.polygon(given)
-  local _, body = checked("polygon", given, {})
-  return core.own_body(body)
+  return core.own_body(body_fields(given, core.check("polygon", given)))
 end
 
 function shapes.rotated(given)
@@ -79,7 +82,8 @@ function shapes.rotated(given)
 end
 
 function shapes.wall(given)
-  local t, body = checked("wall", given, { "width", "depth" })
+  local t = core.check("wall", given)
+  local body = body_fields(given, t, "width", "depth")
   local half, depth = t.width / 2, t.depth
   body.outline = { { -half, -depth }, { half, -depth }, { half, 0 }, { -half, 0 } }
   local rounding = 1e-9 * t.width
