@@ -146,22 +146,6 @@ TEST_CASE("a body with a hole has the mass and the area that are left, and a rim
   }
 }
 
-TEST_CASE("a body in a hole touches nothing until it comes to the hole's rim, and bounces off it there") {
-  // A plate with a wide hole, held; a small disk falls inside it.
-  const Chunk made(R"lua(
-local plate = r.rectangle { width = 6, height = 6, nodes = 700, interior = "rigid",
-  holes = { { {-2, -2}, {2, -2}, {2, 2}, {-2, 2} } } }
-return r.disk { radius = 0.3, nodes = 40, placement = "triangular" }, plate)lua");
-  const auto ball = build_solid(made.body(1)), plate = build_solid(made.body(2));
-  const PlacedSurface frame(plate->surface, surface_points(*plate));
-  Placement at = placed_at_rest(*ball);
-  CHECK(distance_of(PlacedSurface(ball->surface, surface_points(*ball)), frame) == Approx(1.7).epsilon(0.01));
-  CHECK_FALSE(inside_one_another(PlacedSurface(ball->surface, surface_points(*ball)), frame, true, 0));
-  at.centre.y() = -1.8;
-  CHECK(inside_one_another(PlacedSurface(ball->surface, placed(surface_points(*ball), ball->centre(), at)), frame, true,
-                           0));
-}
-
 TEST_CASE("a ring falls on a wall as a body does: certified, with its energy and momentum kept") {
   const Chunk made(std::string(round_hole) + R"lua(
 return r.scene { projectile = r.disk { nodes = 150, placement = "poisson_disk", holes = { hole } },
