@@ -2,7 +2,7 @@
 // A body as a script describes it: plain data, from which a Solid is built.
 
 #include <cstdint>
-#include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,15 +14,19 @@
 
 namespace ricochet {
 
+/// The paper's: 800 nodes of m0 in a disk of radius R. [m0/R^2]
+inline constexpr double usual_density = 800 / std::numbers::pi;
+
 /// The numbers that describe a body in a closed outline. Units: R, m0, c.
 struct BodyNumbers : SpringLawNumbers {
   int nodes = 800;
-  std::string placement = "uniform";
+  std::string placement = "poisson_disk";
   std::int64_t seed = 1;
   double stiffness = 1e4;
-  double mass = 1;
+  double density = not_given;  ///< of the area; `usual_density` where neither it nor `mass` is given
+  double mass = not_given;     ///< of every node
   double roughness = 0;
-  double rim_spacing = std::numeric_limits<double>::quiet_NaN();  ///< not given: that of the lattice
+  double rim_spacing = not_given;  ///< that of the lattice unless given
   double margin = 0;
   double angle = 0;
   double prestress = 0;
@@ -30,15 +34,18 @@ struct BodyNumbers : SpringLawNumbers {
 
   static const std::vector<Member<BodyNumbers>>& fields();
   bool rigid() const { return interior == "rigid"; }
+  /// Of the area; NaN if every node has a mass of its own accord.
+  double area_density() const;
 };
 
-/// All places are those before the body is turned by its angle. `anchored` and `node_stiffness` hold what the script's
-/// functions said of each planned node, evaluated once; empty where no function was given.
+/// All places are those before the body is turned by its angle. `anchored`, `node_stiffness` and `node_density` hold
+/// what the script's functions said of each planned node, evaluated once; empty where no function was given.
 struct Body {
   Points outline;  ///< simple, counter-clockwise
   BodyNumbers numbers;
   std::vector<bool> anchored;          ///< [plan node]
   std::vector<double> node_stiffness;  ///< [plan node], in m0 c^2 / R^2
+  std::vector<double> node_density{};  ///< [plan node], in m0 / R^2
   std::optional<Plane> plane{};        ///< a rigid half-space instead of all this
   std::vector<Points> holes{};         ///< simple, clockwise, inside the outline and outside of each other
   Points points{};                     ///< nodes that were given, instead of placed ones
