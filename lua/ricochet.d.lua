@@ -85,11 +85,12 @@ function ricochet.disk(t) end
 ---@field a? number half axis along x [R] (default 1)
 ---@field b? number half axis along y [R] (default 0.5)
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed (default uniform)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field mass? number mass of one node [m0] (default 1)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
@@ -110,11 +111,12 @@ function ricochet.ellipse(t) end
 ---@field width? number extent along x, centred [R] (default 2)
 ---@field height? number extent along y, centred [R] (default 1)
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed (default uniform)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field mass? number mass of one node [m0] (default 1)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
@@ -135,11 +137,12 @@ function ricochet.rectangle(t) end
 ---@field sides? integer how many sides, of equal length (default 6)
 ---@field radius? number of its corners from the centre [R] (default 1)
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed (default uniform)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field mass? number mass of one node [m0] (default 1)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
@@ -159,11 +162,12 @@ function ricochet.regular_polygon(t) end
 ---@class ricochet.polygon_fields
 ---@field outline number[][] corners { {x, y}, ... } in order along the boundary; the first may close it as the last; concave is fine, crossing itself is not [R]
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed (default uniform)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field mass? number mass of one node [m0] (default 1)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
