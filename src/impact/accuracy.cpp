@@ -288,6 +288,7 @@ std::string kind_of(const Body& body) {
   const Vec2 extent = high - low;
   kind +=
       fmt::format(" {} {:.9g} {:.9g} {:.9g};", body.anchored.empty(), signed_area(body.outline), extent[0], extent[1]);
+  for (const Points& hole : body.holes) kind += fmt::format("{:.9g};", signed_area(hole));
   if (const auto& k = body.node_stiffness; !k.empty())
     kind += fmt::format("{:.2g} {:.2g};", *std::min_element(k.begin(), k.end()), *std::max_element(k.begin(), k.end()));
   return kind;
@@ -295,7 +296,8 @@ std::string kind_of(const Body& body) {
 
 // What scenes that share their trials have in common.
 std::string kind_of(const Scene& scene) {
-  std::string kind = fmt::format("{:.9g}", scene.launch.velocity().norm());
+  std::string kind =
+      fmt::format("{:.9g} {:.9g}", (scene.launch.velocity() - scene.target->velocity).norm(), scene.target->spin);
   for (const Body* body : scene.bodies()) kind += kind_of(*body);
   const Integration& i = scene.integration;
   return kind +

@@ -233,6 +233,7 @@ TEST_CASE("scripts and examples of the project run short") {
                                     "examples/02_soft_and_hard.lua nodes=60 frames=3",
                                     "examples/03_super_rebound.lua nodes=60 samples=3 frames=3",
                                     "examples/04_waves.lua nodes=600 frames=3",
+                                    "examples/05_shapes.lua nodes=80",
                                     "scripts/elasticity.lua samples=1 height=3",
                                     "scripts/benchmark.lua nodes=60 samples=1 psi1=0,1 growth=300,600",
                                     "scripts/soft_wall.lua --check samples=1",
