@@ -355,7 +355,7 @@ std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, con
       scenes[i].integration.method = choice.method;
       scenes[i].integration.theta = choice.theta;
       scenes[i].integration.accuracy = not_given;
-      scenes[i].error_estimate = choice.error;
+      scenes[i].error_step = choice.error;
     }
   }
   return scenes;

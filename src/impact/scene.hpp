@@ -53,7 +53,7 @@ struct Scene {
   ExponentialRepulsion contact;
   Integration integration;
   std::vector<Effect> effects;  ///< what acts beside springs and contact
-  double error_estimate =
+  double error_step =
       not_given;  ///< of integration.accuracy_of, if its step was chosen for an accuracy; no part of the text
 
   /// By index, as the engine moves them.

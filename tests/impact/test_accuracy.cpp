@@ -166,9 +166,9 @@ TEST_CASE("scenes of one kind share their trials, and keep the estimate") {
   CHECK(told == 1);
   CHECK(chosen[0].integration.theta > 0);
   CHECK(chosen[0].integration.theta == chosen[7].integration.theta);
-  CHECK(chosen[0].error_estimate <= 1e-4);
+  CHECK(chosen[0].error_step <= 1e-4);
   CHECK(chosen[8].hash() == plain.hash());
-  CHECK(run_scene(BuiltSolids(chosen[0]), chosen[0], go_on).error_estimate == chosen[0].error_estimate);
+  CHECK(run_scene(BuiltSolids(chosen[0]), chosen[0], go_on).error_step == chosen[0].error_step);
 }
 
 TEST_CASE(
@@ -199,7 +199,7 @@ TEST_CASE(
     fine.integration.theta = not_given;
     const double error = std::abs(o.e - e_of(*p, *t, fine, "blanes_moan_srkn6b", 0.4 * o.step));
     missed += error > 1e-4;
-    underestimated += error > 2 * o.error_estimate;
+    underestimated += error > 2 * o.error_step;
     ++count;
     worst = std::max(worst, error);
   }

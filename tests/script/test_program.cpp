@@ -72,7 +72,7 @@ TEST_CASE("a scene that asks for an accuracy says what was chosen, and its rows 
   CHECK_THAT(ended.out, Catch::Matchers::Matches(
                             "accuracy 1e-05 of e: (verlet|takahashi_imada|multirate_[2358]) with theta [^]*"));
   const Table table = read_table(here.path / "out/s/results.h5");
-  for (const double estimate : table.number("error_estimate")->values) CHECK((estimate > 0 && estimate <= 1e-5));
+  for (const double estimate : table.number("error_step")->values) CHECK((estimate > 0 && estimate <= 1e-5));
   CHECK(here.script(text, "samples=2 --quiet --resume").status == 0);  // the same steps again, so the same scenes
 }
 
