@@ -237,7 +237,7 @@ function ricochet.points(name) end
 ---@field method? "auto"|"pefrl"|"forest_ruth"|"verlet"|"takahashi_imada"|"chin_4a"|"mclachlan_sb3a4"|"blanes_moan_s6"|"blanes_moan_srkn6b"|"okunbor_skeel_13"|"blanes_moan_srkn11b"|"blanes_moan_srkn14a"|"multirate_2"|"multirate_3"|"multirate_5"|"multirate_8"|"rk4"|"dop853" integrator; auto is pefrl, or the cheapest one for `accuracy` (default auto)
 ---@field step? number time step; chosen from the stiffest node and the contact's onset unless given [R/c]
 ---@field theta? number time step times the bound of the highest frequency of this scene's lattices, instead of a step: equal for lattices of one kind
----@field accuracy? number wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs
+---@field accuracy? number wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs, and an impact of a sweep that fails by them runs again with half the step
 ---@field accuracy_of? "e"|"beta"|"mu"|"psi2"|"vn"|"vt"|"omega" the outcome that accuracy is about (default e)
 ---@field time_limit? number an impact longer than this ends out_of_time; 100 + 2 / normal speed of the impact unless given [R/c]
 ---@field energy_tolerance? number an impact whose total energy strays further, relative to its start, ends energy_drift (default 0.01)
@@ -557,7 +557,7 @@ function ricochet.relevance(t) end
 ---@field of? string the outcome it is about (default e)
 ---@field samples? string the name in `over` that counts samples (default sample)
 ---@field pilot? integer samples of the pilot at every point and size (default 8)
----@field sizes? number[] factors of the number of nodes that the pilot tries (default {0.25, 0.5, 1})
+---@field sizes? number[] factors of the number of nodes that the pilot tries; 0.25, 0.5 and 1 unless given, larger ones where a body would have fewer than 100 nodes, which no plan chooses
 ---@field continuum? boolean count as error what an infinitely fine lattice would change; else only what other lattices than the scene's own change (default false)
 --- The error budget of a sweep (time step, lattice size, samples: which one dominates), from a pilot, and the cheapest method, step, nodes and samples that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the sweep's folder, and says how long it took. The lattice's error is extrapolated in the spacing of its nodes, and what the pilot leaves unknown of it counts as error too; the samples are planned with a deviation that nine pilots of ten do not underrate.
 ---@param t ricochet.plan_fields

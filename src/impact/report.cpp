@@ -15,7 +15,7 @@ void report_course(const Run& run, Outcome& o) {
   o.theta = run.start.theta;
   o.theta_most = run.theta_most;
   o.steps = static_cast<double>(run.steps);
-  o.error_estimate = run.scene->error_estimate;
+  o.error_step = run.scene->error_step;
   o.energy_drift = run.drift;
   o.inverted = run.inverted;
   o.inversion_time = run.inversion_time;

@@ -108,7 +108,9 @@ const std::vector<Member<Integration>>& Integration::fields() {
       {{"accuracy",
         "number",
         "",
-        "wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs",
+        "wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial "
+        "runs, and "
+        "an impact of a sweep that fails by them runs again with half the step",
         {1e-12, 0.1},
         "",
         true},
@@ -166,7 +168,8 @@ std::string Scene::text() const {
   return fmt::format("projectile {} ka {}\ntarget {} ka {}\n", projectile->geometry_text(),
                      projectile->numbers.stiffness, target->geometry_text(), target->numbers.stiffness) +
          motion_text(*target) + text_of("launch", launch) + text_of("contact", contact) +
-         text_of("integration", integration) + (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects));
+         text_of("integration", integration) + (step_is_chosen() ? "integration.chosen\n" : "") +
+         (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects));
 }
 
 std::string Scene::hash() const { return hash_text(text()); }

@@ -117,7 +117,11 @@ int scene_run(lua_State* L) {
                                     method.name, outcome.step, outcome.theta, outcome.theta_most,
                                     method.stability_limit, outcome.theta / outcome.step));
   const Row row = row_of(scene, outcome, 0);
-  if (!session.options.check) session.count(row);
+  if (!session.options.check) {
+    session.count(row);
+    warn_of_limit(session, {scene}, {row},
+                  [&](std::size_t) { return fmt::format("{}:{}: scene", object.site.file, object.site.line); });
+  }
   push_row(L, row);
   return 1;
 }

@@ -113,6 +113,7 @@ Start launch(const Scene& scene, const Solids& solids) {
       !std::isnan(scene.integration.time_limit) ? scene.integration.time_limit : 100 + 2 / std::max(normal_speed, 1e-9);
   const Vec2 centre = projectile.centre();
   check_progress(scene, start, fastest, std::max(centre.norm(), flight.radius()));
+  check_patience(scene, start, meeting, flight.radius());
   check_contact_is_seen(scene, step, meeting, flight.radius());
   take_energy(start, arrives, scene, solids);
   const double lift = flight.resting_lift(scene.launch.at);
