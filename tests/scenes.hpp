@@ -36,6 +36,14 @@ inline Points box(double width, double depth) {
   return {{-width / 2, -depth}, {width / 2, -depth}, {width / 2, 0}, {-width / 2, 0}};
 }
 
+/// Of a body that is an outline and its numbers.
+inline NodePlan plan_nodes(const Points& outline, const BodyNumbers& numbers, const std::vector<bool>& anchored_rim) {
+  return ricochet::plan_nodes(Body{outline, numbers, {}, {}}, anchored_rim);
+}
+inline Points plan_rim(const Points& outline, const BodyNumbers& numbers) {
+  return ricochet::plan_rim(Body{outline, numbers, {}, {}}).points;
+}
+
 inline BodyNumbers numbers(int nodes, double stiffness, double roughness, int seed,
                            const char* placement = "poisson_disk") {
   BodyNumbers n;

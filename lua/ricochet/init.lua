@@ -14,9 +14,7 @@ for name, call in pairs(core.functions) do
   end
 end
 
-local shapes = require "ricochet.shapes"
-ricochet.disk = core.wrap(shapes.disk)
-ricochet.wall = core.wrap(shapes.wall)
+for name, shape in pairs(require "ricochet.shapes") do ricochet[name] = core.wrap(shape) end
 ricochet.sweep = core.wrap(require("ricochet.sweep").sweep)
 ricochet.series = core.wrap(require("ricochet.series").series)
 require "ricochet.bounces"

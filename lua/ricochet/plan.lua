@@ -9,6 +9,7 @@ local statistics = require "ricochet.statistics"
 local most_points = 12        -- of the sweep's points that the pilot visits
 local most_samples = 1e6     -- of a point that a plan may have
 local step_share = 0.2        -- of the wanted standard error that the time step may take: 2 % of its square
+local least_nodes = 100       -- of a body: with fewer its contact is hardly more than a corner's
 local factors = {}            -- of the number of nodes, that a plan chooses from
 for i = -4, 8 do factors[#factors + 1] = 2 ^ (i / 2) end
 
@@ -355,13 +356,35 @@ local function choose_cheapest(plan, t)
   for _, factor in ipairs(#sizes > 1 and factors or { sizes[1].factor }) do
     local samples, budget = needed_samples(t, plan.points, factor)
     local seconds = samples * seconds_at(sizes, factor)
-    if samples <= most_samples and (not plan.samples or seconds < plan.predicted_seconds) then
+    local enough = #sizes == 1 or factor >= plan.least_factor
+    if enough and samples <= most_samples and (not plan.samples or seconds < plan.predicted_seconds) then
       plan.samples, plan.nodes, plan.predicted_seconds, plan.budget = samples, factor, seconds, budget
       choose_steps(plan, nearest_size(sizes, factor).rows)
     elseif not plan.samples then
       plan.budget = budget
     end
   end
+end
+
+-- The least factor of the nodes that leaves every body at any point enough of them; 1 where one has too few.
+local function least_factor(sweep, points, sample)
+  local fewest = math.huge
+  for _, point in ipairs(points) do
+    local at = copy(point)
+    at[sample] = 1
+    local scene = core.given(sweeps.scene_at(sweep, at))
+    for _, body in ipairs { scene.projectile, scene.target } do
+      local given = core.given(body)
+      if next(given) ~= nil then fewest = math.min(fewest, core.check("body", given, true).nodes) end
+    end
+  end
+  return math.min(1, least_nodes / fewest)
+end
+
+-- Sizes for a pilot that was given none: a quarter, a half and all of the nodes; larger ones where those are too few.
+local function usual_sizes(least)
+  if least <= 0.25 then return { 0.25, 0.5, 1 } end
+  return least <= 0.5 and { 0.5, 1 } or { 1, 2 }
 end
 
 -- With --check: that the sweep's scenes can be made.
@@ -376,17 +399,20 @@ end
 local function plan(given)
   local t = core.check("plan", given)
   local sweep = checked_sweep(t)
-  local factors_tried = sorted_sizes(t.sizes)
   local all, samples_now = points_of(sweep, t.samples)
   local points = spread_out(all, most_points)
+  if t.sizes then sorted_sizes(t.sizes) end
   if core.is_check() then return make_scenes(sweep, points, t.samples) end
   local began = core.clock()
+  local least = least_factor(sweep, points, t.samples)
+  local factors_tried = sorted_sizes(t.sizes or usual_sizes(least))
   local sizes = pilot_of_sizes(sweep, t, points, all, factors_tried)
   local steps = step_errors(sweep, t, points)
   local processor, cores = core.machine()
   local result = {
     sweep = sweep, sample = t.samples, of = t.of, standard_error = t.standard_error, pilot = t.pilot, sizes = sizes,
     samples_now = samples_now, all = all, points = {}, budget = {}, samples = false,
+    least_factor = least,
     machine = ("%s (%d cores)"):format(processor, cores),
   }
   for k, point in ipairs(points) do

@@ -5,11 +5,17 @@ local function refined_body(body, factor, shift)
   local given = core.given(body)
   if next(given) == nil then return body end  -- a plane has no fields, and no nodes
   local t = core.check("body", given, true)
-  t.nodes = math.floor(factor * t.nodes + 0.5)
+  if t.points then
+    if factor ~= 1 then core.fail_here "nodes that were given one by one cannot be made finer; give other points" end
+    t.nodes, t.placement = nil, nil
+  else
+    t.nodes = math.floor(factor * t.nodes + 0.5)
+  end
   -- Outline, total mass and stiffness stay: the modulus of a network does not depend on its spacing, while a spring's
   -- stretch at a given strain does, as the spacing.
   if t.interior ~= "rigid" then t.quartic = t.quartic * factor end
   if t.mass then t.mass = t.mass / factor end
+  if t.rim_spacing then t.rim_spacing = t.rim_spacing / math.sqrt(factor) end
   t.seed = t.seed + shift
   return core.own_body(t)
 end

@@ -23,7 +23,7 @@ std::shared_ptr<const Solid> build_rigid(const NodePlan& plan) {
   solid->smooth = plan.smooth_rim;
   Mesh<2> rim;
   for (int i = 0; i < plan.rim; ++i) rim.node.push_back(i);
-  rim.cell = ring(plan.rim);
+  rim.cell = plan.rim_cells;
   rim.weight = rim_shares(rim, plan.points);
   solid->surface = std::move(rim);
   solid->interior = Rigid{};
@@ -34,8 +34,9 @@ std::shared_ptr<const Solid> build_rigid(const NodePlan& plan) {
 
 std::shared_ptr<const Solid> build_solid(const Body& body) {
   if (body.plane) return build_plane(*body.plane);
-  const NodePlan plan = plan_nodes(body.outline, body.numbers, body.anchored);
-  return body.rigid() ? build_rigid(plan) : build_lattice(body, plan, triangulate(plan.points, plan.rim));
+  const NodePlan plan = plan_nodes(body, body.anchored), placed = turned(plan, body.numbers.angle);
+  // Triangles of the plan as it was: a turned body is the same lattice.
+  return body.rigid() ? build_rigid(placed) : build_lattice(body, placed, triangulate(plan.points, plan.rim_cells));
 }
 
 }  // namespace ricochet

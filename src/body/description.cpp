@@ -60,6 +60,19 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
         {{"roughness", "number", "R",
           "standard deviation of the rim along its outward normal; anchored rim nodes stay smooth", not_negative, "0"},
          &BodyNumbers::roughness},
+        {{"rim_spacing", "number", "R",
+          "distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given", positive, "",
+          true},
+         &BodyNumbers::rim_spacing},
+        {{"margin", "number", "R",
+          "least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case",
+          not_negative, "0"},
+         &BodyNumbers::margin},
+        {{"angle", "number", "degrees",
+          "by which the finished body is turned about the origin, counter-clockwise; places in other fields are those "
+          "before it",
+          any_number, "0"},
+         &BodyNumbers::angle},
         {{"prestress",
           "number",
           "",
@@ -89,6 +102,30 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
   return list;
 }
 
+namespace {
+
+std::string text_of(const Points& points) {
+  std::string text;
+  for (const Vec2& p : points) text += fmt::format("{} {};", p.x(), p.y());
+  return text;
+}
+
+// What bodies came to have later, only where it says something, so that older texts stay.
+std::string text_of_shape(const Body& body) {
+  const BodyNumbers& n = body.numbers;
+  std::string text, holes;
+  for (const Points& hole : body.holes) holes += text_of(hole) + "/";
+  if (!holes.empty()) text += " holes " + hash_text(holes);
+  if (!body.points.empty()) text += " points " + hash_text(text_of(body.points));
+  for (const std::string& file : body.files) text += " file " + file;
+  if (n.rim_spacing == n.rim_spacing) text += fmt::format(" rim_spacing {}", n.rim_spacing);
+  if (n.margin != 0) text += fmt::format(" margin {}", n.margin);
+  if (n.angle != 0) text += fmt::format(" angle {}", n.angle);
+  return text;
+}
+
+}  // namespace
+
 std::string body_name(std::size_t body) {
   static const char* names[] = {"projectile", "target"};
   return body < std::size(names) ? names[body] : fmt::format("body {}", body + 1);
@@ -101,21 +138,21 @@ double BodyNumbers::area_density() const {
 std::string Body::geometry_text() const {
   if (plane)
     return fmt::format("plane {} {} {} {}", plane->normal.x(), plane->normal.y(), plane->normal.z(), plane->offset);
-  std::string outline_text, anchor_text, stiffness_text, density_text;
-  for (const Vec2& p : outline) outline_text += fmt::format("{} {};", p.x(), p.y());
+  std::string anchor_text, stiffness_text, density_text;
+  const std::string outline_text = text_of(outline), shape = text_of_shape(*this);
   for (const bool held : anchored) anchor_text += held ? '1' : '0';
   if (rigid())
-    return fmt::format("rigid outline {} anchored {} nodes {} seed {} roughness {}", hash_text(outline_text),
-                       hash_text(anchor_text), numbers.nodes, numbers.seed, numbers.roughness);
+    return fmt::format("rigid outline {} anchored {} nodes {} seed {} roughness {}{}", hash_text(outline_text),
+                       hash_text(anchor_text), numbers.nodes, numbers.seed, numbers.roughness, shape);
   for (const double k : node_stiffness) stiffness_text += fmt::format("{};", k);
   for (const double density : node_density) density_text += fmt::format("{};", density);
   const std::string weight = !std::isnan(numbers.mass) ? fmt::format("mass {}", numbers.mass)
                              : node_density.empty()    ? fmt::format("density {}", numbers.area_density())
                                                        : fmt::format("densities {}", hash_text(density_text));
-  return fmt::format("outline {} anchored {} stiffness {} nodes {} placement {} seed {} roughness {}{} {} prestress {}",
-                     hash_text(outline_text), hash_text(anchor_text), hash_text(stiffness_text), numbers.nodes,
-                     numbers.placement, numbers.seed, numbers.roughness, text_of_law(numbers), weight,
-                     numbers.prestress);
+  return fmt::format(
+      "outline {} anchored {} stiffness {} nodes {} placement {} seed {} roughness {}{} {} prestress {}{}",
+      hash_text(outline_text), hash_text(anchor_text), hash_text(stiffness_text), numbers.nodes, numbers.placement,
+      numbers.seed, numbers.roughness, text_of_law(numbers), weight, numbers.prestress, shape);
 }
 
 }  // namespace ricochet

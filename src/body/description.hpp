@@ -26,6 +26,9 @@ struct BodyNumbers : SpringLawNumbers {
   double density = not_given;  ///< of the area; `usual_density` where neither it nor `mass` is given
   double mass = not_given;     ///< of every node
   double roughness = 0;
+  double rim_spacing = not_given;  ///< that of the lattice unless given
+  double margin = 0;
+  double angle = 0;
   double prestress = 0;
   std::string interior = "springs";
 
@@ -35,8 +38,8 @@ struct BodyNumbers : SpringLawNumbers {
   double area_density() const;
 };
 
-/// `anchored`, `node_stiffness` and `node_density` hold what the script's functions said of each planned node,
-/// evaluated once; empty where no function was given.
+/// All places are those before the body is turned by its angle. `anchored`, `node_stiffness` and `node_density` hold
+/// what the script's functions said of each planned node, evaluated once; empty where no function was given.
 struct Body {
   Points outline;  ///< simple, counter-clockwise
   BodyNumbers numbers;
@@ -44,6 +47,11 @@ struct Body {
   std::vector<double> node_stiffness;  ///< [plan node], in m0 c^2 / R^2
   std::vector<double> node_density{};  ///< [plan node], in m0 / R^2
   std::optional<Plane> plane{};        ///< a rigid half-space instead of all this
+  std::vector<Points> holes{};         ///< simple, clockwise, inside the outline and outside of each other
+  Points points{};                     ///< nodes that were given, instead of placed ones
+  std::vector<std::string> files{};    ///< hashes of the files that points were read from
+  Vec2 velocity = Vec2::Zero();        ///< a target's own, before the impact [c]
+  double spin = 0;                     ///< the same [c/R]
 
   bool rigid() const { return plane || numbers.rigid(); }
   int moving_nodes() const { return rigid() ? 0 : numbers.nodes; }  ///< about as many as are computed

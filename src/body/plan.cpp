@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "body/given_nodes.hpp"
 #include "core/error.hpp"
 #include "core/rng.hpp"
+#include "core/turn.hpp"
 #include "shape/outline.hpp"
 #include "shape/placement.hpp"
 
@@ -14,64 +17,192 @@ namespace {
 
 constexpr std::uint32_t interior_stream = 1, roughness_stream = 2;
 
-double spacing_of(const Points& outline, const BodyNumbers& numbers) {
-  return std::sqrt(signed_area(outline) / numbers.nodes);
-}
-
-void check_outline(const Points& outline) {
-  if (outline.size() < 3) throw FieldError("outline", fmt::format("needs at least 3 points, has {}", outline.size()));
+// `what`: of several outlines, which.
+void check_outline(const Points& outline, const char* field, const std::string& what) {
+  const auto refuse = [&](const std::string& message) { throw FieldError(field, what + message); };
+  if (outline.size() < 3) refuse(fmt::format("needs at least 3 points, has {}", outline.size()));
   for (std::size_t i = 0; i < outline.size(); ++i)
     if (!outline[i].allFinite())
-      throw FieldError("outline",
-                       fmt::format("point {} is not finite: ({}, {})", i + 1, outline[i].x(), outline[i].y()));
-  if (!is_simple(outline))
-    throw FieldError("outline", "crosses or touches itself; give its points in order along the boundary");
+      refuse(fmt::format("point {} is not finite: ({}, {})", i + 1, outline[i].x(), outline[i].y()));
+  if (!is_simple(outline)) refuse("crosses or touches itself; give its points in order along the boundary");
   // Extents whose square is no number, or nothing, would leave no spacing to place nodes by.
-  const double area = signed_area(outline);
+  const double area = std::abs(signed_area(outline));
   if (!(area > 1e-100 && area < 1e100))
-    throw FieldError("outline",
-                     fmt::format("encloses an area of {:g} R^2; scale it to lie between 1e-100 and 1e100", area));
+    refuse(fmt::format("encloses an area of {:g} R^2; scale it to lie between 1e-100 and 1e100", area));
+}
+
+// Holes that cross nothing lie inside the outline and beside each other if each is inside of all other chains.
+void check_holes(const Body& body) {
+  const auto refuse = [](std::size_t k, const char* message) {
+    throw FieldError("holes", fmt::format("hole {} {}", k + 1, message));
+  };
+  Rim all;
+  all.add(body.outline);
+  for (std::size_t k = 0; k < body.holes.size(); ++k) {
+    check_outline(body.holes[k], "holes", fmt::format("hole {} ", k + 1));
+    all.add(body.holes[k]);
+  }
+  const bool crossing = !is_simple(CellTree(all.points, all.cells));
+  Rim some;
+  some.add(body.outline);
+  for (std::size_t k = 0; k < body.holes.size() && crossing; ++k) {
+    some.add(body.holes[k]);
+    if (!is_simple(CellTree(some.points, some.cells)))
+      refuse(k, "crosses or touches the outline or a hole before it; move it, or make one of both");
+  }
+  for (std::size_t k = 0; k < body.holes.size(); ++k) {
+    Rim others;
+    others.add(body.outline);
+    for (std::size_t j = 0; j < body.holes.size(); ++j)
+      if (j != k) others.add(body.holes[j]);
+    if (!inside(CellTree(others.points, others.cells), body.holes[k].front()))
+      refuse(k, "must lie inside the outline and outside of other holes; move it");
+  }
+}
+
+double area_of(const Body& body) {
+  double area = signed_area(body.outline);
+  for (const Points& hole : body.holes) area += signed_area(hole);
+  return area;
+}
+
+double length_of(const Body& body) {
+  double length = perimeter(body.outline);
+  for (const Points& hole : body.holes) length += perimeter(hole);
+  return length;
+}
+
+// The spacing s at which `inside` nodes and a rim of the length L fill the area A: A = (inside + L/s) s^2.
+double spacing_of(const Body& body, std::size_t inside) {
+  const double area = area_of(body), length = length_of(body);
+  return 2 * area / (length + std::sqrt(length * length + 4 * static_cast<double>(inside) * area));
+}
+
+bool given(double number) { return !std::isnan(number); }
+
+std::vector<Points> outlines_of(const Body& body) {
+  std::vector<Points> chains{body.outline};
+  chains.insert(chains.end(), body.holes.begin(), body.holes.end());
+  return chains;
+}
+
+GivenNodes given_nodes_of(const Body& body) {
+  if (!body.points.empty()) return given_nodes(body.points, outlines_of(body));
+  return {std::vector<Points>(1 + body.holes.size()), {}};
+}
+
+double rim_spacing_of(const Body& body, const GivenNodes& nodes) {
+  if (given(body.numbers.rim_spacing)) return body.numbers.rim_spacing;
+  if (!body.points.empty()) return spacing_of(body, nodes.inside.size());
+  return std::sqrt(area_of(body) / body.numbers.nodes);
+}
+
+// Its chains are polygons that cross neither themselves nor each other.
+bool follows(const Rim& rim) {
+  for (const Chain& chain : chains_of(rim.cells))
+    if (chain.node.size() < 3) return false;
+  return is_simple(CellTree(rim.points, rim.cells));
+}
+
+// What would take more nodes than a body can have, or too few to follow a chain, before it is laid.
+void check_spacing(const Body& body, double spacing) {
+  const double wanted = length_of(body) / spacing;
+  constexpr double most = 1e7;
+  if (!given(body.numbers.rim_spacing)) {
+    if (!(wanted <= most))
+      throw FieldError("nodes", fmt::format("{} nodes cannot cover this outline, which needs {:.3g} for itself",
+                                            body.numbers.nodes, wanted));
+    return;
+  }
+  if (!(wanted <= (body.points.empty() ? body.numbers.nodes : most)))
+    throw FieldError("rim_spacing",
+                     fmt::format("{:g} would take {:.4g} nodes on the rim; raise it, or nodes", spacing, wanted));
+  for (const Points& chain : outlines_of(body))
+    if (const double length = perimeter(chain); 4 * spacing > length)
+      throw FieldError("rim_spacing", fmt::format("{:g} is too long to follow an outline of length {:.4g}; lower it",
+                                                  spacing, length));
+}
+
+Rim lay_rim(const Body& body, const GivenNodes& nodes) {
+  const double spacing = rim_spacing_of(body, nodes);
+  check_spacing(body, spacing);
+  Rim rim;
+  const std::vector<Points> chains = outlines_of(body);
+  for (std::size_t k = 0; k < chains.size(); ++k)
+    rim.add(nodes.on_chain[k].empty() ? resample(chains[k], spacing) : nodes.on_chain[k]);
+  if (body.points.empty() && static_cast<int>(rim.points.size()) > body.numbers.nodes)
+    throw FieldError("nodes", fmt::format("{} nodes cannot cover this outline, which needs {} for itself",
+                                          body.numbers.nodes, rim.points.size()));
+  if (follows(rim)) return rim;
+  if (!body.points.empty())
+    throw FieldError("points", "are too few to follow the outline without crossing it; give more, or a rim_spacing");
+  throw FieldError("nodes",
+                   fmt::format("{} nodes are too few to follow this outline without crossing it", body.numbers.nodes));
 }
 
 // Moves the rim's points along its normals.
-void roughen(Points& rim, const BodyNumbers& numbers, const std::vector<bool>& anchored_rim) {
+void roughen(Rim& rim, const BodyNumbers& numbers, const std::vector<bool>& anchored_rim) {
   Random random(static_cast<std::uint64_t>(numbers.seed), roughness_stream);
-  const Points normals = outward_normals(rim);
-  for (std::size_t i = 0; i < rim.size(); ++i) {
-    const double height = numbers.roughness * random.normal();
-    if (anchored_rim.empty() || !anchored_rim[i]) rim[i] += height * normals[i];
+  std::size_t i = 0;
+  for (const Chain& chain : chains_of(rim.cells)) {
+    const auto first = rim.points.begin() + chain.node.front();
+    for (const Vec2& normal : outward_normals(Points(first, first + static_cast<int>(chain.node.size())))) {
+      const double height = numbers.roughness * random.normal();
+      if (anchored_rim.empty() || !anchored_rim[i]) rim.points[i] += height * normal;
+      ++i;
+    }
   }
-  if (!is_simple(rim))
+  if (!follows(rim))
     throw FieldError(
         "roughness",
         fmt::format("the rough rim crosses itself (roughness {}, seed {}); lower the roughness or take another seed",
                     numbers.roughness, numbers.seed));
 }
 
-}  // namespace
-
-Points plan_rim(const Points& outline, const BodyNumbers& numbers) {
-  check_outline(outline);
-  Points rim = resample(outline, spacing_of(outline, numbers));
-  if (static_cast<int>(rim.size()) > numbers.nodes)
-    throw FieldError("nodes", fmt::format("{} nodes cannot cover this outline, which needs {} for itself",
-                                          numbers.nodes, rim.size()));
-  if (!is_simple(rim))
-    throw FieldError("nodes",
-                     fmt::format("{} nodes are too few to follow this outline without crossing it", numbers.nodes));
-  return rim;
+Points plan_interior(const Body& body, const Rim& rim, const GivenNodes& nodes) {
+  if (!body.points.empty()) return nodes.inside;
+  const BodyNumbers& numbers = body.numbers;
+  const int count = numbers.nodes - static_cast<int>(rim.points.size());
+  const double spacing = given(numbers.rim_spacing) ? spacing_of(body, static_cast<std::size_t>(count))
+                                                    : std::sqrt(area_of(body) / numbers.nodes);
+  Random random(static_cast<std::uint64_t>(numbers.seed), interior_stream);
+  return place_interior(rim, placement_from_name(numbers.placement), {count, spacing, numbers.margin}, random);
 }
 
-NodePlan plan_nodes(const Points& outline, const BodyNumbers& numbers, const std::vector<bool>& anchored_rim) {
+}  // namespace
+
+Rim plan_rim(const Body& body) {
+  check_outline(body.outline, "outline", "");
+  check_holes(body);
+  return lay_rim(body, given_nodes_of(body));
+}
+
+NodePlan plan_nodes(const Body& body, const std::vector<bool>& anchored_rim) {
+  check_outline(body.outline, "outline", "");
+  check_holes(body);
+  const GivenNodes nodes = given_nodes_of(body);
+  Rim rim = lay_rim(body, nodes);
   NodePlan plan;
-  plan.smooth_rim = plan.points = plan_rim(outline, numbers);
-  plan.rim = static_cast<int>(plan.points.size());
-  if (numbers.roughness > 0) roughen(plan.points, numbers, anchored_rim);
-  if (numbers.rigid()) return plan;
-  Random random(static_cast<std::uint64_t>(numbers.seed), interior_stream);
-  const Points interior = place_interior(plan.points, placement_from_name(numbers.placement), numbers.nodes - plan.rim,
-                                         spacing_of(outline, numbers), random);
-  plan.points.insert(plan.points.end(), interior.begin(), interior.end());
+  plan.smooth_rim = rim.points;
+  plan.rim = static_cast<int>(rim.points.size());
+  if (body.numbers.roughness > 0) roughen(rim, body.numbers, anchored_rim);
+  plan.points = rim.points;
+  if (!body.rigid()) {
+    const Points interior = plan_interior(body, rim, nodes);
+    plan.points.insert(plan.points.end(), interior.begin(), interior.end());
+  }
+  plan.rim_cells = std::move(rim.cells);
+  return plan;
+}
+
+NodePlan turned(NodePlan plan, double angle) {
+  if (angle == 0) return plan;
+  const double quarters = std::fmod(angle, 360) / 90, radians = quarters * std::numbers::pi / 2;
+  const bool exact = quarters == std::floor(quarters);
+  const double cosine = exact ? std::round(std::cos(radians)) : std::cos(radians);
+  const double sine = exact ? std::round(std::sin(radians)) : std::sin(radians);
+  for (Points* points : {&plan.points, &plan.smooth_rim})
+    for (Vec2& p : *points) p = ricochet::turned(p, cosine, sine);
   return plan;
 }
 

@@ -5,20 +5,23 @@
 
 namespace ricochet {
 
-/// Rim first, in order, counter-clockwise.
+/// The rim's nodes first, chain by chain.
 struct NodePlan {
   Points points;
   int rim = 0;
+  Cells<2> rim_cells;
   Points smooth_rim;  ///< the rim's points before roughness
 };
 
-/// The rim's points before roughness, which say where a body's outline lies and which rim nodes an anchor predicate
-/// holds.
-Points plan_rim(const Points& outline, const BodyNumbers& numbers);
+/// The rim before roughness, which says where a body's outline lies and which rim nodes an anchor predicate holds.
+Rim plan_rim(const Body& body);
 
 /// Rim and interior points; of a rigid body the rim alone. Anchored rim nodes (by `anchored_rim`, in rim order; may be
-/// empty) stay smooth. Throws if the outline or the rough rim crosses itself, or if the outline needs more points than
-/// the body has nodes.
-NodePlan plan_nodes(const Points& outline, const BodyNumbers& numbers, const std::vector<bool>& anchored_rim);
+/// empty) stay smooth. `Body::angle` is not applied yet. Throws FieldError if a chain or the rough rim crosses itself
+/// or another, or if the outline needs more points than the body has nodes.
+NodePlan plan_nodes(const Body& body, const std::vector<bool>& anchored_rim);
+
+/// The plan turned counter-clockwise about the origin; exact for quarter turns. [degrees]
+NodePlan turned(NodePlan plan, double angle);
 
 }  // namespace ricochet

@@ -117,9 +117,9 @@ const Columns& of_run() {
         "|total momentum after - before| / before; undefined if the target is anchored; drag and gravity bring "
         "momentum"},
        [](O o) { return o.momentum_residual; }},
-      {{"error_estimate", "number", "",
+      {{"error_step", "number", "",
         "estimated error of the scene's accuracy_of from the time step; undefined unless accuracy was asked for"},
-       [](O o) { return o.error_estimate; }},
+       [](O o) { return o.error_step; }},
   };
   return columns;
 }

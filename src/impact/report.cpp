@@ -15,7 +15,7 @@ void report_course(const Run& run, Outcome& o) {
   o.theta = run.start.theta;
   o.theta_most = run.theta_most;
   o.steps = static_cast<double>(run.steps);
-  o.error_estimate = run.scene->error_estimate;
+  o.error_step = run.scene->error_step;
   o.energy_drift = run.drift;
   o.inverted = run.inverted;
   o.xi = run.start.contact.xi;
@@ -47,10 +47,12 @@ struct ContactPoint {
 
 void report_velocities(const Run& run, const Flying& after, const Flying& target_after, Outcome& o) {
   const Placement launched = at_touch(run);
-  const Vec3& v = launched.velocity;
+  const Placement& target_launched = run.start.bodies[role::target];
+  const Vec3 v = launched.velocity - target_launched.velocity;
   const Vec3 w = after.velocity - target_after.velocity;
   const double R = run.projectile_radius, omega = about(after.spin);
-  const ContactPoint before{tangential(v) + R * about(launched.spin), normal(v)};
+  const ContactPoint before{tangential(v) + R * about(launched.spin) + run.target_radius * about(target_launched.spin),
+                            normal(v)};
   const ContactPoint later{tangential(w) + R * omega + run.target_radius * about(target_after.spin), normal(w)};
   o.vn = normal(w);
   o.vt = tangential(w);
@@ -73,8 +75,10 @@ void report_impulse(const Run& run, const Solids& solids, const Flying& after, c
   o.impulse_t = tangential(impulse);
   o.mu = std::abs(tangential(impulse)) / normal(impulse);
   if (solids[role::target]->anchored()) return;
-  const Vec2 residual = in_plane(impulse) + solids[role::target]->total_mass() * in_plane(target_after.velocity);
-  o.momentum_residual = residual.norm() / (mass * in_plane(v).norm());
+  const Vec3& target_before = run.start.bodies[role::target].velocity;
+  const Vec2 residual =
+      in_plane(impulse) + solids[role::target]->total_mass() * in_plane(target_after.velocity - target_before);
+  o.momentum_residual = residual.norm() / (mass * in_plane(v - target_before).norm());
 }
 
 // I/(M R^2), of what can turn.

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "impact/axes.hpp"
 
 namespace ricochet {
 namespace {
@@ -22,12 +23,21 @@ std::string text_of(const std::string& prefix, const Struct& values) {
   return text;
 }
 
+// Only where there is one, so that older texts stay.
+std::string motion_text(const Body& target) {
+  if (target.velocity == Vec2::Zero() && target.spin == 0) return "";
+  return fmt::format("target velocity {} {} spin {}\n", tangential(target.velocity), normal(target.velocity),
+                     target.spin);
+}
+
 }  // namespace
 
 const std::vector<Member<Launch>>& Launch::fields() {
   static const std::vector<Member<Launch>> list{
       {{"speed", "number", "c",
-        "launch speed |v|; 0.1 unless normal_speed is given; 0 only with a height to fall from under gravity",
+        "launch speed |v| in space, whatever the target's own velocity; 0.1 unless normal_speed is given; 0 only with "
+        "a "
+        "height to fall from under gravity",
         not_negative, "", true},
        &Launch::speed},
       {{"psi1", "number", "", "tangent of the incident angle, v_t / v_n; 0 unless given otherwise", not_negative, "",
@@ -41,7 +51,10 @@ const std::vector<Member<Launch>>& Launch::fields() {
       {{"tangential_speed", "number", "c", "speed along the surface, with normal_speed", not_negative, "", true},
        &Launch::tangential_speed},
       {{"spin", "number", "c/R", "angular velocity before impact, counter-clockwise", any_number, "0"}, &Launch::spin},
-      {{"at", "number", "R", "where along x the smooth projectile would touch the smooth target", any_number, "0"},
+      {{"at", "number", "R",
+        "x of the projectile's centre of mass where its smooth outline would touch the smooth target; slanting past "
+        "the far edge it meets the target before",
+        any_number, "0"},
        &Launch::at},
       {{"height", "number", "R",
         "starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart. Gravity on the "
@@ -95,7 +108,9 @@ const std::vector<Member<Integration>>& Integration::fields() {
       {{"accuracy",
         "number",
         "",
-        "wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs",
+        "wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial "
+        "runs, and "
+        "an impact of a sweep that fails by them runs again with half the step",
         {1e-12, 0.1},
         "",
         true},
@@ -152,7 +167,8 @@ std::string Scene::conflict_with(const Method& method) const {
 std::string Scene::text() const {
   return fmt::format("projectile {} ka {}\ntarget {} ka {}\n", projectile->geometry_text(),
                      projectile->numbers.stiffness, target->geometry_text(), target->numbers.stiffness) +
-         text_of("launch", launch) + text_of("contact", contact) + text_of("integration", integration) +
+         motion_text(*target) + text_of("launch", launch) + text_of("contact", contact) +
+         text_of("integration", integration) + (step_is_chosen() ? "integration.chosen\n" : "") +
          (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects));
 }
 

@@ -2,6 +2,7 @@
 // A scene: everything that fixes one impact. Plain data with a canonical text; equal texts give equal outcomes, bit for
 // bit.
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -50,8 +51,10 @@ struct Scene {
   ExponentialRepulsion contact;
   Integration integration;
   std::vector<Effect> effects;  ///< what acts beside springs and contact
-  double error_estimate =
-      not_given;  ///< of integration.accuracy_of, if its step was chosen for an accuracy; no part of the text
+  /// Estimated, of integration.accuracy_of, if trials chose the step. Only that they did is part of the text: a chosen
+  /// step under which the impact fails is shortened.
+  double error_step = not_given;
+  bool step_is_chosen() const { return !std::isnan(error_step); }
 
   /// By index, as the engine moves them.
   std::vector<const Body*> bodies() const { return {projectile.get(), target.get()}; }

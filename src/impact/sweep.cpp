@@ -170,19 +170,25 @@ bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, 
   return !stop;
 }
 
-void check_scenes(const std::vector<Scene>& scenes, const std::vector<bool>& which, const SweepOptions& options,
-                  const std::atomic<bool>& stop) {
+void each_built(const std::vector<Scene>& scenes, const std::vector<bool>& which, const SweepOptions& options,
+                const std::atomic<bool>& stop, const std::function<void(std::size_t, const Solids&)>& use) {
   auto groups = groups_of(scenes, which);
   in_parallel(groups, options.threads, [&](std::unique_ptr<Group>& group) {
     if (stop) return;
     build(*group, scenes);
     for (const std::size_t i : group->scenes) try {
-        check_start(group->solids, scenes[i]);
+        use(i, group->solids);
       } catch (const FieldError& error) {
         throw SceneError(error, i);
       }
     group->solids = BuiltSolids();
   });
+}
+
+void check_scenes(const std::vector<Scene>& scenes, const std::vector<bool>& which, const SweepOptions& options,
+                  const std::atomic<bool>& stop) {
+  each_built(scenes, which, options, stop,
+             [&](std::size_t i, const Solids& solids) { check_start(solids, scenes[i]); });
 }
 
 }  // namespace ricochet

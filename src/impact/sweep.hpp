@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "impact/launch/start.hpp"
 #include "impact/outcome.hpp"
 #include "impact/scene.hpp"
 
@@ -36,6 +37,11 @@ struct SweepUse {
 bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, const SweepOptions& options,
                const std::atomic<bool>& stop, const std::function<void(const std::vector<Result>&)>& some_done,
                SweepUse* use = nullptr);
+
+/// Calls `use(i, solids)` for `which` scenes with their solids, from several threads at once. Throws SceneError for
+/// what it throws as FieldError, and for bodies that cannot be built.
+void each_built(const std::vector<Scene>& scenes, const std::vector<bool>& which, const SweepOptions& options,
+                const std::atomic<bool>& stop, const std::function<void(std::size_t, const Solids&)>& use);
 
 /// Builds the solids and places the launch of `which` scenes, and runs nothing. Throws SceneError for the first scene
 /// that cannot start.

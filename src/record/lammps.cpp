@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "impact/axes.hpp"
+#include "impact/launch/aim.hpp"
 #include "impact/launch/launch.hpp"
 #include "impact/roles.hpp"
 
@@ -81,8 +82,7 @@ std::string input_file(const Scene& scene, const Start& start, const std::string
   const ExponentialRepulsion& contact = start.contact;
   const double step = start.step;
   const auto steps = static_cast<std::int64_t>(std::ceil(
-      (start.energy > 0 ? 4 / std::max(1e-9, -normal(start.bodies[role::projectile].velocity)) * contact.reach + 10
-                        : 10) /
+      (start.energy > 0 ? 4 / std::max(1e-9, -normal(seen_by_target(start).velocity)) * contact.reach + 10 : 10) /
       step));
   std::string input = fmt::format(
       "# {0}: an impact of two lattices by LAMMPS; lmp -in {0}.in\n"

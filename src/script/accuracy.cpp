@@ -219,8 +219,10 @@ Function plan_function() {
                  {"of", "string", "", "the outcome it is about", any_number, "e"},
                  {"samples", "string", "", "the name in `over` that counts samples", any_number, "sample"},
                  {"pilot", "integer", "", "samples of the pilot at every point and size", {2, 100000}, "8"},
-                 {"sizes", "numbers", "", "factors of the number of nodes that the pilot tries", any_number,
-                  "{0.25, 0.5, 1}"},
+                 {"sizes", "numbers", "",
+                  "factors of the number of nodes that the pilot tries; 0.25, 0.5 and 1 unless given, larger ones "
+                  "where a body would have fewer than 100 nodes, which no plan chooses",
+                  any_number, "", true},
                  {"continuum", "boolean", "",
                   "count as error what an infinitely fine lattice would change; else only what other lattices than the "
                   "scene's own change",

@@ -37,6 +37,7 @@ struct Group {
 // Each group in its own file.
 Group parameter_functions();
 Group body_functions();
+Group point_functions();
 Group scene_functions();
 Group sweep_functions();
 Group series_functions();

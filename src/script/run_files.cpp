@@ -15,23 +15,34 @@ namespace ricochet {
 
 namespace fs = std::filesystem;
 
-fs::path below_folder(lua_State* L, const std::string& name) {
-  const Session& session = session_of(L);
+namespace {
+
+// A path below a folder; `what` names it. `links`: may lead out of it.
+fs::path below(lua_State* L, const fs::path& folder, const char* what, const std::string& name, bool links) {
   const fs::path path(name);
   bool plain = !name.empty() && path.is_relative() && name.find('\\') == std::string::npos &&
                name.find('\0') == std::string::npos;
   for (const fs::path& part : path) plain = plain && part != ".." && part != ".";
   if (!plain)
-    throw at_line(
-        L, fmt::format("'{}' is no name below the run's folder; give a relative name without '..'", name.c_str()));
-  // A link inside the folder must not lead out of it.
-  const fs::path whole = session.own_folder() / path;
+    throw at_line(L, fmt::format("'{}' is no name below {}; give a relative name without '..'", name.c_str(), what));
+  const fs::path whole = folder / path;
   std::error_code error;
-  const fs::path real = fs::weakly_canonical(whole, error), root = fs::weakly_canonical(session.own_folder(), error);
-  if (error || std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end())
-    throw FileError(
-        at_line(L, fmt::format("'{}' leads out of the run's folder {}", name, session.own_folder().string())).what());
+  const fs::path real = fs::weakly_canonical(whole, error), root = fs::weakly_canonical(folder, error);
+  if (!links && (error || std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end()))
+    throw FileError(at_line(L, fmt::format("'{}' leads out of {} {}", name, what, folder.string())).what());
   return whole;
+}
+
+}  // namespace
+
+fs::path below_folder(lua_State* L, const std::string& name) {
+  return below(L, session_of(L).own_folder(), "the run's folder", name, false);
+}
+
+fs::path beside_script(lua_State* L, const std::string& name) {
+  const Session& session = session_of(L);
+  const fs::path folder = session.script.parent_path();
+  return below(L, folder.empty() ? "." : folder, "the script's folder", name, session.options.unsafe);
 }
 
 namespace {

@@ -37,6 +37,9 @@ void check_scene(const Scene& scene) {
   if (const std::string conflict = conflict_of(scene.effects); !conflict.empty()) throw FieldError("effects", conflict);
   if (const std::string conflict = scene.conflict_with(scene.method()); !conflict.empty())
     throw FieldError("method", conflict);
+  if (scene.projectile->velocity != Vec2::Zero() || scene.projectile->spin != 0)
+    throw FieldError("projectile",
+                     "has a velocity or spin of its own, which only a target has; say them in launch instead");
   const auto& held = scene.projectile->anchored;
   if (std::find(held.begin(), held.end(), true) != held.end())
     throw FieldError("projectile", "must be free, but this body has anchored nodes");
@@ -114,7 +117,11 @@ int scene_run(lua_State* L) {
                                     method.name, outcome.step, outcome.theta, outcome.theta_most,
                                     method.stability_limit, outcome.theta / outcome.step));
   const Row row = row_of(scene, outcome, 0);
-  if (!session.options.check) session.count(row);
+  if (!session.options.check) {
+    session.count(row);
+    warn_of_limit(session, {scene}, {row},
+                  [&](std::size_t) { return fmt::format("{}:{}: scene", object.site.file, object.site.line); });
+  }
   push_row(L, row);
   return 1;
 }
@@ -203,19 +210,21 @@ Function scene_function() {
       {"effects", "effects", "",
        "list of what else acts, e.g. { ricochet.gravity { g = 1e-4 } }; what is not named is not computed", any_number,
        "{}"}};
-  return {.name = "scene",
-          .doc =
-              "One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream "
-              "so that its smooth outline would touch the "
-              "target's at x = launch.at. `scene:run()` runs it and returns a row, `scene:bounces { }` several impacts "
-              "one after another; `scene:text()` is its canonical "
-              "text, `scene:hash()` that text's hash.",
-          .fields = parts + fields_of<Integration>(),
-          .returns = "scene",
-          .example =
-              "ricochet.scene { projectile = ricochet.disk {}, target = ricochet.wall { stiffness = 100 }, "
-              "launch = { psi1 = 3 } }",
-          .call = guarded<scene>};
+  return {
+      .name = "scene",
+      .doc =
+          "One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream "
+          "so that its smooth outline would touch the "
+          "target's at x = launch.at. Speeds are those in space: launch.speed of the projectile, body.velocity of the "
+          "target, which is where it was built when the run begins; heights and gaps are between the two. "
+          "`scene:run()` runs it and returns a row, `scene:bounces { }` several impacts one after another; "
+          "`scene:text()` is its canonical text, `scene:hash()` that text's hash.",
+      .fields = parts + fields_of<Integration>(),
+      .returns = "scene",
+      .example =
+          "ricochet.scene { projectile = ricochet.disk {}, target = ricochet.wall { stiffness = 100 }, "
+          "launch = { psi1 = 3 } }",
+      .call = guarded<scene>};
 }
 
 template <class E>

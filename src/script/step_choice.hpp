@@ -1,16 +1,24 @@
 #pragma once
+#include <functional>
+#include <string>
 #include <vector>
 
+#include "impact/chosen_steps.hpp"
 #include "impact/scene.hpp"
 #include "script/session.hpp"
 
 namespace ricochet {
 
-/// Scenes that ask for an accuracy with the method and step chosen for it, by trial runs; prints what was chosen.
-/// Others as they are.
-std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes);
-/// The same, told to run.log only.
-std::vector<Scene> with_quietly_chosen_steps(Session& session, const std::vector<Scene>& scenes);
+/// Names a scene of a list.
+using SceneName = std::function<std::string(std::size_t)>;
+
+/// What is told of chosen steps is printed.
+Telling printed(Session& session, SceneName name);
+/// The same, into run.log only.
+Telling logged(Session& session, SceneName name);
+
+/// Scenes that ask for an accuracy with the method and step chosen for it, by trial runs. Others as they are.
+std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes, const Telling& telling);
 /// The same for one scene; the choice is kept for the rest of the run. With --check nothing is tried.
 Scene with_chosen_step(Session& session, const Scene& scene);
 

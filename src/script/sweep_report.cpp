@@ -101,4 +101,26 @@ std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>&
   return text;
 }
 
+void warn_of_limit(Session& session, const std::vector<Scene>& scenes, const std::vector<Row>& rows,
+                   const std::function<std::string(std::size_t)>& name) {
+  constexpr double near = 0.9, safe = 0.5;  // of the stability limit
+  const std::size_t theta_most = column("theta_most"), theta = column("theta");
+  std::size_t count = 0, worst = 0;
+  double most = near;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i].finished() || scenes[i].step_is_chosen()) continue;
+    const double share = rows[i].outcomes[theta_most] / scenes[i].method().stability_limit;
+    count += share > near;
+    if (!(share > most)) continue;
+    most = share;
+    worst = i;
+  }
+  if (count == 0) return;
+  const double enough = rows[worst].outcomes[theta] * safe / most;
+  session.warn(fmt::format(
+      "{}: the frequency bound rose until the step was {:.0f} % of the longest stable one, where errors of several per "
+      "cent may pass unseen{}; give theta = {:.2g} or less, or accuracy = 1e-3, which tells the error",
+      name(worst), 100 * most, count > 1 ? fmt::format(" ({} impacts came that near)", count) : "", enough));
+}
+
 }  // namespace ricochet

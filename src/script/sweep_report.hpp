@@ -2,6 +2,7 @@
 // What a sweep tells its user, while it runs and at its end.
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -52,5 +53,9 @@ class RunProgress {
 
 /// "pefrl, time step 0.0052 R/c, theta 1.6 and at most 1.68 (stable below 2.99)" for each method that ran.
 std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>& rows);
+
+/// Warns of finished impacts that came so near to where their method is unstable that their error is unknown.
+void warn_of_limit(Session& session, const std::vector<Scene>& scenes, const std::vector<Row>& rows,
+                   const std::function<std::string(std::size_t)>& name);
 
 }  // namespace ricochet

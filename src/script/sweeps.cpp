@@ -41,15 +41,27 @@ void warn_of_twins(Session& session, const std::string& name, const std::vector<
                   name, hashes.size() - once, hashes.size()));
 }
 
+/// A sweep that a script runs.
+struct Request {
+  std::string name;
+  Parameters parameters;
+  std::vector<Scene> scenes;
+  std::string stored = {};  ///< what an error leaves behind
+
+  SceneName scene_name() const {
+    return [this](std::size_t scene) { return parameters.place(scene); };
+  }
+};
+
 // Returns what it made of the machine.
-SweepUse run_and_store(Session& session, Store& store, const std::string& name, const std::vector<Scene>& scenes,
-                       const std::vector<std::string>& hashes) {
+SweepUse run_and_store(Session& session, Store& store, const Request& sweep, const std::vector<std::string>& hashes) {
+  const std::vector<Scene>& scenes = sweep.scenes;
   std::vector<bool> todo(scenes.size());
   std::map<std::string, std::size_t> first;  // a scene that occurs twice runs once
   for (std::size_t i = 0; i < scenes.size(); ++i) todo[i] = !store.done()[i] && first.emplace(hashes[i], i).second;
-  warn_of_twins(session, name, hashes);
+  warn_of_twins(session, sweep.name, hashes);
   const Storing storing;
-  Progress progress(session, name, scenes.size(), store.count());
+  Progress progress(session, sweep.name, scenes.size(), store.count());
   SweepUse use;
   const auto keep = [&](const std::vector<Result>& results) {
     std::vector<std::pair<std::size_t, Row>> batch;
@@ -62,7 +74,8 @@ SweepUse run_and_store(Session& session, Store& store, const std::string& name, 
     store.add(batch);
     progress.add(store.count() - before, failed);
   };
-  if (!run_sweep(scenes, todo, options_of(session), stop_requested, keep, &use)) {
+  if (!run_chosen(scenes, todo, options_of(session), stop_requested, keep, printed(session, sweep.scene_name()),
+                  &use)) {
     store.assemble();
     throw Error(fmt::format("interrupted: {}", left_behind(store, scenes.size())), Exit::interrupted);
   }
@@ -106,14 +119,16 @@ int pilot(lua_State* L) {
   std::vector<Scene> scenes = scenes_at(L, 1);
   std::vector<Row> rows(scenes.size());
   double seconds = 0;
+  const Telling telling = logged(session, [](std::size_t i) { return fmt::format("scene {} of the pilot", i + 1); });
   try {
-    scenes = with_quietly_chosen_steps(session, scenes);
+    scenes = with_chosen_steps(session, scenes, telling);
     const auto began = Clock::now();
-    const bool whole = run_sweep(scenes, std::vector<bool>(scenes.size(), true), options_of(session), stop_requested,
-                                 [&](const std::vector<Result>& results) {
-                                   for (const Result& result : results)
-                                     rows[result.index] = row_of(scenes[result.index], result.outcome, result.seconds);
-                                 });
+    const auto keep = [&](const std::vector<Result>& results) {
+      for (const Result& result : results)
+        rows[result.index] = row_of(scenes[result.index], result.outcome, result.seconds);
+    };
+    const bool whole =
+        run_chosen(scenes, std::vector<bool>(scenes.size(), true), options_of(session), stop_requested, keep, telling);
     seconds = std::chrono::duration<double>(Clock::now() - began).count();
     if (!whole) throw Error("interrupted", Exit::interrupted);
   } catch (const SceneError& error) {
@@ -130,14 +145,6 @@ int pilot(lua_State* L) {
   return 2;
 }
 
-/// A sweep that a script runs.
-struct Request {
-  std::string name;
-  Parameters parameters;
-  std::vector<Scene> scenes;
-  std::string stored = {};  ///< what an error leaves behind
-};
-
 // With --check: rows of nothing.
 std::vector<Row> check_only(Session& session, const Request& sweep) {
   check_scenes(sweep.scenes, std::vector<bool>(sweep.scenes.size(), true), options_of(session), stop_requested);
@@ -150,7 +157,11 @@ std::vector<Row> check_only(Session& session, const Request& sweep) {
 // A step that some lattice refuses is refused before anything is written.
 void check_steps(const Session& session, const std::vector<Scene>& scenes) {
   std::vector<bool> by_step(scenes.size());
-  for (std::size_t i = 0; i < scenes.size(); ++i) by_step[i] = i == 0 || !std::isnan(scenes[i].integration.step);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const Integration& given = scenes[i].integration;
+    const bool found_to_start = scenes[i].step_is_chosen();
+    by_step[i] = !found_to_start && (i == 0 || !std::isnan(given.step) || !std::isnan(given.theta));
+  }
   check_scenes(scenes, by_step, options_of(session), stop_requested);
 }
 
@@ -166,10 +177,11 @@ void tell_end(Session& session, const Request& sweep, const Store& store, const 
                         100 * use->idle_lanes);
   for (const Row& row : rows) session.count(row);
   session.print(text);
+  warn_of_limit(session, sweep.scenes, rows, sweep.scene_name());
 }
 
 std::vector<Row> run(Session& session, Request& sweep) {
-  sweep.scenes = with_chosen_steps(session, sweep.scenes);
+  sweep.scenes = with_chosen_steps(session, sweep.scenes, printed(session, sweep.scene_name()));
   std::vector<std::string> hashes;
   for (const Scene& scene : sweep.scenes) hashes.push_back(scene.hash());
   check_steps(session, sweep.scenes);
@@ -177,7 +189,7 @@ std::vector<Row> run(Session& session, Request& sweep) {
   const std::size_t before = store.count();
   SweepUse use;
   try {
-    use = run_and_store(session, store, sweep.name, sweep.scenes, hashes);
+    use = run_and_store(session, store, sweep, hashes);
   } catch (const FileError& error) {
     throw FileError(fmt::format("{}\n  {}", error.what(), left_behind(store, sweep.scenes.size())));
   } catch (const SceneError&) {

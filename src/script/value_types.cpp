@@ -69,7 +69,7 @@ std::string string_mistake(const Value& value) {
 
 std::string body_mistake(const Value& value) {
   return value.unless(is_object(value.L, value.index, "body"),
-                      "a body (from ricochet.disk, ricochet.wall, ricochet.plane or ricochet.body)");
+                      "a body (from ricochet.disk, ricochet.wall, ricochet.body or another shape)");
 }
 
 std::string scene_mistake(const Value& value) {
@@ -161,6 +161,15 @@ std::string points_mistake(const Value& value) {
   });
 }
 
+std::string outlines_mistake(const Value& value) {
+  const char* what = "a list of outlines { { {x, y}, ... }, ... }";
+  return list_mistake(value, what, [&](lua_Integer i) -> std::string {
+    Field outline = value.field;
+    outline.name = fmt::format("{}[{}]", value.field.name, i);
+    return points_mistake({value.L, lua_gettop(value.L), outline});
+  });
+}
+
 // A list of effects may be empty, but holds nothing else, and no holes.
 std::string effects_mistake(const Value& value) {
   lua_State* L = value.L;
@@ -198,6 +207,7 @@ constexpr Type types[] = {
     {"numbers", "number[]", numbers_mistake},
     {"strings", "string[]", strings_mistake},
     {"points", "number[][]", points_mistake},
+    {"outlines", "number[][][]", outlines_mistake},
     {"body", "ricochet.body", body_mistake},
     {"scene", "ricochet.scene", scene_mistake},
     {"scenes", "ricochet.scene[]", scenes_mistake},

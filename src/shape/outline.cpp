@@ -46,11 +46,16 @@ double signed_area(const Points& outline) {
   return twice / 2;
 }
 
-bool is_simple(const Points& outline) {
-  const std::size_t n = outline.size();
-  if (n < 3) return false;
-  const CellTree tree(outline);
-  for (std::size_t i = 0; i < n; ++i) {
+double perimeter(const Points& outline) {
+  double sum = 0;
+  for (std::size_t i = 0, n = outline.size(); i < n; ++i) sum += (outline[(i + 1) % n] - outline[i]).norm();
+  return sum;
+}
+
+bool is_simple(const Points& outline) { return outline.size() >= 3 && is_simple(CellTree(outline)); }
+
+bool is_simple(const CellTree& tree) {
+  for (std::size_t i = 0; i < tree.size(); ++i) {
     const Vec2 &a = tree.from(i), &b = tree.to(i);
     if (a == b) return false;
     bool meets = false;
@@ -59,7 +64,7 @@ bool is_simple(const Points& outline) {
                 [&](std::size_t j) {
                   if (j <= i) return;  // each pair once
                   const Vec2 &c = tree.from(j), &d = tree.to(j);
-                  const bool next = j == i + 1, previous = (j + 1) % n == i;
+                  const bool next = &c == &b, previous = &d == &a;
                   if (next || previous) {  // neighbours: only a fold back onto each other is wrong
                     const Vec2 &corner = next ? b : a, &before = next ? a : b, &after = next ? d : c;
                     if (orientation(before, corner, after) == 0 && (before - corner).dot(after - corner) > 0)
@@ -101,15 +106,19 @@ bool outlines_overlap(const CellTree& a, const CellTree& b) {
   return meets || some_inside(b, a) || some_inside(a, b);
 }
 
+bool is_corner(const Points& outline, std::size_t i) {
+  const double cos_turn = std::sqrt(3.0) / 2 - 1e-12;  // a dodecagon's corners, of 30 degrees, are alike
+  const std::size_t n = outline.size();
+  const Vec2 in = (outline[i] - outline[(i + n - 1) % n]).normalized(),
+             out = (outline[(i + 1) % n] - outline[i]).normalized();
+  return in.dot(out) < cos_turn;
+}
+
 Points resample(const Points& outline, double spacing) {
   const std::size_t n = outline.size();
-  const double cos_turn = std::sqrt(3.0) / 2;  // 30 degrees
   std::vector<std::size_t> corners;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 in = (outline[i] - outline[(i + n - 1) % n]).normalized(),
-               out = (outline[(i + 1) % n] - outline[i]).normalized();
-    if (in.dot(out) < cos_turn) corners.push_back(i);
-  }
+  for (std::size_t i = 0; i < n; ++i)
+    if (is_corner(outline, i)) corners.push_back(i);
   const bool smooth = corners.empty();
   if (smooth) corners.push_back(0);
 

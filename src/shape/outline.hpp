@@ -18,8 +18,16 @@ Box bounding_box(const Points& points);
 /// Signed area: positive if the points run counter-clockwise. [unit of length squared]
 double signed_area(const Points& outline);
 
+/// Length of the closed polygon. [unit of length]
+double perimeter(const Points& outline);
+
 /// True if no two edges of the closed polygon cross, touch or overlap except neighbours in their common corner.
 bool is_simple(const Points& outline);
+/// The same of the edges of several closed chains.
+bool is_simple(const CellTree& chains);
+
+/// True if the outline turns by more than 30 degrees at its point i: a corner, which the rim keeps.
+bool is_corner(const Points& outline, std::size_t i);
 
 /// Even-odd rule, over all chains of a surface; points on it may fall on either side.
 bool inside(const CellTree& surface, const Vec2& point);

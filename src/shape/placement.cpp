@@ -1,5 +1,7 @@
 #include "shape/placement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,18 +9,19 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "shape/closest.hpp"
 #include "shape/outline.hpp"
 
 namespace ricochet {
 namespace {
 
-/// Answers `contains` quickly for many points: edges sorted into horizontal strips.
+/// Answers `contains` quickly for many points: edges of all chains sorted into horizontal strips.
 class Inside {
  public:
-  explicit Inside(const Points& outline) : outline_(outline), box_(bounding_box(outline)), strips_(outline.size()) {
+  explicit Inside(const Rim& rim) : rim_(rim), box_(bounding_box(rim.points)), strips_(rim.points.size()) {
     height_ = (box_.high.y() - box_.low.y()) / static_cast<double>(strips_.size());
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    for (std::size_t i = 0; i < rim.cells.size(); ++i) {
+      const Vec2 &a = rim.from(i), &b = rim.to(i);
       for (std::size_t s = strip(std::min(a.y(), b.y())); s <= strip(std::max(a.y(), b.y())); ++s)
         strips_[s].push_back(i);
     }
@@ -31,7 +34,7 @@ class Inside {
     return inside;
   }
 
-  /// Where the outline crosses the height y, from left to right: a line at y is inside from the first to the second,
+  /// Where the rim crosses the height y, from left to right: a line at y is inside from the first to the second,
   /// and so on.
   std::vector<double> crossings(double y) const {
     std::vector<double> xs;
@@ -48,7 +51,7 @@ class Inside {
   template <class Use>
   void each_crossing(double y, Use&& use) const {
     for (const std::size_t i : strips_[strip(y)]) {
-      const Vec2 &a = outline_[(i + 1) % outline_.size()], &b = outline_[i];
+      const Vec2 &a = rim_.to(i), &b = rim_.from(i);
       if ((a.y() > y) != (b.y() > y)) use(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
     }
   }
@@ -58,7 +61,7 @@ class Inside {
     return static_cast<std::size_t>(s);
   }
 
-  const Points& outline_;
+  const Rim& rim_;
   Box box_;
   double height_ = 1;
   std::vector<std::vector<std::size_t>> strips_;
@@ -122,12 +125,27 @@ class Neighbours {
   std::vector<Member> cells_, more_;  // cells_: [row][column]
 };
 
-/// Squares of an outline's box that lie wholly inside and wholly nearer than some distance to a point: darts at a
+/// Keeps points away from a rim.
+class Margin {
+ public:
+  Margin(const Rim& rim, double width) : tree_(rim.points, rim.cells), width_(width) {}
+  bool operator()(const Vec2& p) const {
+    const auto distance = [&](std::size_t s) { return closest(p, tree_.from(s), tree_.to(s)).distance; };
+    return width_ == 0 || tree_.nearest(p, width_, distance) == width_;
+  }
+  double width() const { return width_; }
+
+ private:
+  CellTree tree_;
+  double width_;
+};
+
+/// Squares of a rim's box that lie wholly inside and wholly nearer than some distance to a point: darts at a
 /// nearly full surface mostly fall there, and one bit tells. Another tells of most darts whether they are inside at
 /// all.
 class Covered {
  public:
-  Covered(const Points& outline, const Inside& inside, double side) : low_(inside.box().low), side_(side) {
+  Covered(const Rim& rim, const Inside& inside, double side) : low_(inside.box().low), side_(side) {
     const Vec2 size = (inside.box().high - low_) / side_;
     columns_ = static_cast<std::int64_t>(size.x()) + 1;
     rows_ = static_cast<std::int64_t>(size.y()) + 1;
@@ -140,8 +158,8 @@ class Covered {
           set(inside_, j * columns_ + i);
     }
     // An edge divides only squares that its stretches of less than a side reach.
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-      const Vec2 &a = outline[k], edge = outline[(k + 1) % outline.size()] - a;
+    for (std::size_t k = 0; k < rim.cells.size(); ++k) {
+      const Vec2 &a = rim.from(k), edge = rim.to(k) - a;
       const int pieces = static_cast<int>(edge.norm() / side_) + 1;
       for (int piece = 0; piece <= pieces; ++piece)
         around(a + edge * piece / pieces, 1, [&](std::int64_t square) {
@@ -175,7 +193,7 @@ class Covered {
   std::int64_t square_of(const Vec2& p) const { return row(p) * columns_ + column(p); }
   void expect(std::int64_t square) const { __builtin_prefetch(&covered_[static_cast<std::size_t>(square / 64)]); }
   bool operator()(std::int64_t square) const { return is_set(covered_, square); }
-  /// Whether p, which lies in that square, is inside the outline.
+  /// Whether p, which lies in that square, is inside the rim.
   bool inside(std::int64_t square, const Vec2& p, const Inside& inside) const {
     return is_set(inside_, square) || (is_set(divided_, square) && inside(p));
   }
@@ -213,26 +231,37 @@ class Covered {
   Bits covered_, inside_, divided_;  // [row * columns + column]; inside: wholly; divided: perhaps, by an edge
 };
 
-Points place_uniform(const Inside& inside, int count, Random& random) {
+// Throws unless some place is inside and keeps the margin.
+void check_room(const Inside& inside, const Margin& margin) {
+  constexpr int darts = 100000;
+  Random random(0, 0);
+  for (int i = 0; i < darts && margin.width() > 0; ++i)
+    if (const Vec2 p = draw(inside.box(), random); inside(p) && margin(p)) return;
+  if (margin.width() > 0)
+    throw FieldError("margin", fmt::format("{:g} leaves no room inside the rim; lower it", margin.width()));
+}
+
+Points place_uniform(const Inside& inside, const Margin& margin, int count, Random& random) {
   Points points;
   while (static_cast<int>(points.size()) < count) {
     const Vec2 p = draw(inside.box(), random);
-    if (inside(p)) points.push_back(p);
+    if (inside(p) && margin(p)) points.push_back(p);
   }
   return points;
 }
 
 // Dart throwing with a falling radius: random sequential packing jams at a coverage of 0.547, which is a least distance
 // of 0.83 spacings; start just below and shrink by 1 % whenever darts keep missing.
-Points place_poisson_disk(const Points& outline, const Inside& inside, int count, double spacing, Random& random) {
+Points place_poisson_disk(const Rim& rim, const Inside& inside, const Margin& margin, int count, double spacing,
+                          Random& random) {
   double distance = 0.82 * spacing;
   Neighbours neighbours(inside.box(), distance);
-  for (const Vec2& p : outline) neighbours.add(p);
-  Covered covered(outline, inside, distance / 3);
+  for (const Vec2& p : rim.points) neighbours.add(p);
+  Covered covered(rim, inside, distance / 3);
   Points points;
   const auto cover_again = [&] {
     covered.clear();
-    for (const Vec2& p : outline) covered.add(p, distance);
+    for (const Vec2& p : rim.points) covered.add(p, distance);
     for (const Vec2& p : points) covered.add(p, distance);
   };
   cover_again();
@@ -250,7 +279,7 @@ Points place_poisson_disk(const Points& outline, const Inside& inside, int count
     for (const auto& [p, square] : darts) {
       if (static_cast<int>(points.size()) == count) return points;
       const bool miss = covered(square);
-      if (!miss && !covered.inside(square, p, inside)) continue;
+      if (!miss && !(covered.inside(square, p, inside) && margin(p))) continue;
       if (!miss && !neighbours.any_nearer(p, distance)) {
         neighbours.add(p);
         covered.add(p, distance);
@@ -264,10 +293,10 @@ Points place_poisson_disk(const Points& outline, const Inside& inside, int count
   }
 }
 
-Points triangular_lattice(const Points& outline, const Inside& inside, double side) {
+Points triangular_lattice(const Rim& rim, const Inside& inside, const Margin& margin, double side) {
   const Box& box = inside.box();
-  Neighbours rim(box, 0.6 * side);
-  for (const Vec2& p : outline) rim.add(p);
+  Neighbours on_rim(box, 0.6 * side);
+  for (const Vec2& p : rim.points) on_rim.add(p);
   const Vec2 centre = (box.low + box.high) / 2;
   const double row = side * std::sqrt(3.0) / 2;
   const int rows = static_cast<int>(std::ceil((box.high.y() - box.low.y()) / 2 / row));
@@ -276,20 +305,21 @@ Points triangular_lattice(const Points& outline, const Inside& inside, double si
   for (int j = -rows; j <= rows; ++j)
     for (int i = -columns; i <= columns; ++i) {
       const Vec2 p = centre + Vec2((i + (j % 2 != 0 ? 0.5 : 0.0)) * side, j * row);
-      if (inside(p) && !rim.any_nearer(p, 0.6 * side)) points.push_back(p);
+      if (inside(p) && !on_rim.any_nearer(p, 0.6 * side) && margin(p)) points.push_back(p);
     }
   return points;
 }
 
 // The side whose lattice comes nearest to `count` points: the count falls with the side, so bisect.
-Points place_triangular(const Points& outline, const Inside& inside, int count, double spacing) {
+Points place_triangular(const Rim& rim, const Inside& inside, const Margin& margin, int count, double spacing) {
   const double ideal = spacing * std::sqrt(2 / std::sqrt(3.0));
   double low = 0.6 * ideal, high = 1.6 * ideal;
-  Points best = triangular_lattice(outline, inside, ideal);
+  const auto lattice = [&](double side) { return triangular_lattice(rim, inside, margin, side); };
+  Points best = lattice(ideal);
   const auto miss = [&](const Points& points) { return std::abs(static_cast<int>(points.size()) - count); };
   for (int i = 0; i < 30 && miss(best) > 0; ++i) {
     const double side = (low + high) / 2;
-    Points points = triangular_lattice(outline, inside, side);
+    Points points = lattice(side);
     (static_cast<int>(points.size()) > count ? low : high) = side;
     if (miss(points) < miss(best)) best = std::move(points);
   }
@@ -298,16 +328,18 @@ Points place_triangular(const Points& outline, const Inside& inside, int count, 
 
 }  // namespace
 
-Points place_interior(const Points& outline, Placement placement, int count, double spacing, Random& random) {
-  if (count <= 0) return {};
-  const Inside inside(outline);
+Points place_interior(const Rim& rim, Placement placement, const Spacing& wanted, Random& random) {
+  if (wanted.count <= 0) return {};
+  const Inside inside(rim);
+  const Margin margin(rim, wanted.margin);
+  check_room(inside, margin);
   switch (placement) {
     case Placement::uniform:
-      return place_uniform(inside, count, random);
+      return place_uniform(inside, margin, wanted.count, random);
     case Placement::poisson_disk:
-      return place_poisson_disk(outline, inside, count, spacing, random);
+      return place_poisson_disk(rim, inside, margin, wanted.count, wanted.spacing, random);
     case Placement::triangular:
-      return place_triangular(outline, inside, count, spacing);
+      return place_triangular(rim, inside, margin, wanted.count, wanted.spacing);
   }
   return {};
 }

@@ -4,18 +4,23 @@
 #include <string>
 
 #include "core/rng.hpp"
-#include "core/vec2.hpp"
+#include "shape/surface.hpp"
 
 namespace ricochet {
 
 enum class Placement { uniform, poisson_disk, triangular };
 
-/// Interior points of `outline` (simple, counter-clockwise). `spacing` is the mean distance sqrt(area / nodes).
-/// uniform: `count` independent points, as in the paper; near-coincident pairs and skinny triangles occur.
-/// poisson_disk: `count` random points with a least distance to each other and to the outline, as large as dart
-/// throwing finds. triangular: a triangular lattice of the same density; the number of points is the nearest that fits,
-/// not exactly `count`.
-Points place_interior(const Points& outline, Placement placement, int count, double spacing, Random& random);
+/// How many points are placed, how far apart as a mean, and how far at least from the rim. [R]
+struct Spacing {
+  int count;
+  double spacing, margin;
+};
+
+/// Points inside a rim (simple). uniform: independent points, as in the paper; near-coincident pairs and skinny
+/// triangles occur. poisson_disk: random points with a least distance to each other and to the rim's nodes, as large as
+/// dart throwing finds. triangular: a triangular lattice of the same density; the number of points is the nearest that
+/// fits, not exactly `count`. Throws FieldError if the margin leaves no room.
+Points place_interior(const Rim& rim, Placement placement, const Spacing& wanted, Random& random);
 
 Placement placement_from_name(const std::string& name);
 

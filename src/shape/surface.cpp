@@ -2,10 +2,16 @@
 
 namespace ricochet {
 
-Cells<2> ring(int count) {
+Cells<2> ring(int count, int first) {
   Cells<2> cells;
-  for (int k = 0; k < count; ++k) cells.push_back({k, k + 1 < count ? k + 1 : 0});
+  for (int k = 0; k < count; ++k) cells.push_back({first + k, first + (k + 1 < count ? k + 1 : 0)});
   return cells;
+}
+
+void Rim::add(const Points& chain) {
+  const Cells<2> more = ring(static_cast<int>(chain.size()), static_cast<int>(points.size()));
+  points.insert(points.end(), chain.begin(), chain.end());
+  cells.insert(cells.end(), more.begin(), more.end());
 }
 
 std::vector<Chain> chains_of(const Cells<2>& cells) {

@@ -31,8 +31,18 @@ struct Plane {
 
 using Surface = std::variant<Mesh<2>, Plane>;
 
-/// The closed chain of `count` surface nodes, in their order.
-Cells<2> ring(int count);
+/// The closed chain of `count` surface nodes, in their order, from the node `first` on.
+Cells<2> ring(int count, int first = 0);
+
+/// Closed chains: the outline of a body, counter-clockwise, then those of its holes, clockwise.
+struct Rim {
+  Points points;
+  Cells<2> cells;
+
+  const Vec2& from(std::size_t cell) const { return points[static_cast<std::size_t>(cells[cell][0])]; }
+  const Vec2& to(std::size_t cell) const { return points[static_cast<std::size_t>(cells[cell][1])]; }
+  void add(const Points& chain);
+};
 
 /// Half of the length of each cell at a surface node, at these places. [surface node] [R]
 std::vector<double> rim_shares(const Mesh<2>& mesh, const Points& places);

@@ -25,22 +25,26 @@ using Triangulation =
 
 constexpr int unseen = 0, outside = 1, inside = 2;
 
-// Faces joined to the infinite one without crossing a rim edge lie outside; all others lie inside a simple outline.
-void mark_outside(Triangulation& triangulation) {
-  std::vector<Triangulation::Face_handle> stack{triangulation.infinite_face()};
-  while (!stack.empty()) {
-    const auto face = stack.back();
-    stack.pop_back();
-    if (face->info() == outside) continue;
-    face->info() = outside;
-    for (int side = 0; side < 3; ++side)
-      if (!face->is_constrained(side) && face->neighbor(side)->info() != outside) stack.push_back(face->neighbor(side));
+// Faces joined to the infinite one without crossing a rim edge lie outside; those behind one edge inside, and so on.
+void mark_sides(Triangulation& triangulation) {
+  std::vector<Triangulation::Face_handle> stack{triangulation.infinite_face()}, beyond;
+  for (int side = outside; !stack.empty(); side = side == outside ? inside : outside) {
+    while (!stack.empty()) {
+      const auto face = stack.back();
+      stack.pop_back();
+      if (face->info() != unseen) continue;
+      face->info() = side;
+      for (int edge = 0; edge < 3; ++edge)
+        if (face->neighbor(edge)->info() == unseen)
+          (face->is_constrained(edge) ? beyond : stack).push_back(face->neighbor(edge));
+    }
+    stack.swap(beyond);
   }
 }
 
 }  // namespace
 
-std::vector<Triangle> triangulate(const Points& points, int rim) {
+std::vector<Triangle> triangulate(const Points& points, const Cells<2>& rim) {
   std::vector<std::pair<Kernel::Point_2, int>> vertices;
   for (std::size_t i = 0; i < points.size(); ++i)
     vertices.emplace_back(Kernel::Point_2(points[i].x(), points[i].y()), static_cast<int>(i));
@@ -55,17 +59,14 @@ std::vector<Triangle> triangulate(const Points& points, int rim) {
   std::vector<Triangulation::Vertex_handle> handles(points.size());
   for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v)
     handles[static_cast<std::size_t>(v->info())] = v;
-  for (int i = 0; i < rim; ++i) {
-    const auto here = handles[static_cast<std::size_t>(i)], next = handles[static_cast<std::size_t>((i + 1) % rim)];
-    triangulation.insert_constraint(here, next);
-  }
+  for (const auto& [from, to] : rim)
+    triangulation.insert_constraint(handles[static_cast<std::size_t>(from)], handles[static_cast<std::size_t>(to)]);
   for (auto face : triangulation.all_face_handles()) face->info() = unseen;
-  mark_outside(triangulation);
+  mark_sides(triangulation);
 
   std::vector<Triangle> triangles;
   for (const auto face : triangulation.finite_face_handles()) {
     if (face->info() == outside) continue;
-    face->info() = inside;
     triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
   }
   return triangles;

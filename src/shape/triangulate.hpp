@@ -2,15 +2,15 @@
 #include <array>
 #include <vector>
 
-#include "core/vec2.hpp"
+#include "shape/surface.hpp"
 
 namespace ricochet {
 
 using Triangle = std::array<int, 3>;  ///< node numbers, counter-clockwise
 
-/// Delaunay triangles of `points` inside the closed polygon of the first `rim` points, whose edges are kept as
-/// constraints: a concave outline keeps its shape and no sliver of the convex hull is left outside it. Throws Error if
-/// two points coincide.
-std::vector<Triangle> triangulate(const Points& points, int rim);
+/// Delaunay triangles of `points` between the closed chains of `rim`, whose edges are kept as constraints: a concave
+/// outline keeps its shape, a hole stays free, and no sliver of the convex hull is left outside. Throws Error if two
+/// points coincide.
+std::vector<Triangle> triangulate(const Points& points, const Cells<2>& rim);
 
 }  // namespace ricochet

@@ -221,6 +221,39 @@ TEST_CASE("a third body far away changes no bit of an impact") {
   CHECK(b.after.bodies.size() == 3);
 }
 
+TEST_CASE("a body in a hole touches nothing until it comes to the hole's rim, and bounces off it there") {
+  Body plate{{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}, numbers(700, 1, 0, 1), {}, {}};
+  plate.numbers.interior = "rigid";
+  plate.holes = {{{-2, -2}, {-2, 2}, {2, 2}, {2, -2}}};
+  Scene scene;
+  scene.projectile = std::make_shared<Body>(Body{circle(0.3), numbers(40, 1e4, 0, 1, "triangular"), {}, {}});
+  scene.target = std::make_shared<Body>(plate);
+  scene.contact = paper_contact();
+  scene.contact.sides = "two";
+  scene.launch.speed = 0.1;
+  const BuiltSolids built(scene);
+  const Solid& ball = built[0];
+  const PlacedSurface frame(built[1].surface, surface_points(built[1]));
+  Start start = launch(scene, built);
+  Placement& at = start.bodies[0];
+  const auto standing = [&](double height) {
+    at.centre = Vec3(0, height, 0);
+    return placed(surface_points(ball), ball.centre(), at);
+  };
+  CHECK(inside_one_another(PlacedSurface(ball.surface, standing(-1.8)), frame, true, 0));
+  CHECK_FALSE(inside_one_another(PlacedSurface(ball.surface, standing(0)), frame, true, 0));
+  CHECK(distance_of(PlacedSurface(ball.surface, standing(0)), frame) == Catch::Detail::Approx(1.7).epsilon(0.01));
+  Engine<1> engine(built, scene.method(), {});
+  engine.begin(0, scene, 0, start);
+  const double energy = engine.snapshot(0).energy.total();
+  while (engine.run(0).time() < 30) engine.advance_one_step();  // 17 R/c down, the rest up again
+  const Snapshot after = engine.snapshot(0);
+  double up = 0;
+  for (const Vec2& v : after.bodies[0].velocity) up += v.y() / ball.nodes();
+  CHECK(up > 0.09);
+  CHECK(after.energy.total() == Catch::Detail::Approx(energy).epsilon(1e-5));
+}
+
 TEST_CASE("the skin of the contact's lists changes no bit, for two bodies and for six that meet at random") {
   Random random(11, 0);
   const auto solid = build_solid(*disk(40, 1e3, 0.02, 1));

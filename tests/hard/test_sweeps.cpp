@@ -115,7 +115,7 @@ const std::vector<std::string>& golden_columns() {
                                               "theta_most",
                                               "steps",
                                               "momentum_residual",
-                                              "error_estimate",
+                                              "error_step",
                                               "gravity_energy",
                                               "drag_energy",
                                               "absorbing_energy",

@@ -70,10 +70,26 @@ TEST_CASE("a scene that asks for an accuracy says what was chosen, and its rows 
   INFO(ended.err);
   CHECK(ended.status == 0);
   CHECK_THAT(ended.out, Catch::Matchers::Matches(
+                            "accuracy 1e-05 of e: tries steps in 6 of 6 scenes, at the cost of 12 impacts at most\n"
                             "accuracy 1e-05 of e: (verlet|takahashi_imada|multirate_[2358]) with theta [^]*"));
   const Table table = read_table(here.path / "out/s/results.h5");
-  for (const double estimate : table.number("error_estimate")->values) CHECK((estimate > 0 && estimate <= 1e-5));
+  for (const double estimate : table.number("error_step")->values) CHECK((estimate > 0 && estimate <= 1e-5));
   CHECK(here.script(text, "samples=2 --quiet --resume").status == 0);  // the same steps again, so the same scenes
+}
+
+TEST_CASE("an impact that came near to its method's limit is told, with a step that does not") {
+  const Workplace here;
+  std::string text = small_sweep;
+  text.replace(text.find("launch ="), 0, "method = 'pefrl', theta = p.theta, ");
+  text.replace(text.find("samples ="), 0, "theta = { 1.6 }, ");
+  const Ended near = here.script(text, "samples=1 theta=2.85 --quiet");
+  INFO(near.err);
+  CHECK(near.status == 0);
+  CHECK_THAT(near.err, Catch::Matchers::Contains("warning: psi1 = ") &&
+                           Catch::Matchers::Contains("sample = 1: the frequency bound rose until") &&
+                           Catch::Matchers::Contains("% of the longest stable one") &&
+                           Catch::Matchers::Contains("(3 impacts came that near); give theta = 1."));
+  CHECK(here.script(text, "samples=1 --quiet --force").err.empty());
 }
 
 TEST_CASE("the summary is the mean, deviation and error of finished rows") {
@@ -233,6 +249,7 @@ TEST_CASE("scripts and examples of the project run short") {
                                     "examples/02_soft_and_hard.lua nodes=60 frames=3",
                                     "examples/03_super_rebound.lua nodes=60 samples=3 frames=3",
                                     "examples/04_waves.lua nodes=600 frames=3",
+                                    "examples/05_shapes.lua nodes=80",
                                     "scripts/elasticity.lua samples=1 height=3",
                                     "scripts/benchmark.lua nodes=60 samples=1 psi1=0,1 growth=300,600",
                                     "scripts/soft_wall.lua --check samples=1",

@@ -41,7 +41,7 @@ std::vector<int> ordered(const Body& body, const NodePlan& plan, const Edges& ed
 Mesh<2> rim_of(const NodePlan& plan, const std::vector<int>& number) {
   Mesh<2> rim;
   for (int i = 0; i < plan.rim; ++i) rim.node.push_back(number[at(i)]);
-  rim.cell = ring(plan.rim);
+  rim.cell = plan.rim_cells;
   return rim;
 }
 
@@ -54,12 +54,13 @@ double stiffness_of(const Body& body, int a, int b) {
 Springs join(const Body& body, const NodePlan& plan, const Edges& edges, const std::vector<int>& number,
              const Solid& solid) {
   std::vector<Spring> all;
+  std::vector<int> next(plan.points.size(), -1);  // along the rim
+  for (const auto& [from, to] : plan.rim_cells) next[at(from)] = to;
   for (const auto& [a, b] : edges) {
     const auto [low, high] = std::minmax(number[at(a)], number[at(b)]);
     if (low >= solid.free) continue;
     const Vec2 d = solid.points[at(high)] - solid.points[at(low)];
-    // Edges are pairs a < b, the rim's nodes come first.
-    const bool on_rim = b < plan.rim && (b - a == 1 || b - a == plan.rim - 1);
+    const bool on_rim = next[at(a)] == b || next[at(b)] == a;
     all.push_back({low, high, on_rim, std::sqrt(d.x() * d.x() + d.y() * d.y()), stiffness_of(body, a, b)});
   }
   std::sort(all.begin(), all.end(),

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "shape/outline.hpp"
 
 namespace ricochet {
 namespace {
@@ -41,21 +42,34 @@ double farthest_apart(const Points& a, const Points& b) {
 
 }  // namespace
 
-Flight::Flight(const Solid& projectile, const Solid& target, const Vec2& shift)
+Flight::Flight(const Solid& projectile, const Solid& target, const Vec2& shift, double target_spin)
     : projectile_(projectile),
       target_(target),
       shift_(shift),
       centre_(projectile.centre()),
+      target_spin_(target_spin),
       rim_(surface_points(projectile)),
       placed_target_(target.surface, shifted(surface_points(target), shift)) {
   for (const Vec2& p : rim_) radius_ = std::max(radius_, (p - centre_).norm());
+  for (const Vec2& p : placed_target_.points()) target_radius_ = std::max(target_radius_, (p - target.centre()).norm());
 }
 
 double Flight::fastest(const Placement& placement) const {
-  return in_plane(placement.velocity).stableNorm() + std::abs(placement.spin.z()) * radius_;
+  return in_plane(placement.velocity).stableNorm() + std::abs(placement.spin.z()) * radius_ +
+         std::abs(target_spin_) * target_radius_;
+}
+
+std::array<double, 2> Flight::landing_range() const {
+  if (placed_target_.plane())
+    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  const Box own = bounding_box(projectile_.smooth), other = bounding_box(target_.smooth);
+  return {other.low.x() - (own.high.x() - centre_.x()), other.high.x() - (own.low.x() - centre_.x())};
 }
 
 double Flight::resting_lift(double at) const {
+  const auto [first, last] = landing_range();
+  const double rounding = 1e-12 * (last - first);
+  if (at <= first + rounding || at >= last - rounding) return not_given;  // alike at both edges
   Points smooth = projectile_.smooth;
   for (Vec2& p : smooth) p.x() += at - centre_.x();
   const PlacedSurface above(projectile_.surface, smooth), below(target_.surface, target_.smooth);
@@ -75,7 +89,12 @@ double Flight::usual_height(double reach) const {
 }
 
 double Flight::distance(const Placement& placement) const {
-  return distance_of(PlacedSurface(projectile_.surface, placed(rim_, centre_, placement)), placed_target_);
+  const PlacedSurface projectile(projectile_.surface, placed(rim_, centre_, placement));
+  if (target_spin_ == 0) return distance_of(projectile, placed_target_);
+  Placement turned = placed_at_rest(target_);
+  turned.turn = Turn(target_spin_ * placement.time);
+  return distance_of(projectile,
+                     PlacedSurface(target_.surface, placed(placed_target_.points(), target_.centre(), turned)));
 }
 
 bool Flight::gone_past(const Placement& placement, double reach) const {
@@ -84,7 +103,8 @@ bool Flight::gone_past(const Placement& placement, double reach) const {
   if (const Plane* plane = placed_target_.plane())
     return in_plane(plane->normal).dot(velocity) >= 0 && in_plane(plane->normal).dot(acceleration) >= 0 &&
            in_plane(plane->normal).dot(centre) - plane->offset > radius_ + reach;
-  const Circle around = circle_around(placed_target_.points());
+  const Circle around =
+      target_spin_ == 0 ? circle_around(placed_target_.points()) : Circle{target_.centre(), target_radius_};
   const Vec2 offset = centre - around.centre;
   return offset.dot(velocity) >= 0 && offset.dot(acceleration) >= 0 &&
          offset.norm() > around.radius + (radius_ + reach);
@@ -122,6 +142,12 @@ double Flight::closest_approach(Placement placement, double enough) const {
   return least;
 }
 
+Placement seen_by_target(const Start& start) {
+  Placement seen = start.bodies[0];
+  seen.velocity -= start.bodies[1].velocity;
+  return seen;
+}
+
 namespace {
 
 /// The launch along the line of flight, by its height above touching.
@@ -131,7 +157,7 @@ class Line {
       : scene_(scene), start_(start), flight_(flight), lift_(lift), centre_(centre) {}
 
   Placement at(double above) const {
-    Placement placement = start_.bodies.front();
+    Placement placement = seen_by_target(start_);
     const Vec3& v = placement.velocity;
     const double ahead = ahead_of_landing(above);
     placement.centre = Vec3(scene_.launch.at - v.x() * ahead, centre_.y() + lift_ + above, 0);
@@ -147,7 +173,7 @@ class Line {
  private:
   // How long it flies from so high.
   double ahead_of_landing(double above) const {
-    const Placement& launched = start_.bodies.front();
+    const Placement launched = seen_by_target(start_);
     const double speed = -launched.velocity.y(), growth = -launched.acceleration.y();
     if (growth > 0 && above > 0) return 2 * above / (speed + std::sqrt(speed * speed + 2 * growth * above));
     return speed > 0 ? above / speed : 0.0;
@@ -183,7 +209,7 @@ std::optional<Placement> upstream(const Scene& scene, const Start& start, const 
   const double reach = start.contact.reach, usual = flight.usual_height(reach);
   const bool given = !std::isnan(scene.launch.height);
   const double height = given ? scene.launch.height : usual;
-  if (start.bodies.front().velocity.y() == 0 && !given) return std::nullopt;
+  if (seen_by_target(start).velocity.y() >= 0 && !given) return std::nullopt;
   double above = height, distance = line.distance(above);
   // Where the outlines slope, a height is less of a distance: go higher until the rims are apart.
   for (double higher = 2 * height; !given && distance < reach && higher < 1e3 * height; higher *= 2) {
@@ -198,7 +224,8 @@ std::optional<Placement> upstream(const Scene& scene, const Start& start, const 
 }
 
 double closest_approach(const Start& start, const Solids& solids, double enough) {
-  return Flight(*solids[0], *solids[1], Vec2::Zero()).closest_approach(start.bodies[0], enough);
+  const Flight flight(*solids[0], *solids[1], Vec2::Zero(), start.bodies[1].spin.z());
+  return flight.closest_approach(seen_by_target(start), enough);
 }
 
 }  // namespace ricochet

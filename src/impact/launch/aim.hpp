@@ -1,6 +1,7 @@
 #pragma once
 // Where the projectile starts so that it lands where it was aimed, and its rigid flight.
 
+#include <array>
 #include <optional>
 
 #include "impact/launch/start.hpp"
@@ -9,15 +10,18 @@
 
 namespace ricochet {
 
-/// The rigid flight of the projectile towards the target's surface.
+/// The rigid flight of the projectile towards the target's surface, in the frame of the target's centre: placements are
+/// the projectile's in that frame, in which the target at most turns.
 class Flight {
  public:
-  /// `shift`: of the target from where it is at rest [R]. Refers to the solids.
-  Flight(const Solid& projectile, const Solid& target, const Vec2& shift);
+  /// `shift`: of the target from where it is at rest [R]; `target_spin`: since the launch [c/R]. Refers to the solids.
+  Flight(const Solid& projectile, const Solid& target, const Vec2& shift, double target_spin);
 
   double radius() const { return radius_; }  ///< no surface node is farther from the projectile's centre
-  /// No node of the projectile is faster. [c]
+  /// No node of the projectile is faster as a node of the target sees it. [c]
   double fastest(const Placement& placement) const;
+  /// Between which x of the projectile's centre of mass the smooth outlines stand above one another. [R]
+  std::array<double, 2> landing_range() const;
   /// The smooth outlines just touch with the projectile's centre this high above its place at rest, at x = `at`; NaN if
   /// they pass beside each other.
   double resting_lift(double at) const;
@@ -39,15 +43,19 @@ class Flight {
  private:
   const Solid &projectile_, &target_;
   Vec2 shift_, centre_;
+  double target_spin_;
   Points rim_;
   PlacedSurface placed_target_;
-  double radius_ = 0;
+  double radius_ = 0, target_radius_ = 0;  // from the centres
 };
 
 /// A placement upstream of the landing point launch.at, where the repulsion does not show. Throws FieldError if a given
 /// height is too low for that; nothing if a body that flies along the surface never comes down.
 std::optional<Placement> upstream(const Scene& scene, const Start& start, const Flight& flight, double lift,
                                   const Vec2& centre);
+
+/// The projectile's placement at a start in the frame of the target's centre.
+Placement seen_by_target(const Start& start);
 
 /// The least distance of the surfaces [R] on the straight flight from a start; see Flight.
 double closest_approach(const Start& start, const Solids& solids, double enough);

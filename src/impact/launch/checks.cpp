@@ -16,6 +16,8 @@ const char* given_step(const Integration& wanted) {
   return !std::isnan(wanted.step) ? "step" : !std::isnan(wanted.theta) ? "theta" : nullptr;
 }
 
+const char* speed_field(const Scene& scene) { return std::isnan(scene.launch.normal_speed) ? "speed" : "normal_speed"; }
+
 }  // namespace
 
 void check_bodies(const Solids& solids) {
@@ -67,6 +69,22 @@ void check_contact_is_seen(const Scene& scene, double step, double fastest, doub
                                step * fastest, step, 1 / scene.contact.xi, 0.99 * furthest / fastest * unit));
 }
 
+void check_patience(const Scene& scene, const Start& start, double fastest, double radius) {
+  constexpr double most_steps = 1e9;  // hours to days
+  constexpr double usual_time = 100;  // of an impact; a slow approach may take longer by itself
+  const double limit = scene.integration.time_limit, time = std::isnan(limit) ? usual_time : limit;
+  const bool set_by_contact = start.theta < 0.99 * scene.method().usual;
+  const double steps = time / start.step;
+  if (given_step(scene.integration) || !set_by_contact || steps <= most_steps) return;
+  const double share = most_steps / steps, spin = std::abs(scene.launch.spin);
+  const bool by_spin = spin * radius > fastest / 2;
+  const std::string field = by_spin ? "spin" : speed_field(scene);
+  throw FieldError(
+      field, fmt::format("the projectile's nodes move at {:.2g} c: to follow their contact takes steps of {:.2g} R/c, "
+                         "{:.2g} of them in {:.3g} R/c; give a {} below {:.2g}, or a time_limit below {:.2g}",
+                         fastest, start.step, steps, time, field, share * (by_spin ? spin : fastest), share * time));
+}
+
 namespace {
 
 // t + step = t within the time limit.
@@ -95,7 +113,7 @@ void check_progress(const Scene& scene, const Start& start, double fastest, doub
   constexpr double rounding = std::numeric_limits<double>::epsilon();
   const Integration& wanted = scene.integration;
   const char* given = given_step(wanted);
-  const char* speed = std::isnan(scene.launch.normal_speed) ? "speed" : "normal_speed";
+  const char* speed = speed_field(scene);
   if (start.time_limit + start.step == start.time_limit) refuse_lost_step(scene, start, given, speed);
   // The last digits of what a step adds to a place are lost; few enough that the impact does not notice.
   const double least = 1e3 * rounding * size;

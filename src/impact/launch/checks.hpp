@@ -22,6 +22,10 @@ void check_effects(const Scene& scene, const Solids& solids);
 /// one may jump over the contact unseen, or through a body between two looks. `radius`: of the projectile.
 void check_contact_is_seen(const Scene& scene, double step, double fastest, double radius);
 
+/// A projectile so fast that following its contact would take more steps than anyone waits for. `fastest`: no node of
+/// it is faster [c]; `radius`: of the projectile.
+void check_patience(const Scene& scene, const Start& start, double fastest, double radius);
+
 /// Time and places must move on in numbers of 53 bits. `size`: of the places [R].
 void check_progress(const Scene& scene, const Start& start, double fastest, double size);
 

@@ -53,8 +53,10 @@ double reduced_mass(const Solid& projectile, const Solid& target) {
 }
 
 // Kinetic energy of the relative motion and of the spin.
-double energy_of(const Solids& solids, const Placement& arrives) {
-  return reduced_mass(*solids[0], *solids[1]) * arrives.velocity.squaredNorm() / 2 +
+double energy_of(const Scene& scene, const Solids& solids, const Placement& arrives) {
+  const double target_spin = scene.target->spin;
+  const double turning = target_spin == 0 ? 0 : solids[1]->inertia() * target_spin * target_spin / 2;
+  return turning + reduced_mass(*solids[0], *solids[1]) * arrives.velocity.squaredNorm() / 2 +
          solids[0]->inertia() * arrives.spin.squaredNorm() / 2;
 }
 
@@ -67,7 +69,7 @@ bool yields(const Scene& scene) {
 double rule_of_xi(const Scene& scene, const Solids& solids, const Placement& arrives) {
   const LineImpact impact = expected_impact(scene, solids, arrives);
   const double hard = 1 / (softness * impact.approach);
-  return yields(scene) ? std::max(hard, impact.force / (held * energy_of(solids, arrives))) : hard;
+  return yields(scene) ? std::max(hard, impact.force / (held * energy_of(scene, solids, arrives))) : hard;
 }
 
 }  // namespace
@@ -84,9 +86,23 @@ ExponentialRepulsion acting_contact(const Scene& scene, const Solids& solids, co
   ExponentialRepulsion contact = scene.contact;
   if (std::isnan(contact.xi)) contact.xi = rule_of_xi(scene, solids, arrives);
   contact.by_length = std::isnan(contact.V0);
-  if (contact.by_length) contact.V0 = strength * energy_of(solids, arrives);
+  if (contact.by_length) contact.V0 = strength * energy_of(scene, solids, arrives);
   if (std::isnan(contact.reach)) contact.reach = ranges / contact.xi;
   return contact;
+}
+
+double contact_frequency(const Scene& scene, const Solids& solids, const Placement& arrives,
+                         const ExponentialRepulsion& acts) {
+  if (!acts.by_length) return 0;
+  const LineImpact impact = expected_impact(scene, solids, arrives);
+  double most = 0;
+  for (const Solid* solid : solids) {
+    const auto* mesh = std::get_if<Mesh<2>>(&solid->surface);
+    for (std::size_t k = 0; mesh && k < mesh->node.size(); ++k)
+      if (mesh->node[k] < solid->free) most = std::max(most, mesh->weight[k] / solid->mass[mesh->node[k]]);
+  }
+  const double pressure = 2 * impact.force / (std::numbers::pi * impact.half_width);
+  return std::sqrt(2 * acts.xi * pressure * most);
 }
 
 }  // namespace ricochet

@@ -18,4 +18,9 @@ LineImpact expected_impact(const Scene& scene, const Solids& solids, const Place
 /// neither the spacing of its nodes nor the impact lets one pass. The reach is 30/xi. [here]
 ExponentialRepulsion acting_contact(const Scene& scene, const Solids& solids, const Placement& arrives);
 
+/// Bound of the frequency at which a node of either rim vibrates in the contact, at the greatest pressure to be
+/// expected: omega^2 = 2 xi p s/m, s its share of the rim, p = 2 F/(pi a). 0 where V0 was given. [c/R]
+double contact_frequency(const Scene& scene, const Solids& solids, const Placement& arrives,
+                         const ExponentialRepulsion& acts);
+
 }  // namespace ricochet

@@ -21,6 +21,8 @@ Start bodies_at_launch(const Scene& scene, const Solids& solids) {
   for (const Body* body : scene.bodies()) start.stiffness.push_back(body->numbers.stiffness);
   start.bodies[0].velocity = in_space(scene.launch.velocity());
   start.bodies[0].spin = about_z(scene.launch.spin);
+  start.bodies[1].velocity = in_space(scene.target->velocity);
+  start.bodies[1].spin = about_z(scene.target->spin);
   return start;
 }
 
@@ -39,8 +41,8 @@ Placement arriving(const Scene& scene, Placement launched) {
   return launched;
 }
 
-// What of the projectile's motion its contact can meet: before a plane, which has nothing to catch on, what is along
-// the plane goes on for ever.
+// What of the projectile's motion, as the target sees it, its contact can meet: before a plane, which has nothing to
+// catch on, what is along the plane goes on for ever.
 Placement met_by(const Solid& target, Placement placement) {
   if (const auto* plane = std::get_if<Plane>(&target.surface))
     placement.velocity = placement.velocity.dot(plane->normal) * plane->normal;
@@ -65,7 +67,9 @@ void take_energy(Start& start, const Placement& arrives, const Scene& scene, con
   const double mass = projectile.total_mass();
   const double reduced = target.anchored() ? mass : mass * target.total_mass() / (mass + target.total_mass());
   const double spin = flies.spin.z(), speed2 = in_plane(flies.velocity).squaredNorm();
-  const double rotation = projectile.inertia() * spin * spin / 2;
+  const double target_spin = start.bodies[1].spin.z();
+  double rotation = projectile.inertia() * spin * spin / 2;
+  if (target_spin != 0) rotation += target.inertia() * target_spin * target_spin / 2;
   start.energy = mass * speed2 / 2 + rotation;
   // Attraction lowers the wall that V0 is, and other effects bring energy beside that of the launch: no claim then.
   const bool more_energy = std::any_of(scene.effects.begin(), scene.effects.end(),
@@ -83,6 +87,22 @@ ExponentialRepulsion widened(ExponentialRepulsion contact, double energy) {
   return contact;
 }
 
+[[noreturn]] void refuse_landing(const Scene& scene, const Flight& flight) {
+  const auto [first, last] = flight.landing_range();
+  throw FieldError("at", fmt::format("a projectile at x = {} passes beside the target; give more than {:.6g} and less "
+                                     "than {:.6g}",
+                                     scene.launch.at, first, last));
+}
+
+// The run begins where the flight, seen by the target, has come to: the target's centre is where it was built.
+void settle(Start& start, const Placement& seen) {
+  Placement& target = start.bodies[1];
+  start.bodies[0] = seen;
+  start.bodies[0].velocity += target.velocity;
+  target.turn = Turn(target.spin.z() * seen.time);
+  target.time = seen.time;
+}
+
 }  // namespace
 
 Start launch(const Scene& described, const Solids& solids) {
@@ -90,15 +110,16 @@ Start launch(const Scene& described, const Solids& solids) {
   Scene scene = described;
   Start start = bodies_at_launch(scene, solids);
   const Solid &projectile = *solids[0], &target = *solids[1];
-  const Flight flight(projectile, target, displacement_at_start(scene.effects));
+  const Flight flight(projectile, target, displacement_at_start(scene.effects), start.bodies[1].spin.z());
   start.bodies[0].acceleration = fall_from_height(scene, solids);
   check_motion(scene, start.bodies[0]);
-  const Placement arrives = arriving(scene, start.bodies[0]);
+  const Placement arrives = arriving(scene, seen_by_target(start));
   scene.contact = acting_contact(described, solids, arrives);
   check_contact(scene.contact);
   check_effects(scene, solids);
   const double fastest = flight.fastest(arrives), meeting = flight.fastest(met_by(target, arrives));
-  const auto [step, theta] = choose_step(scene, solids, meeting);
+  const auto [step, theta] =
+      choose_step(scene, solids, meeting, contact_frequency(scene, solids, arrives, scene.contact));
   start.step = step;
   start.theta = theta;
   const double normal_speed = -arrives.velocity.y();
@@ -106,18 +127,19 @@ Start launch(const Scene& described, const Solids& solids) {
       !std::isnan(scene.integration.time_limit) ? scene.integration.time_limit : 100 + 2 / std::max(normal_speed, 1e-9);
   const Vec2 centre = projectile.centre();
   check_progress(scene, start, fastest, std::max(centre.norm(), flight.radius()));
+  check_patience(scene, start, meeting, flight.radius());
   check_contact_is_seen(scene, step, meeting, flight.radius());
   take_energy(start, arrives, scene, solids);
   const double lift = flight.resting_lift(scene.launch.at);
-  if (std::isnan(lift))
-    throw FieldError("at", fmt::format("a projectile at x = {} passes beside the target", scene.launch.at));
+  if (std::isnan(lift)) refuse_landing(scene, flight);
   start.overlap_height = centre.y() + lift - target.centre().y();
   start.contact = widened(scene.contact, start.energy);
-  const auto placement = upstream(scene, start, flight, lift, centre);
-  if (placement) start.bodies[0] = *placement;
-  const double thrown = start.bodies[0].velocity.y(), fall = start.bodies[0].acceleration.y();
-  start.touches = placement && flight.advance(start.bodies[0], start.contact.reach);
-  if (fall != 0) start.fell = (start.bodies[0].velocity.y() - thrown) / fall;
+  auto placement = upstream(scene, start, flight, lift, centre);
+  const double thrown = placement ? placement->velocity.y() : 0, fall = start.bodies[0].acceleration.y();
+  start.touches = placement && flight.advance(*placement, start.contact.reach);
+  if (!placement) return start;
+  if (fall != 0) start.fell = (placement->velocity.y() - thrown) / fall;
+  settle(start, *placement);
   return start;
 }
 

@@ -16,6 +16,7 @@ Placement flown(const Placement& placement, double time) {
     later.velocity += time * placement.acceleration;
   }
   later.turn = placement.turn.then(time * placement.spin.z());
+  later.time += time;
   return later;
 }
 

@@ -13,6 +13,7 @@ struct Placement {
   Vec3 spin = Vec3::Zero();          ///< [c/R]
   Turn turn{};                       ///< from its place at rest
   Vec3 acceleration = Vec3::Zero();  ///< of its free flight [c^2/R]
+  double time = 0;                   ///< since it was launched [R/c]
 };
 
 /// A body as it was built, at rest.

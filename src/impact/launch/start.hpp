@@ -18,7 +18,7 @@ struct Start {
   std::vector<Placement> bodies;  ///< by index
   std::vector<double> stiffness;  ///< by index: of the interior [m0 c^2/R^2]
   double step = 0, theta = 0, time_limit = 0;
-  double energy = 0;               ///< kinetic energy [m0 c^2]
+  double energy = 0;               ///< kinetic energy in the frame of the target's centre [m0 c^2]
   ExponentialRepulsion contact{};  ///< the scene's, its reach widened for a slow impact
   bool certified = false;          ///< energy below V0: no node can cross a segment
   double fell = 0;                 ///< how long it fell before, from where gravity acts from the start [R/c]

@@ -23,8 +23,9 @@ struct Step {
 /// Why a method cannot move these bodies, or cannot be used beside the scene's effects; empty if it can.
 std::string conflict_of(const Scene& scene, const Method& method, const Solids& solids);
 
-/// The step that a scene asks for, or the one that resolves its fastest vibration and the contact's onset. `fastest`:
-/// no node of the projectile is faster [c]. Throws FieldError if it is unstable.
-Step choose_step(const Scene& scene, const Solids& solids, double fastest);
+/// The step that a scene asks for, or the one that resolves its fastest vibration, the contact's onset, and the contact
+/// that a heavy body presses on a light one. `fastest`: no node of the projectile is faster [c]; `expected`: bound of
+/// the frequency of a contact that the program chose, 0 if it did not [c/R]. Throws FieldError if it is unstable.
+Step choose_step(const Scene& scene, const Solids& solids, double fastest, double expected = 0);
 
 }  // namespace ricochet

@@ -14,10 +14,11 @@ struct RelativeFlight {
   Vec2 centre, other_centre;  ///< [R]
   Vec2 velocity;              ///< of the one relative to the other [c]
   double turning;             ///< of the one [c/R]
+  double other_turning = 0;
 };
 
 /// True if the surfaces are clear of each other along the normal or along the line of centres, move apart along it, and
-/// the one, flying on as a rigid body, never comes back down: a spinning bar may, however fast it leaves.
+/// both, flying on as rigid bodies, never meet again: a spinning bar may, however fast it leaves.
 bool clear_for_good(const PlacedSurface& one, const PlacedSurface& other, const RelativeFlight& flight);
 
 /// A surface node of one body that is inside the other.

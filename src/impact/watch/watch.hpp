@@ -271,7 +271,7 @@ class Watch {
   bool rests(int lane, const Look& now) const {
     const Vec3 apart =
         fact(now.motions[role::projectile].velocity, lane) - fact(now.motions[role::target].velocity, lane);
-    const Vec2 launched = in_plane(run(lane).start.bodies[role::projectile].velocity);
+    const Vec2 launched = in_plane(seen_by_target(run(lane).start).velocity);
     return std::hypot(tangential(apart), normal(apart)) < at_rest_share * launched.norm();
   }
 
@@ -281,8 +281,8 @@ class Watch {
     if (!state_.contacts.pairs()[role::aimed_pair].apart(lane, state_.end)) return false;
     const RigidMotion<W>&p = now.motions[role::projectile], &t = now.motions[role::target];
     const RelativeFlight flight{in_plane(fact(p.centre, lane)), in_plane(fact(t.centre, lane)),
-                                in_plane(fact(p.velocity, lane) - fact(t.velocity, lane)),
-                                about(fact(p.turning, lane))};
+                                in_plane(fact(p.velocity, lane) - fact(t.velocity, lane)), about(fact(p.turning, lane)),
+                                about(fact(t.turning, lane))};
     return clear_for_good(surface(role::projectile, lane), surface(role::target, lane), flight);
   }
 

@@ -1,0 +1,35 @@
+#pragma once
+// Steps for all scenes of a list that ask for an accuracy, and runs of such scenes.
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "impact/scene.hpp"
+#include "impact/sweep.hpp"
+
+namespace ricochet {
+
+/// What a choice of steps tells, and how it names a scene of the list ("psi1 = 2, sample = 7").
+struct Telling {
+  std::function<void(const std::string& line)> line;
+  std::function<std::string(std::size_t scene)> name;
+};
+
+/// Scenes with integration.accuracy get the method, theta and error estimate that trials chose; the others stay as they
+/// are. Scenes that differ only in seeds, angle, spin, place of landing and the shape of an outline of equal extent and
+/// area share the trials of nine of them, spread over all in which they differ: the error estimate is the greatest of
+/// these nine, so that about one row of ten may exceed it. One of the nine that does not settle has its own. Then every
+/// one of them is found to start with its step. Throws SceneError for a trial that cannot reach its accuracy, and for
+/// a scene that cannot start.
+std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, const std::atomic<bool>& stop,
+                                     const Telling& telling);
+
+/// run_sweep() of such scenes: those that fail by a step that trials chose (energy_drift, unstable, not_finite) are run
+/// again with half of it, three times at most, and only the last outcome is handed over.
+bool run_chosen(const std::vector<Scene>& scenes, const std::vector<bool>& todo, const SweepOptions& options,
+                const std::atomic<bool>& stop, const std::function<void(const std::vector<Result>&)>& some_done,
+                const Telling& telling, SweepUse* use = nullptr);
+
+}  // namespace ricochet
