@@ -92,12 +92,13 @@ function ricochet.plane(t) end
 ---@field target ricochet.body the body that is hit; free or anchored
 ---@field launch? ricochet.launch_fields how the projectile comes in (default {})
 ---@field contact? ricochet.contact_fields how the bodies repel each other (default {})
+---@field ending? ricochet.ending_fields when the impact is over (default {})
 ---@field effects? ricochet.effect[] list of what else acts, e.g. { ricochet.gravity { g = 1e-4 } }; what is not named is not computed (default {})
 ---@field method? "auto"|"pefrl"|"forest_ruth"|"verlet"|"takahashi_imada"|"chin_4a"|"mclachlan_sb3a4"|"blanes_moan_s6"|"blanes_moan_srkn6b"|"okunbor_skeel_13"|"blanes_moan_srkn11b"|"blanes_moan_srkn14a"|"multirate_2"|"multirate_3"|"multirate_5"|"multirate_8"|"rk4"|"dop853" integrator; auto is pefrl, or the cheapest one for `accuracy` (default auto)
 ---@field step? number time step; chosen from the stiffest node and the contact's onset unless given [R/c]
 ---@field theta? number time step times the bound of the highest frequency of this scene's lattices, instead of a step: equal for lattices of one kind
 ---@field accuracy? number wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs
----@field accuracy_of? "e"|"beta"|"mu"|"psi2"|"vn"|"vt"|"omega" the outcome that accuracy is about (default e)
+---@field accuracy_of? "e"|"beta"|"mu"|"psi2"|"vn"|"vt"|"omega"|"e_n"|"beta_n"|"mu_n"|"contact_time" the outcome that accuracy is about (default e)
 ---@field time_limit? number an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given [R/c]
 ---@field energy_tolerance? number an impact whose total energy strays further, relative to its start, ends energy_drift (default 0.01)
 --- One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream so that its smooth outline would touch the target's at x = launch.at. `scene:run()` runs it and returns a row; `scene:text()` is its canonical text, `scene:hash()` that text's hash.
@@ -120,6 +121,12 @@ function ricochet.scene(t) end
 ---@field xi? number inverse range of the repulsion [1/R] (default 300)
 ---@field reach? number segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an impact is so slow that what is left out would show [R] (default 0.1)
 ---@field sides? "one"|"two" one: projectile nodes are pushed off target segments (the paper); two: and the other way round (default one)
+
+---@class ricochet.ending_fields
+---@field at? "parted"|"first_parting"|"time" parted: the bodies have parted for good; first_parting: the first touch has ended, whatever follows; time: at a given time, whatever the bodies do (default parted)
+---@field force? number a touch lasts while the normal force exceeds this share of its greatest in that touch (default 0.001)
+---@field gap? number how far apart the surfaces must be besides; with parted it is the contact's reach unless given [R]
+---@field time? number with time: since the surfaces came within reach of each other [R/c]
 
 ---@class ricochet.gravity_fields
 ---@field g number acceleration [c^2/R]

@@ -66,6 +66,9 @@ NodePlan plan_nodes(const Points& outline, const BodyNumbers& numbers, const std
   NodePlan plan;
   plan.smooth_rim = plan.points = plan_rim(outline, numbers);
   plan.rim = static_cast<int>(plan.points.size());
+  for (const std::size_t corner : corners_of(outline))
+    for (int k = 0; k < plan.rim; ++k)
+      if (plan.smooth_rim[static_cast<std::size_t>(k)] == outline[corner]) plan.corners.push_back(k);
   if (numbers.roughness > 0) roughen(plan.points, numbers, anchored_rim);
   if (numbers.rigid()) return plan;
   Random random(static_cast<std::uint64_t>(numbers.seed), interior_stream);

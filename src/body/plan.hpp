@@ -9,7 +9,8 @@ namespace ricochet {
 struct NodePlan {
   Points points;
   int rim = 0;
-  Points smooth_rim;  ///< the rim's points before roughness
+  Points smooth_rim;         ///< the rim's points before roughness
+  std::vector<int> corners;  ///< which of them are corners of the outline
 };
 
 /// The rim's points before roughness, which say where a body's outline lies and which rim nodes an anchor predicate

@@ -27,9 +27,16 @@ void Engine<W>::begin(int lane, const Scene& scene, std::size_t index, const Sta
 
 template <int W>
 void Engine<W>::advance_one_step(bool seen) {
-  const std::vector<Lane<W>> contact_before = state_.contact_energy;
-  moving_.advance_one_step(seen);
-  watch_.count_step(contact_before);
+  looks_closely_ = watch_.due();
+  moving_.advance_one_step(seen || looks_closely_);
+  watch_.count_step();
+}
+
+template <int W>
+std::vector<typename Engine<W>::Ended> Engine<W>::look_closely() {
+  if (!looks_closely_) return {};
+  moving_.go_to_step_end();
+  return watch_.look_closely();
 }
 
 template <int W>

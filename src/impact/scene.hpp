@@ -47,11 +47,24 @@ struct Integration {
   void check() const;
 };
 
+/// When an impact is over.
+struct EndRule {
+  std::string at = "parted";
+  double force = 1e-3;
+  double gap = not_given;
+  double time = not_given;
+
+  static const std::vector<Member<EndRule>>& fields();
+  /// Throws FieldError if the fields contradict each other, or a time limit.
+  void check(const Integration& integration) const;
+};
+
 struct Scene {
   std::shared_ptr<const Body> projectile, target;
   Launch launch;
   ExponentialRepulsion contact;
   Integration integration;
+  EndRule ending;
   std::vector<Effect> effects;  ///< what acts beside springs and contact
   double error_estimate =
       not_given;  ///< of integration.accuracy_of, if its step was chosen for an accuracy; no part of the text

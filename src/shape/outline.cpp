@@ -101,7 +101,7 @@ bool outlines_overlap(const CellTree& a, const CellTree& b) {
   return meets || some_inside(b, a) || some_inside(a, b);
 }
 
-Points resample(const Points& outline, double spacing) {
+std::vector<std::size_t> corners_of(const Points& outline) {
   const std::size_t n = outline.size();
   const double cos_turn = std::sqrt(3.0) / 2;  // 30 degrees
   std::vector<std::size_t> corners;
@@ -110,6 +110,12 @@ Points resample(const Points& outline, double spacing) {
                out = (outline[(i + 1) % n] - outline[i]).normalized();
     if (in.dot(out) < cos_turn) corners.push_back(i);
   }
+  return corners;
+}
+
+Points resample(const Points& outline, double spacing) {
+  const std::size_t n = outline.size();
+  std::vector<std::size_t> corners = corners_of(outline);
   const bool smooth = corners.empty();
   if (smooth) corners.push_back(0);
 

@@ -110,6 +110,7 @@ std::shared_ptr<const Solid> build_lattice(const Body& body, const NodePlan& pla
   solid->mass = Masses(body.numbers.mass);
   for (const int old : order) solid->points.push_back(plan.points[at(old)]);
   solid->smooth = plan.smooth_rim;
+  solid->corners = plan.corners;
   solid->surface = rim_of(plan, number);
   for (const Triangle& t : triangles) solid->cells.push_back({number[at(t[0])], number[at(t[1])], number[at(t[2])]});
   Springs springs = join(body, plan, edges, number, *solid);
