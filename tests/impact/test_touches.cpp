@@ -19,7 +19,10 @@ namespace {
 const std::atomic<bool> go_on{false};
 
 /// A load that rises and falls as the logarithm -40 (t - 1)^2 + 8 (t - 1)^3, samples of it a step apart.
-double skew_load(double t) { return std::exp(-40 * std::pow(t - 1, 2) + 8 * std::pow(t - 1, 3)); }
+double skew_load(double t) {
+  const double x = t - 1;
+  return std::abs(x) < 2 ? std::exp(-40 * x * x + 8 * x * x * x) : 0;
+}
 
 TouchClock clock_of(double step, double share, const std::function<double(double)>& load, double until) {
   TouchClock clock(1e-9, share, step);
@@ -112,7 +115,7 @@ TEST_CASE("a touch lasts as long as its load stays above the share of the greate
 }
 
 TEST_CASE("contact_time converges at the order of the method") {
-  for (const char* method : {"verlet", "pefrl", "takahashi_imada"}) {
+  for (const char* method : {"verlet", "pefrl", "chin_4a"}) {
     const Scene scene = drop(method);
     const BuiltSolids solids(scene);
     const double exact = contact_time_at(solids, drop("blanes_moan_srkn14a"), 0.8),
@@ -120,7 +123,7 @@ TEST_CASE("contact_time converges at the order of the method") {
     const double coarse = std::abs(contact_time_at(solids, scene, 0.6 * limit) - exact),
                  fine = std::abs(contact_time_at(solids, scene, 0.15 * limit) - exact);
     INFO(fmt::format("{}: {:.3e} {:.3e}", method, coarse, fine));
-    CHECK(std::log2(coarse / fine) / 2 == Catch::Detail::Approx(method_named(method).outcome_order).margin(0.6));
+    CHECK(std::log2(coarse / fine) / 2 == Catch::Detail::Approx(method_named(method).order).margin(0.6));
   }
 }
 
@@ -137,6 +140,7 @@ TEST_CASE("who is called the projectile changes neither the contact time nor the
   const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
   Scene exchanged = scene;
   std::swap(exchanged.projectile, exchanged.target);
+  exchanged.launch.at -= p->centre().x() + t->centre().x();  // launch.at is of the centre of mass
   const Outcome a = run_scene({p.get(), t.get()}, scene, go_on);
   const auto above = upside_down(*t), below = upside_down(*p);
   const Outcome b = run_scene({above.get(), below.get()}, exchanged, go_on);
@@ -151,7 +155,7 @@ TEST_CASE("who is called the projectile changes neither the contact time nor the
 }
 
 TEST_CASE("a slow disk with much spin touches, and what it does is told") {
-  Scene scene = small_scene(1, 0);
+  Scene scene = drop("auto");
   scene.launch.speed = 1e-3;
   scene.launch.spin = 1;
   const Outcome o = run_scene(BuiltSolids(scene), scene, go_on);
