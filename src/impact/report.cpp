@@ -156,15 +156,15 @@ constexpr double most_tilted = 0.1;
 
 void report_along_normal(const Run& run, const Relative& after, const Vec2& j, Outcome& o) {
   if (!(run.frame.load > 0)) return;
-  const Vec2 n = run.frame.normal.normalized(), t(n.y(), -n.x());
-  o.normal_x = n.x();
-  o.normal_y = n.y();
+  const Vec2 n = run.frame.normal.normalized(), t(normal(n), -tangential(n));
+  o.normal_x = tangential(n);
+  o.normal_y = normal(n);
   const Arms arms = arms_of(run, n, t);
   const ContactPoint first = at_arms(before(run), arms, n, t), later = at_arms(after, arms, n, t);
   o.e_n = ratio(-later.n, first.n);
   o.beta_n = ratio(-later.t, first.t);
   o.mu_n = ratio(std::abs(t.dot(j)), n.dot(j));
-  if (std::abs(n.x()) <= most_tilted) return;
+  if (std::abs(tangential(n)) <= most_tilted) return;
   for (double* of_y : {&o.e, &o.beta, &o.mu, &o.psi1, &o.psi2, &o.e_first, &o.mu_first}) *of_y = Outcome::undefined;
 }
 
