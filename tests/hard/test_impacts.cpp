@@ -192,7 +192,7 @@ TEST_CASE("hard 10: any angle of incidence ends in a result or no_contact") {
       scene.launch.angle = angle;
       const Outcome o = outcome_of(scene);
       INFO(angle << " " << name_of(o.status) << " " << o.reason);
-      const bool fine = (o.status == Status::finished && o.energy_closure < 1e-4 && std::isfinite(o.e)) ||
+      const bool fine = (o.status == Status::finished && o.energy_closure < 1e-4 && std::isfinite(o.e_n)) ||
                         (o.status == Status::no_contact && angle == 90);
       CHECK(fine);
       right += fine;
