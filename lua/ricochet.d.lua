@@ -34,11 +34,12 @@ function ricochet.parameters(t) end
 ---@class ricochet.body_fields
 ---@field outline number[][] corners { {x, y}, ... } in order along the boundary; concave is fine, crossing itself is not [R]
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed (default uniform)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field mass? number mass of one node [m0] (default 1)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
@@ -51,11 +52,12 @@ function ricochet.body(t) end
 ---@class ricochet.disk_fields
 ---@field radius? number radius [R] (default 1)
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed (default uniform)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field mass? number mass of one node [m0] (default 1)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
@@ -69,11 +71,12 @@ function ricochet.disk(t) end
 ---@field width? number extent along x, centred [R] (default 8)
 ---@field depth? number extent below y = 0 [R] (default 2)
 ---@field nodes? integer number of mass points, those on the outline included (default 4000)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed (default uniform)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field mass? number mass of one node [m0] (default 1)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
@@ -722,6 +725,7 @@ function ricochet.theory.maw_integrated(t) end
 ---@field e_alpha number restitution against the turned normal
 ---@field offset number |x_c - x_a|/R, from the trailing end of the contact to the disk's centre
 ---@field nu number Poisson's ratio of the wall
+---@field beta_x? number 1 + m R^2/I: 3 for a disk (default 3)
 ---@class ricochet.theory_tilted_surface_result
 ---@field e number restitution against the flat surface's normal, as printed
 ---@field e_rotated number the same with mu_alpha = (mu - tan_alpha)/(1 + mu tan_alpha)
@@ -742,6 +746,7 @@ function ricochet.theory.tilted_surface(t) end
 ---@field offset number[] |x_c - x_a|/R at each
 ---@field at number[] where the curve is wanted, within psi1
 ---@field nu number Poisson's ratio of the wall
+---@field beta_x? number 1 + m R^2/I: 3 for a disk (default 3)
 ---@class ricochet.theory_tilted_curve_result
 ---@field e number[] e at each of `at`, as printed
 ---@field e_rotated number[] with the friction angle turned with the surface

@@ -8,7 +8,8 @@ local function refined_body(body, factor, shift)
   t.nodes = math.floor(factor * t.nodes + 0.5)
   -- Outline, total mass and stiffness stay: the modulus of a network does not depend on its spacing, while a spring's
   -- stretch at a given strain does, as the spacing.
-  if t.interior ~= "rigid" then t.mass, t.quartic = t.mass / factor, t.quartic * factor end
+  if t.interior ~= "rigid" then t.quartic = t.quartic * factor end
+  if t.mass then t.mass = t.mass / factor end
   t.seed = t.seed + shift
   return core.own_body(t)
 end

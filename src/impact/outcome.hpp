@@ -67,6 +67,7 @@ struct Outcome {
   Ledger before{{}, undefined, undefined}, after = before;
   double energy_closure = undefined, energy_drift = undefined;
   double inverted = undefined, inversion_time = undefined, folded = undefined;
+  double inertia = undefined, inertia_target = undefined;
   double certified = 0, time = undefined, step = undefined, theta = undefined, theta_most = undefined, steps = 0;
   double momentum_residual = undefined, error_estimate = undefined;
   double last_vn = undefined, last_vt = undefined, last_omega = undefined, last_energy = undefined;

@@ -175,6 +175,11 @@ void report_energy(const Run& run, const LastFacts& facts, Outcome& o) {
   o.energy_closure = std::abs(o.after.total() - run.energy_before) / run.energy_before;
 }
 
+// I/(M R^2), of what can turn.
+double inertia_ratio(const Solid& solid) {
+  return solid.anchored() ? Outcome::undefined : solid.inertia() / solid.total_mass();
+}
+
 }  // namespace
 
 Outcome report(const Run& run, const Ending& ending, const Solids& solids, const LastFacts& facts) {
@@ -184,6 +189,8 @@ Outcome report(const Run& run, const Ending& ending, const Solids& solids, const
   o.before = run.before;
   report_course(run, o);
   report_last_state(facts, o);
+  o.inertia = inertia_ratio(*solids[role::projectile]);
+  o.inertia_target = inertia_ratio(*solids[role::target]);
   if (o.status != Status::finished) return o;
   const Flying &projectile = facts.bodies[role::projectile], &target = facts.bodies[role::target];
   const Relative later = after(projectile, target);

@@ -2,7 +2,6 @@
 // A scene: everything that fixes one impact. Plain data with a canonical text; equal texts give equal outcomes, bit for
 // bit.
 
-#include <limits>
 #include <memory>
 #include <string>
 
@@ -12,8 +11,6 @@
 #include "integrate/method.hpp"
 
 namespace ricochet {
-
-inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 /// How the projectile comes in. The normal is +y: it falls along -y and moves along +x. Either `speed` with `psi1` or
 /// `angle`, or `normal_speed` with `tangential_speed`.
