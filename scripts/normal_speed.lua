@@ -1,9 +1,9 @@
 -- e and contact time against the speed of a smooth disk on a rigid plane, head on, beside the laws in two dimensions:
 -- Hayakawa & Kuninaka 2003, section II B, eq. t_c, and Johnson's disk on a plane integrated. The plane repels each rim
 -- node by V0 exp(-xi y); c is the sound speed sqrt(E/rho) of the disk's lattice, whose plane E is the theory's E*. A
--- row's contact lasts while the repulsion holds 1e-6 of the energy. What its tail takes, before the force on a node is
--- what it is on average at the deepest point, is subtracted: a free flight over ln(force/(1e-6 energy xi))/xi on either
--- side.
+-- row's contact_time_energy lasts while the repulsion holds 1e-6 of the energy. What its tail takes, before the
+-- force on a node is what it is on average at the deepest point, is subtracted: a free flight over
+-- ln(force/(1e-6 energy xi))/xi on either side.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 
@@ -41,8 +41,8 @@ for _, row in ipairs(rows) do
   local force = deepest.F / math.max(1, 2 * deepest.a / spacing)
   local tail = math.log(force / (1e-6 * energy(row.speed) * p.xi)) / p.xi
   row.v = row.speed / c
-  row.t_c = (row.contact_time - tail / row.speed * (1 + 1 / row.e)) * c
-  row.tail = tail / row.speed * (1 + 1 / row.e) / row.contact_time
+  row.t_c = (row.contact_time_energy - tail / row.speed * (1 + 1 / row.e)) * c
+  row.tail = tail / row.speed * (1 + 1 / row.e) / row.contact_time_energy
 end
 rows:summary { by = "v", of = { "e", "t_c", "tail" } }:print()
 

@@ -21,6 +21,7 @@ std::shared_ptr<const Solid> build_rigid(const NodePlan& plan) {
   auto solid = std::make_shared<Solid>();
   solid->points = plan.points;
   solid->smooth = plan.smooth_rim;
+  solid->corners = plan.corners;
   Mesh<2> rim;
   for (int i = 0; i < plan.rim; ++i) rim.node.push_back(i);
   rim.cell = plan.rim_cells;

@@ -159,6 +159,16 @@ void roughen(Rim& rim, const BodyNumbers& numbers, const std::vector<bool>& anch
                     numbers.roughness, numbers.seed));
 }
 
+// Which points of a rim that is smooth are corners of the outlines.
+std::vector<int> corners_of(const Body& body, const Rim& rim) {
+  std::vector<int> corners;
+  for (const Points& chain : outlines_of(body))
+    for (const std::size_t corner : ricochet::corners_of(chain))
+      for (std::size_t k = 0; k < rim.points.size(); ++k)
+        if (rim.points[k] == chain[corner]) corners.push_back(static_cast<int>(k));
+  return corners;
+}
+
 Points plan_interior(const Body& body, const Rim& rim, const GivenNodes& nodes) {
   if (!body.points.empty()) return nodes.inside;
   const BodyNumbers& numbers = body.numbers;
@@ -185,6 +195,7 @@ NodePlan plan_nodes(const Body& body, const std::vector<bool>& anchored_rim) {
   NodePlan plan;
   plan.smooth_rim = rim.points;
   plan.rim = static_cast<int>(rim.points.size());
+  plan.corners = corners_of(body, rim);
   if (body.numbers.roughness > 0) roughen(rim, body.numbers, anchored_rim);
   plan.points = rim.points;
   if (!body.rigid()) {

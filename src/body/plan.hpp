@@ -10,7 +10,8 @@ struct NodePlan {
   Points points;
   int rim = 0;
   Cells<2> rim_cells;
-  Points smooth_rim;  ///< the rim's points before roughness
+  Points smooth_rim;         ///< the rim's points before roughness
+  std::vector<int> corners;  ///< which of them are corners of an outline
 };
 
 /// The rim before roughness, which says where a body's outline lies and which rim nodes an anchor predicate holds.

@@ -51,6 +51,7 @@ struct Solid {
   std::vector<Triangle> cells;  ///< what has a volume, and is drawn
   Surface surface = Mesh<2>{};  ///< what contact meets
   Points smooth;                ///< [surface node] where it lay before roughness
+  std::vector<int> corners;     ///< places in the surface where the smooth outline has a corner
   Interior interior = Springs{};
 
   int nodes() const { return static_cast<int>(points.size()); }

@@ -141,9 +141,16 @@ class Pair {
     return {grip.lost(), grip.held()};
   }
 
-  /// Calls `use(push)` for every node and cell of a lane within reach, in a fixed order; returns their energy.
+  /// Energy of the repulsion in a lane, the bodies having gone back by a time along their velocities. [m0 c^2]
+  double energy_before(int lane, const Motions<W>& bodies, double time) const {
+    return each(
+        lane, bodies, [](const Push&) {}, time);
+  }
+
+  /// Calls `use(push)` for every node and cell of a lane within reach, in a fixed order; returns their energy. `back`:
+  /// of the places, along the velocities [R/c].
   template <class Use>
-  double each(int lane, const Motions<W>& bodies, Use&& use) const {
+  double each(int lane, const Motions<W>& bodies, Use&& use, double back = 0) const {
     if (!law_[lane]) return 0;
     double sum = 0;
     for (int side = 0; side < 2; ++side) {
@@ -151,6 +158,7 @@ class Pair {
       if (candidates.empty()) continue;
       const auto* plane = std::get_if<Plane>(&solid_[1 - side]->surface);
       gather(side, lane, candidates, bodies, plane == nullptr);
+      if (back != 0) go_back(side, lane, candidates, bodies, plane == nullptr, back);
       measure(gaps_, *law_[lane], laws_.forces, plane);
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (gaps_.energy[i] == 0) continue;
@@ -212,6 +220,23 @@ class Pair {
       gaps_.ay[i] = cells[2 * a + 1][lane];
       gaps_.bx[i] = cells[2 * b][lane];
       gaps_.by[i] = cells[2 * b + 1][lane];
+    }
+  }
+
+  // The places gathered, by a time along the velocities.
+  void go_back(int side, int lane, const std::vector<Near>& candidates, const Motions<W>& bodies, bool ends,
+               double time) const {
+    const Coordinates<W>& nodes = bodies[static_cast<std::size_t>(body_[side])].v;
+    const Coordinates<W>& cells = bodies[static_cast<std::size_t>(body_[1 - side])].v;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      gaps_.px[i] -= time * nodes[2 * candidates[i].node][lane];
+      gaps_.py[i] -= time * nodes[2 * candidates[i].node + 1][lane];
+      if (!ends) continue;
+      const auto [a, b] = candidates[i].cell;
+      gaps_.ax[i] -= time * cells[2 * a][lane];
+      gaps_.ay[i] -= time * cells[2 * a + 1][lane];
+      gaps_.bx[i] -= time * cells[2 * b][lane];
+      gaps_.by[i] -= time * cells[2 * b + 1][lane];
     }
   }
 

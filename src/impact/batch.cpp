@@ -45,6 +45,12 @@ bool drain(Engine<W>& engine, const Work& work, int width) {
       }
     }
   };
+  const auto finish = [&](const std::vector<typename Engine<W>::Ended>& ended) {
+    for (const auto& [lane, outcome] : ended) {
+      work.finished(engine.run(lane).index, outcome, engine.run(lane).seconds);
+      engine.clear(lane);
+    }
+  };
   auto counted = Clock::now();
   for (;;) {
     std::vector<int> busy;
@@ -60,7 +66,10 @@ bool drain(Engine<W>& engine, const Work& work, int width) {
         return drain(narrow, work, W / 2);
       }
     const int steps = engine.steps_between_looks();
-    for (int i = 1; i <= steps; ++i) engine.advance_one_step(i == steps);
+    for (int i = 1; i <= steps; ++i) {
+      engine.advance_one_step(i == steps);
+      finish(engine.look_closely());
+    }
     const auto now = Clock::now();
     for (const int lane : busy)
       engine.spend(lane, std::chrono::duration<double>(now - counted).count() / static_cast<double>(busy.size()));
@@ -68,10 +77,7 @@ bool drain(Engine<W>& engine, const Work& work, int width) {
     work.use.steps += steps * W;
     work.use.busy += steps * static_cast<std::int64_t>(busy.size());
     if (work.stop) return false;
-    for (const auto& [lane, outcome] : engine.look()) {
-      work.finished(engine.run(lane).index, outcome, engine.run(lane).seconds);
-      engine.clear(lane);
-    }
+    finish(engine.look());
   }
 }
 
@@ -110,16 +116,18 @@ Outcome run_scene(const Solids& solids, const Scene& scene, const std::atomic<bo
   };
   watch();
   const auto seen = [&] { return engine.run(0).time() >= observer->until; };
+  const auto finish = [&](const std::vector<Engine<1>::Ended>& now) {
+    if (ended || now.empty()) return;
+    result = now.front().outcome;
+    ended = true;
+  };
   while (!stop && !(ended && (!observer || seen())) && !(observer && observer->no_longer && seen())) {
     for (int i = 0; i < engine.steps_between_looks(); ++i) {
       engine.advance_one_step();
+      finish(engine.look_closely());
       watch();
     }
-    if (!ended)
-      for (const auto& [lane, outcome] : engine.look()) {
-        result = outcome;
-        ended = true;
-      }
+    if (!ended) finish(engine.look());
     if (ended && result.status == Status::not_finite) break;
   }
   return result;

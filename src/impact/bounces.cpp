@@ -30,8 +30,8 @@ class Follower {
   /// The next bounce; none if it cannot be followed to its top: `reason` then tells why.
   std::optional<Bounce> next() {
     Bounce bounce{};
-    const int touches = touch().touches;
-    if (!advance([&] { return touch().touches > touches; }, [&] { watch_fall(); })) return std::nullopt;
+    const int touches = touch().count();
+    if (!advance([&] { return touch().count() > touches; }, [&] { watch_fall(); })) return std::nullopt;
     see();
     bounce.time = time();
     bounce.speed = -speed_;
@@ -40,7 +40,7 @@ class Follower {
     bool rose = false;
     const auto watch_touch = [&] {
       rose = rose || speed_ > 0;
-      if (rose && speed_ <= 0 && !touch().touching)
+      if (rose && speed_ <= 0 && !touch().touching())
         reason = fmt::format("it rose no farther than the reach of the contact, {:.3g} R", start_.contact.reach);
       if (time() - bounce.time > longest_touch)
         reason = fmt::format("the bodies had not parted {:g} R/c after their touch", longest_touch);
@@ -56,7 +56,7 @@ class Follower {
 
  private:
   const Run& run() const { return engine_.run(0); }
-  const TouchRecord& touch() const { return run().touch[role::aimed_pair]; }
+  const TouchClock& touch() const { return run().clock(); }
   double time() const { return run().time(); }
 
   void see() {
@@ -90,6 +90,7 @@ class Follower {
   bool advance(There there, Watching watch) {
     while (!there()) {
       engine_.advance_one_step();
+      engine_.look_closely();
       if (++steps_ % engine_.steps_between_looks() != 0) continue;
       look(watch);
       if (stop_) reason = "interrupted";
@@ -132,7 +133,9 @@ Bounces follow_bounces(const Solids& solids, const Scene& scene, int count, doub
     return bounces;
   }
   const double least = std::isnan(least_height) ? start.contact.reach : least_height;
-  Follower follower(solids, scene, start, stop);
+  Scene parting = scene;
+  parting.ending = {};
+  Follower follower(solids, parting, start, stop);
   for (int k = 1; k <= count && bounces.reason.empty(); ++k) {
     if (const auto bounce = follower.next()) {
       bounces.list.push_back(*bounce);

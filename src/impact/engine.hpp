@@ -41,6 +41,8 @@ class Engine {
   void advance_one_step(bool seen = true);
 
   using Ended = typename Watch<W>::Ended;
+  /// After every step: looks at the lanes that have asked for it: those that have come to an end.
+  std::vector<Ended> look_closely();
   /// Looks at every lane: those that have come to an end.
   std::vector<Ended> look();
   Snapshot snapshot(int lane);
@@ -62,6 +64,7 @@ class Engine {
   State<W> state_;
   Moving<W> moving_;
   Watch<W> watch_;
+  bool looks_closely_ = false;  // at the end of the step that was made last
 };
 
 }  // namespace ricochet

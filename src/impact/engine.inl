@@ -27,9 +27,16 @@ void Engine<W>::begin(int lane, const Scene& scene, std::size_t index, const Sta
 
 template <int W>
 void Engine<W>::advance_one_step(bool seen) {
-  const std::vector<Lane<W>> contact_before = state_.contact_energy;
-  moving_.advance_one_step(seen);
-  watch_.count_step(contact_before);
+  looks_closely_ = watch_.due();
+  moving_.advance_one_step(seen || looks_closely_);
+  watch_.count_step();
+}
+
+template <int W>
+std::vector<typename Engine<W>::Ended> Engine<W>::look_closely() {
+  if (!looks_closely_) return {};
+  moving_.go_to_step_end();
+  return watch_.look_closely();
 }
 
 template <int W>
@@ -47,7 +54,7 @@ Snapshot Engine<W>::snapshot(int lane) {
   shot.time = run(lane).time();
   shot.step = run(lane).steps;
   shot.energy = energies.ledger(lane, run(lane).effects_before);
-  if (const TouchRecord& touch = run(lane).touch[role::aimed_pair]; touch.touches > 0) shot.first_touch = touch.first;
+  shot.first_touch = run(lane).clock().begin();
   for (const RigidMotion<W>& motion : motions)
     shot.rigid.push_back({{motion.centre.at[0][lane], motion.centre.at[1][lane]},
                           {motion.velocity.at[0][lane], motion.velocity.at[1][lane]},

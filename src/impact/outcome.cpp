@@ -9,9 +9,12 @@ namespace {
 using O = const Outcome&;
 using Columns = std::vector<std::pair<Field, std::function<double(O)>>>;
 
-const Columns& of_motion() {
+const Columns& of_paper() {
   static const Columns columns{
-      {{"e", "number", "", "normal restitution of the centre of mass, -v_n' / v_n"}, [](O o) { return o.e; }},
+      {{"e", "number", "",
+        "normal restitution of the centre of mass, relative to the target's, along y: -v_n' / v_n; undefined where "
+        "|normal_x| > 0.1, as beta, mu, psi1 and psi2 are"},
+       [](O o) { return o.e; }},
       {{"beta", "number", "", "tangential restitution of the contact point, -v_ct' / v_ct; undefined if v_ct = 0"},
        [](O o) { return o.beta; }},
       {{"mu", "number", "", "impulse ratio |n x J| / (n . J); effects that act on the projectile count in J"},
@@ -19,24 +22,85 @@ const Columns& of_motion() {
       {{"psi1", "number", "", "v_ct / v_cn before impact"}, [](O o) { return o.psi1; }},
       {{"psi2", "number", "", "v_ct' / v_cn: tangential velocity after over normal speed before"},
        [](O o) { return o.psi2; }},
-      {{"vn", "number", "c", "normal velocity after impact"}, [](O o) { return o.vn; }},
-      {{"vt", "number", "c", "tangential velocity after impact"}, [](O o) { return o.vt; }},
+  };
+  return columns;
+}
+
+const Columns& of_normal() {
+  static const Columns columns{
+      {{"normal_x", "number", "",
+        "of the contact's normal, from target to projectile: that of the two smooth outlines, carried along rigidly, "
+        "where they touch; at a corner that of the other body's side; mean over all touches, weighed by force"},
+       [](O o) { return o.normal_x; }},
+      {{"normal_y", "number", "", "of the contact's normal"}, [](O o) { return o.normal_y; }},
+      {{"e_n", "number", "",
+        "restitution of the contact points along the contact's normal, -v_cn' / v_cn, with spin and the target's "
+        "motion; a round body touches below its centre of mass: on a flat wall its e_n is e"},
+       [](O o) { return o.e_n; }},
+      {{"beta_n", "number", "", "the same across the normal, -v_ct' / v_ct; undefined if v_ct = 0"},
+       [](O o) { return o.beta_n; }},
+      {{"mu_n", "number", "", "impulse ratio |n x J| / (n . J) with the contact's normal"}, [](O o) { return o.mu_n; }},
+      {{"e_first", "number", "", "e at the first parting: when the first touch ended, whatever followed"},
+       [](O o) { return o.e_first; }},
+      {{"mu_first", "number", "", "mu at the first parting"}, [](O o) { return o.mu_first; }},
+      {{"time_first", "number", "R/c", "when the first touch ended"}, [](O o) { return o.time_first; }},
+  };
+  return columns;
+}
+
+const Columns& of_motion() {
+  static const Columns columns{
+      {{"vn", "number", "c", "normal velocity after impact, relative to the target's"}, [](O o) { return o.vn; }},
+      {{"vt", "number", "c", "tangential velocity after impact, relative to the target's"}, [](O o) { return o.vt; }},
       {{"omega", "number", "c/R",
         "spin after impact: angular momentum over the moment of inertia of the undeformed body, which does not "
         "change while it vibrates on"},
        [](O o) { return o.omega; }},
+      {{"target_vn", "number", "c", "normal velocity of the target after impact; 0 if it is held"},
+       [](O o) { return o.target_vn; }},
+      {{"target_vt", "number", "c", "tangential velocity of the target after impact; 0 if it is held"},
+       [](O o) { return o.target_vt; }},
+      {{"target_omega", "number", "c/R", "spin of the target after impact; 0 if it is held"},
+       [](O o) { return o.target_omega; }},
       {{"impulse_n", "number", "m0 c",
         "normal part of J = M (v' - v), of all that acts on the projectile up to the end of contact"},
        [](O o) { return o.impulse_n; }},
       {{"impulse_t", "number", "m0 c", "tangential part of J"}, [](O o) { return o.impulse_t; }},
+      {{"last_vn", "number", "c",
+        "normal velocity, relative to the target's, when the run ended, whether the impact finished or not"},
+       [](O o) { return o.last_vn; }},
+      {{"last_vt", "number", "c", "tangential velocity, relative to the target's, when the run ended"},
+       [](O o) { return o.last_vt; }},
+      {{"last_omega", "number", "c/R", "spin when the run ended"}, [](O o) { return o.last_omega; }},
+      {{"last_energy", "number", "m0 c^2", "energy when the run ended: all"}, [](O o) { return o.last_energy; }},
+  };
+  return columns;
+}
+
+const Columns& of_contact() {
+  static const Columns columns{
       {{"contact_time", "number", "R/c",
-        "from the first touch to the end of the last (contact energy above 1e-6 of the kinetic energy)"},
+        "from the beginning of the first touch to the end of the last; a touch lasts while the normal force exceeds "
+        "1e-3 (ending.force) of its greatest in that touch"},
        [](O o) { return o.contact_time; }},
-      {{"touches", "number", "", "how many separate touches"}, [](O o) { return o.touches; }},
+      {{"contact_time_energy", "number", "R/c",
+        "from the first to the last moment at which the contact's energy is 1e-6 of that of the bodies' motion along "
+        "y towards each other, at their reduced mass (and 1e-8 of all energy)"},
+       [](O o) { return o.contact_time_energy; }},
+      {{"touches", "number", "", "how many separate touches; one of less than 1e-3 of the greatest force is none"},
+       [](O o) { return o.touches; }},
       {{"indentation", "number", "R",
         "greatest overlap along the normal of the smooth outlines, undeformed, unrotated, above the landing point "
         "launch.at"},
        [](O o) { return o.indentation; }},
+      {{"overlap", "number", "R",
+        "how far the bodies' centres came closer to each other along the contact's normal since the first touch began, "
+        "at most"},
+       [](O o) { return o.overlap; }},
+      {{"penetration", "number", "R",
+        "how deep the deepest node of a rim stood inside another body, or below a plane, as seen in looks at the "
+        "contact"},
+       [](O o) { return o.penetration; }},
       {{"contact_length", "number", "R", "|x_b - x_a| of the contact at the greatest indentation"},
        [](O o) { return o.contact_length; }},
       {{"centre_offset", "number", "R", "|x_c - x_a|: from the trailing end of the contact to the projectile's centre"},
@@ -92,6 +156,8 @@ const Columns& of_run() {
        [](O o) { return o.inverted; }},
       {{"inversion_time", "number", "R/c", "when that share first exceeded 0.01; undefined if it never did"},
        [](O o) { return o.inversion_time; }},
+      {{"folded", "number", "", "1 if that share exceeded 0.01: springs that are turned over resist no more"},
+       [](O o) { return o.folded; }},
       {{"inertia", "number", "",
         "I/(M R^2) of the projectile at rest about its centre, R the unit of length: 0.5 for a disk of radius R"},
        [](O o) { return o.inertia; }},
@@ -146,7 +212,7 @@ void add_effect(const E&, Columns& columns) {
 const std::vector<std::pair<Field, std::function<double(const Outcome&)>>>& Outcome::fields() {
   static const Columns list = [] {
     Columns columns;
-    for (const Columns* some : {&of_motion(), &of_energy(), &of_run()})
+    for (const Columns* some : {&of_paper(), &of_normal(), &of_motion(), &of_contact(), &of_energy(), &of_run()})
       columns.insert(columns.end(), some->begin(), some->end());
     each_effect_kind([&](const auto& effect) { add_effect(effect, columns); });
     return columns;

@@ -8,6 +8,7 @@
 namespace ricochet {
 namespace {
 
+// Of a row that did not finish, too.
 void report_course(const Run& run, Outcome& o) {
   o.certified = run.start.certified;
   o.time = run.time();
@@ -21,22 +22,56 @@ void report_course(const Run& run, Outcome& o) {
   o.xi = run.start.contact.xi;
   o.V0 = run.start.contact.V0;
   o.inversion_time = run.inversion_time;
+  o.folded = run.inverted > folded_share;
+  o.penetration = run.penetration;
+}
+
+void report_last_state(const LastFacts& facts, Outcome& o) {
+  const Flying &last = facts.now[role::projectile], &target = facts.now[role::target];
+  const auto if_finite = [](double value) { return std::isfinite(value) ? value : Outcome::undefined; };
+  const Vec3 velocity = last.velocity - target.velocity;
+  o.last_vn = if_finite(normal(velocity));
+  o.last_vt = if_finite(tangential(velocity));
+  o.last_omega = if_finite(about(last.spin));
+  o.last_energy = if_finite(facts.ledger.total());
 }
 
 void report_contact(const Run& run, Outcome& o) {
-  const TouchRecord& touch = run.touch[role::aimed_pair];
-  o.touches = touch.touches;
-  o.contact_time = touch.duration();
+  const TouchClock& clock = run.clock();
+  o.touches = clock.count();
+  o.contact_time = clock.end() - clock.begin();
+  o.contact_time_energy = clock.time_above_floor();
   o.indentation = run.indentation.seen ? run.indentation.depth : Outcome::undefined;
+  o.overlap = run.frame.overlap;
   o.contact_length = run.indentation.length;
   o.centre_offset = run.indentation.centre_offset;
   o.tan_alpha = run.indentation.tan_alpha;
 }
 
+double ratio(double over, double under) { return under != 0 ? over / under : Outcome::undefined; }
+
+// The projectile's motion relative to the target, before or after.
+struct Relative {
+  Vec3 velocity;
+  double spin, target_spin;
+};
+
+Relative relative(const Vec3& velocity, const Vec3& spin, const Vec3& target_velocity, const Vec3& target_spin) {
+  return {velocity - target_velocity, about(spin), about(target_spin)};
+}
+
 // The projectile at the first touch: where gravity acts from the start, it has gone on falling since the rims came
 // within reach.
-Placement at_touch(const Run& run) {
-  return flown(run.start.bodies[role::projectile], run.touch[role::aimed_pair].first);
+Placement at_touch(const Run& run) { return flown(run.start.bodies[role::projectile], run.clock().begin()); }
+
+Relative before(const Run& run) {
+  const Placement projectile = at_touch(run);
+  const Placement& target = run.start.bodies[role::target];
+  return relative(projectile.velocity, projectile.spin, target.velocity, target.spin);
+}
+
+Relative after(const Flying& projectile, const Flying& target) {
+  return relative(projectile.velocity, projectile.spin, target.velocity, target.spin);
 }
 
 // Velocities of the contact point: v_c = v - R omega x n with omega x n = (-omega, 0); the target's own surface moves
@@ -45,40 +80,106 @@ struct ContactPoint {
   double t, n;
 };
 
-void report_velocities(const Run& run, const Flying& after, const Flying& target_after, Outcome& o) {
-  const Placement launched = at_touch(run);
-  const Placement& target_launched = run.start.bodies[role::target];
-  const Vec3 v = launched.velocity - target_launched.velocity;
-  const Vec3 w = after.velocity - target_after.velocity;
-  const double R = run.projectile_radius, omega = about(after.spin);
-  const ContactPoint before{tangential(v) + R * about(launched.spin) + run.target_radius * about(target_launched.spin),
-                            normal(v)};
-  const ContactPoint later{tangential(w) + R * omega + run.target_radius * about(target_after.spin), normal(w)};
-  o.vn = normal(w);
-  o.vt = tangential(w);
-  o.omega = omega;
-  o.e = -normal(w) / normal(v);
-  o.psi1 = before.t / -before.n;
-  o.psi2 = later.t / -before.n;
-  o.beta = before.t != 0 ? -later.t / before.t : Outcome::undefined;
+ContactPoint under_centre(const Run& run, const Relative& motion) {
+  return {tangential(motion.velocity) + run.projectile_radius * motion.spin + run.target_radius * motion.target_spin,
+          normal(motion.velocity)};
+}
+
+void report_velocities(const Run& run, const Relative& after, Outcome& o) {
+  const Relative start = before(run);
+  const ContactPoint first = under_centre(run, start), later = under_centre(run, after);
+  o.vn = normal(after.velocity);
+  o.vt = tangential(after.velocity);
+  o.omega = after.spin;
+  o.e = ratio(-normal(after.velocity), normal(start.velocity));
+  o.psi1 = ratio(first.t, -first.n);
+  o.psi2 = ratio(later.t, -first.n);
+  o.beta = ratio(-later.t, first.t);
   if (!std::isfinite(o.tan_alpha)) return;
   const Vec2 n_alpha(-o.tan_alpha, 1);  // its length cancels
-  o.e_alpha = -Vec2(later.t, later.n).dot(n_alpha) / Vec2(before.t, before.n).dot(n_alpha);
+  o.e_alpha = ratio(-Vec2(later.t, later.n).dot(n_alpha), Vec2(first.t, first.n).dot(n_alpha));
 }
 
 // J acts on the projectile: its own change of momentum.
+Vec3 impulse(const Run& run, const Solids& solids, const Flying& after) {
+  return solids[role::projectile]->total_mass() * (after.velocity - at_touch(run).velocity);
+}
+
 void report_impulse(const Run& run, const Solids& solids, const Flying& after, const Flying& target_after, Outcome& o) {
-  const Vec3 v = at_touch(run).velocity;
-  const double mass = solids[role::projectile]->total_mass();
-  const Vec3 impulse = mass * (after.velocity - v);
-  o.impulse_n = normal(impulse);
-  o.impulse_t = tangential(impulse);
-  o.mu = std::abs(tangential(impulse)) / normal(impulse);
+  const Vec3 j = impulse(run, solids, after);
+  o.impulse_n = normal(j);
+  o.impulse_t = tangential(j);
+  o.mu = ratio(std::abs(tangential(j)), normal(j));
+  o.target_vn = normal(target_after.velocity);
+  o.target_vt = tangential(target_after.velocity);
+  o.target_omega = about(target_after.spin);
   if (solids[role::target]->anchored()) return;
-  const Vec3& target_before = run.start.bodies[role::target].velocity;
+  const Placement& target = run.start.bodies[role::target];
   const Vec2 residual =
-      in_plane(impulse) + solids[role::target]->total_mass() * in_plane(target_after.velocity - target_before);
-  o.momentum_residual = residual.norm() / (mass * in_plane(v - target_before).norm());
+      in_plane(j) + solids[role::target]->total_mass() * in_plane(target_after.velocity - target.velocity);
+  o.momentum_residual = residual.norm() / (solids[role::projectile]->total_mass() *
+                                           in_plane(at_touch(run).velocity - target.velocity).norm());
+}
+
+void report_first_parting(const Run& run, const Solids& solids, Outcome& o) {
+  o.time_first = run.clock().first_end();
+  if (!run.first_parting) return;
+  const auto& [projectile, target] = *run.first_parting;
+  const Vec3 j = impulse(run, solids, projectile);
+  o.e_first = ratio(-normal(after(projectile, target).velocity), normal(before(run).velocity));
+  o.mu_first = ratio(std::abs(tangential(j)), normal(j));
+}
+
+// From the centres to where the bodies touch, along n and across it. A round body touches below its centre of mass, as
+// v_c above has it.
+struct Arms {
+  double n, t, target_n, target_t;
+};
+
+Arms arms_of(const Run& run, const Vec2& n, const Vec2& t) {
+  const ContactFrame& frame = run.frame;
+  const Vec2 arm = frame.arm[role::projectile] / frame.load, other = frame.arm[role::target] / frame.load;
+  Arms arms{-run.projectile_radius, 0, run.target_radius, 0};
+  if (!frame.round[role::projectile]) {
+    arms.n = arm.dot(n);
+    arms.t = arm.dot(t);
+  }
+  if (!frame.round[role::target]) {
+    arms.target_n = other.dot(n);
+    arms.target_t = other.dot(t);
+  }
+  return arms;
+}
+
+// v_c = v + omega x arm of both bodies, along n and t.
+ContactPoint at_arms(const Relative& motion, const Arms& arms, const Vec2& n, const Vec2& t) {
+  const Vec2 v = in_plane(motion.velocity);
+  return {t.dot(v) - motion.spin * arms.n + motion.target_spin * arms.target_n,
+          n.dot(v) + (motion.spin * arms.t - motion.target_spin * arms.target_t)};
+}
+
+// Where the contact's normal is not y, what the paper defines along y has no meaning.
+constexpr double most_tilted = 0.1;
+
+void report_along_normal(const Run& run, const Relative& after, const Vec2& j, Outcome& o) {
+  if (!(run.frame.load > 0)) return;
+  const Vec2 n = run.frame.normal.normalized(), t(normal(n), -tangential(n));
+  o.normal_x = tangential(n);
+  o.normal_y = normal(n);
+  const Arms arms = arms_of(run, n, t);
+  const ContactPoint first = at_arms(before(run), arms, n, t), later = at_arms(after, arms, n, t);
+  o.e_n = ratio(-later.n, first.n);
+  o.beta_n = ratio(-later.t, first.t);
+  o.mu_n = ratio(std::abs(t.dot(j)), n.dot(j));
+  if (std::abs(tangential(n)) <= most_tilted) return;
+  for (double* of_y : {&o.e, &o.beta, &o.mu, &o.psi1, &o.psi2, &o.e_first, &o.mu_first}) *of_y = Outcome::undefined;
+}
+
+void report_energy(const Run& run, const LastFacts& facts, Outcome& o) {
+  o.after = facts.ledger;
+  o.effect_energy = facts.effect_energy;
+  o.effect_count = facts.effect_count;
+  o.energy_closure = std::abs(o.after.total() - run.energy_before) / run.energy_before;
 }
 
 // I/(M R^2), of what can turn.
@@ -93,17 +194,19 @@ Outcome report(const Run& run, const Ending& ending, const Solids& solids, const
   o.status = status_of(ending);
   o.reason = sentence_of(ending, run);
   o.before = run.before;
-  o.after = facts.ledger;
-  o.effect_energy = facts.effect_energy;
-  o.effect_count = facts.effect_count;
-  o.energy_closure = std::abs(o.after.total() - run.energy_before) / run.energy_before;
   report_course(run, o);
-  report_contact(run, o);
+  report_last_state(facts, o);
   o.inertia = inertia_ratio(*solids[role::projectile]);
   o.inertia_target = inertia_ratio(*solids[role::target]);
-  const Flying &after = facts.bodies[role::projectile], &target_after = facts.bodies[role::target];
-  report_velocities(run, after, target_after, o);
-  report_impulse(run, solids, after, target_after, o);
+  if (o.status != Status::finished) return o;
+  const Flying &projectile = facts.bodies[role::projectile], &target = facts.bodies[role::target];
+  const Relative later = after(projectile, target);
+  report_energy(run, facts, o);
+  report_contact(run, o);
+  report_velocities(run, later, o);
+  report_impulse(run, solids, projectile, target, o);
+  report_first_parting(run, solids, o);
+  report_along_normal(run, later, in_plane(impulse(run, solids, projectile)), o);
   return o;
 }
 

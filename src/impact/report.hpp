@@ -10,6 +10,7 @@ namespace ricochet {
 /// What a state says of one lane when its run ends.
 struct LastFacts {
   std::vector<Flying> bodies;  ///< by index: at parting, what acted on since taken back
+  std::vector<Flying> now;     ///< by index: at the end of the run
   Ledger ledger;
   std::vector<double> effect_energy, effect_count;  ///< as in Outcome
 };

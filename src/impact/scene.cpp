@@ -122,7 +122,7 @@ const std::vector<Member<Integration>>& Integration::fields() {
         any_number,
         "e",
         false,
-        {"e", "beta", "mu", "psi2", "vn", "vt", "omega"}},
+        {"e", "beta", "mu", "psi2", "vn", "vt", "omega", "e_n", "beta_n", "mu_n", "contact_time"}},
        &Integration::accuracy_of},
       {{"time_limit", "number", "R/c",
         "an impact longer than this ends out_of_time; 100 + 2 / normal speed of the impact unless given", positive, "",
@@ -144,6 +144,45 @@ void Integration::check() const {
   if (given(accuracy) && given(step)) throw FieldError("accuracy", "give step or accuracy, not both");
   if (given(accuracy) && given(theta)) throw FieldError("accuracy", "give theta or accuracy, not both");
   if (given(theta) && given(step)) throw FieldError("theta", "give step or theta, not both");
+}
+
+const std::vector<Member<EndRule>>& EndRule::fields() {
+  static const std::vector<Member<EndRule>> list{
+      {{"at",
+        "string",
+        "",
+        "parted: the bodies have parted for good; first_parting: the first touch has ended, whatever follows; time: at "
+        "a given time, whatever the bodies do",
+        any_number,
+        "parted",
+        false,
+        {"parted", "first_parting", "time"}},
+       &EndRule::at},
+      {{"force",
+        "number",
+        "",
+        "a touch lasts while the normal force exceeds this share of its greatest in that touch",
+        {1e-12, 0.5},
+        "0.001"},
+       &EndRule::force},
+      {{"gap", "number", "R",
+        "how far apart the surfaces must be besides; with parted it is the contact's reach unless given", positive, "",
+        true},
+       &EndRule::gap},
+      {{"time", "number", "R/c", "with time: since the surfaces came within reach of each other", positive, "", true},
+       &EndRule::time},
+  };
+  return list;
+}
+
+void EndRule::check(const Integration& integration) const {
+  const bool given = !std::isnan(time);
+  if (at == "time" && !given) throw FieldError("ending", "at = time needs a time beside it");
+  if (at != "time" && given) throw FieldError("ending", fmt::format("time goes with at = time, not with {}", at));
+  if (at == "time" && !std::isnan(gap)) throw FieldError("ending", "gap goes with parted or first_parting");
+  if (given && time > integration.time_limit)
+    throw FieldError("time_limit", fmt::format("{:g} R/c is before ending.time = {:g}; raise it or leave it out",
+                                               integration.time_limit, time));
 }
 
 const Method& Scene::method() const {
@@ -169,7 +208,7 @@ std::string Scene::text() const {
                      projectile->numbers.stiffness, target->geometry_text(), target->numbers.stiffness) +
          motion_text(*target) + text_of("launch", launch) + text_of("contact", contact) +
          text_of("integration", integration) + (step_is_chosen() ? "integration.chosen\n" : "") +
-         (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects));
+         text_of("ending", ending) + (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects));
 }
 
 std::string Scene::hash() const { return hash_text(text()); }

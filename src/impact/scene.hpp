@@ -45,11 +45,24 @@ struct Integration {
   void check() const;
 };
 
+/// When an impact is over.
+struct EndRule {
+  std::string at = "parted";
+  double force = 1e-3;
+  double gap = not_given;
+  double time = not_given;
+
+  static const std::vector<Member<EndRule>>& fields();
+  /// Throws FieldError if the fields contradict each other, or a time limit.
+  void check(const Integration& integration) const;
+};
+
 struct Scene {
   std::shared_ptr<const Body> projectile, target;
   Launch launch;
   ExponentialRepulsion contact;
   Integration integration;
+  EndRule ending;
   std::vector<Effect> effects;  ///< what acts beside springs and contact
   /// Estimated, of integration.accuracy_of, if trials chose the step. Only that they did is part of the text: a chosen
   /// step under which the impact fails is shortened.

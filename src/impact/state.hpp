@@ -70,6 +70,11 @@ struct State {
     return sum;
   }
 
+  /// Energy of a pair's repulsion in a lane at the end of the last step, of which a run is ahead by a drift. [m0 c^2]
+  double contact_energy_at_end(std::size_t pair, int lane) const {
+    return contacts.pairs()[pair].energy_before(lane, bodies, effects.split() ? 0 : method.ahead_drift * h[lane]);
+  }
+
   Solids solids;
   const Method& method;
   Motions<W> bodies, end;                    ///< where the run is; at the end of a step

@@ -34,6 +34,7 @@ void check_launch(const Launch& launch) { static_cast<void>(launch.velocity()); 
 void check_scene(const Scene& scene) {
   check_launch(scene.launch);
   scene.integration.check();
+  scene.ending.check(scene.integration);
   if (const std::string conflict = conflict_of(scene.effects); !conflict.empty()) throw FieldError("effects", conflict);
   if (const std::string conflict = scene.conflict_with(scene.method()); !conflict.empty())
     throw FieldError("method", conflict);
@@ -54,6 +55,7 @@ Scene read_scene(lua_State* L) {
   read_members(L, 1, scene.integration);
   read_inner_members(L, 1, "launch", scene.launch);
   read_inner_members(L, 1, "contact", scene.contact);
+  read_inner_members(L, 1, "ending", scene.ending);
   each_in_field(L, 1, "effects", [&](lua_Integer) { scene.effects.push_back(effect_at(L, -1).effect); });
   return scene;
 }
@@ -207,6 +209,7 @@ Function scene_function() {
       {"target", "body", "", "the body that is hit; free or anchored"},
       {"launch", "launch", "", "how the projectile comes in", any_number, "{}"},
       {"contact", "contact", "", "how the bodies repel each other", any_number, "{}"},
+      {"ending", "ending", "", "when the impact is over", any_number, "{}"},
       {"effects", "effects", "",
        "list of what else acts, e.g. { ricochet.gravity { g = 1e-4 } }; what is not named is not computed", any_number,
        "{}"}};
@@ -256,6 +259,10 @@ Group scene_functions() {
        .doc = "The `contact` table of a scene: V0 exp(-xi d), summed over the rim segments within reach of each rim "
               "node.",
        .fields = fields_of<ExponentialRepulsion>(),
+       .is_table = true},
+      {.name = "ending",
+       .doc = "The `ending` table of a scene: when its impact is over, and its row is made.",
+       .fields = fields_of<EndRule>(),
        .is_table = true}};
   each_effect_kind([&]<class E>(const E&) { group.functions.push_back(effect_function<E>()); });
   group.natives = {{"given", guarded<given>}, {"strict", strict}, {"catalogue", catalogue},

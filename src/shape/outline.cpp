@@ -114,11 +114,17 @@ bool is_corner(const Points& outline, std::size_t i) {
   return in.dot(out) < cos_turn;
 }
 
-Points resample(const Points& outline, double spacing) {
+std::vector<std::size_t> corners_of(const Points& outline) {
   const std::size_t n = outline.size();
   std::vector<std::size_t> corners;
   for (std::size_t i = 0; i < n; ++i)
     if (is_corner(outline, i)) corners.push_back(i);
+  return corners;
+}
+
+Points resample(const Points& outline, double spacing) {
+  const std::size_t n = outline.size();
+  std::vector<std::size_t> corners = corners_of(outline);
   const bool smooth = corners.empty();
   if (smooth) corners.push_back(0);
 

@@ -35,9 +35,11 @@ bool inside(const CellTree& surface, const Vec2& point);
 /// True if two surfaces have area in common: an edge of one meets one of the other, or a chain lies inside the other.
 bool outlines_overlap(const CellTree& a, const CellTree& b);
 
-/// Points along the outline, `spacing` apart as nearly as an even division allows. Corners (a turn of more than 30
-/// degrees) keep their place; between corners, and around an outline that has none, the points are evenly spaced by arc
-/// length.
+/// The corners of an outline: where it turns by more than 30 degrees.
+std::vector<std::size_t> corners_of(const Points& outline);
+
+/// Points along the outline, `spacing` apart as nearly as an even division allows. Corners keep their place; between
+/// corners, and around an outline that has none, the points are evenly spaced by arc length.
 Points resample(const Points& outline, double spacing);
 
 /// Outward unit normal at each point of a counter-clockwise outline: the direction of the mean of both edges' normals.

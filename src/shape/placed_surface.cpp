@@ -32,6 +32,41 @@ double PlacedSurface::distance(const Vec2& p, double least) const {
   return tree().nearest(p, least, [&](std::size_t s) { return closest(p, tree().from(s), tree().to(s)).distance; });
 }
 
+bool PlacedSurface::closed() const {
+  if (closed_) return *closed_;
+  const auto chains = chains_of(std::get<Mesh<2>>(surface_).cell);
+  return closed_.emplace(std::all_of(chains.begin(), chains.end(), [](const Chain& chain) { return chain.closed; }));
+}
+
+double PlacedSurface::depth(const Vec2& p) const {
+  if (plane()) return std::max(0.0, -above(*plane(), p));
+  if (!closed()) return depth_behind_open_chains(p);
+  return contains(p) ? distance(p, std::numeric_limits<double>::infinity()) : 0;
+}
+
+// Where the nearest place is a node of two cells, the side is that of the mean of their normals; at an end p must stand
+// beside the cell.
+double PlacedSurface::depth_behind_open_chains(const Vec2& p) const {
+  double least = std::numeric_limits<double>::infinity(), outwards = 0;
+  int met = 0;
+  bool beside = false;
+  for (std::size_t s = 0; s < tree().size(); ++s) {
+    const Vec2 edge = tree().to(s) - tree().from(s);
+    const Closest c = closest(p, tree().from(s), tree().to(s));
+    if (c.distance > least) continue;
+    if (c.distance < least) {
+      outwards = 0;
+      met = 0;
+      beside = false;
+    }
+    least = c.distance;
+    outwards -= perpendicular(edge).normalized().dot(c.away);
+    beside = beside || (c.along > 0 && c.along < 1);
+    ++met;
+  }
+  return outwards < 0 && (beside || met > 1) ? least : 0;
+}
+
 double PlacedSurface::support(const Vec2& direction) const {
   if (!plane()) return ricochet::support(points_, direction);
   return direction == in_plane(plane()->normal) ? plane()->offset : std::numeric_limits<double>::infinity();

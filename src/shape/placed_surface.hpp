@@ -24,6 +24,9 @@ class PlacedSurface {
   bool contains(const Vec2& p) const;
   /// Of p from the nearest cell, or `least` if that is smaller; below 0 inside a plane.
   double distance(const Vec2& p, double least) const;
+  /// How far inside p lies: its distance from the surface, 0 outside. An open chain has its inside to the left of its
+  /// cells, and none beyond its ends. [R]
+  double depth(const Vec2& p) const;
   /// The largest direction . point: infinite for a plane but along its normal.
   double support(const Vec2& direction) const;
   /// The cells at most `distance` from p, by rising number; 0 for a plane, which has one.
@@ -32,9 +35,13 @@ class PlacedSurface {
   double height(double x, bool highest) const;
 
  private:
+  bool closed() const;  // every chain of the mesh
+  double depth_behind_open_chains(const Vec2& p) const;
+
   const Surface& surface_;
   Points points_;
   mutable std::optional<CellTree> tree_;  // made when first asked for
+  mutable std::optional<bool> closed_;
 };
 
 /// A lower bound of the distance of two surfaces: that of their bounding boxes; 0 if these overlap.

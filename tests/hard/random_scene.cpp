@@ -242,7 +242,8 @@ Verdict judged(const RandomScene& random, double steps) {
         const double v = value(o);
         if (std::isinf(v)) wrong(field.name + " is infinite");
       }
-      if (!std::isfinite(o.e) || !std::isfinite(o.vt) || !std::isfinite(o.omega)) wrong("no result");
+      if (!std::isfinite(o.e_n) || !std::isfinite(o.vt) || !std::isfinite(o.omega)) wrong("no result");
+      if (std::isfinite(o.e) != (std::abs(o.normal_x) <= 0.1)) wrong("e is of y, and the normal is not");
       if (!(o.energy_drift <= 1e-2)) wrong(fmt::format("energy strayed by {:.2g}", o.energy_drift));
       if (!(o.energy_closure <= 1e-2)) wrong(fmt::format("energy closes to {:.2g}", o.energy_closure));
       if (!target->anchored() && !(o.momentum_residual < 1e-9))
@@ -304,7 +305,8 @@ Verdict judged(const RandomScene& random, double steps) {
                           .height = s.launch.height};
         s.integration = Integration{};
       });
-      if (slower.status != Status::no_contact && !(slower.status == Status::finished && std::abs(slower.e + 1) < 0.05))
+      if (slower.status != Status::no_contact &&
+          !(slower.status == Status::finished && std::abs(slower.e_n + 1) < 0.05))
         wrong(fmt::format("at half the speed it ends {}", name_of(slower.status)));
       break;
     }

@@ -129,6 +129,7 @@ std::shared_ptr<const Solid> build_lattice(const Body& body, const NodePlan& pla
   Mesh<2> rim = rim_of(plan, number);
   rim.weight = rim_shares(rim, plan.points);
   solid->surface = std::move(rim);
+  solid->corners = plan.corners;
   for (const Triangle& t : triangles) solid->cells.push_back({number[at(t[0])], number[at(t[1])], number[at(t[2])]});
   Springs springs = join(body, plan, edges, number, *solid);
   if (body.numbers.prestress > 0) prestress(body, *solid, springs);

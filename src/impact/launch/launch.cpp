@@ -82,7 +82,6 @@ void take_energy(Start& start, const Placement& arrives, const Scene& scene, con
 
 // What is cut off must not show: at 0.1 c a reach of 0.1 R is far enough, below about 1e-4 c it is not.
 ExponentialRepulsion widened(ExponentialRepulsion contact, double energy) {
-  constexpr double cut_share = touch_share / 100;
   if (energy > 0) contact.reach = std::max(contact.reach, std::log(contact.V0 / (cut_share * energy)) / contact.xi);
   return contact;
 }
@@ -125,6 +124,7 @@ Start launch(const Scene& described, const Solids& solids) {
   const double normal_speed = -arrives.velocity.y();
   start.time_limit =
       !std::isnan(scene.integration.time_limit) ? scene.integration.time_limit : 100 + 2 / std::max(normal_speed, 1e-9);
+  if (scene.ending.at == "time") start.time_limit = std::max(start.time_limit, scene.ending.time);
   const Vec2 centre = projectile.centre();
   check_progress(scene, start, fastest, std::max(centre.norm(), flight.radius()));
   check_patience(scene, start, meeting, flight.radius());

@@ -12,6 +12,9 @@ using Solids = std::vector<const Solid*>;
 /// Contact shows when its energy exceeds this share of the energy at launch.
 inline constexpr double touch_share = 1e-6;
 
+/// What the contact's reach cuts off, of one node, is less than this share of it.
+inline constexpr double cut_share = touch_share / 100;
+
 /// The start of a run: the bodies rigid, a reach apart.
 struct Start {
   bool touches = true;            ///< false if the bodies pass by each other: nothing to integrate

@@ -15,6 +15,10 @@ std::string text(const ending::Finished&, const Run&) { return ""; }
 
 std::string text(const ending::PassedBy&, const Run&) { return "the projectile passes by the target"; }
 
+std::string text(const ending::NotTouched&, const Run& run) {
+  return fmt::format("the bodies had not touched at ending.time = {:g}; give a later one", run.end_time);
+}
+
 std::string text(const ending::BrokenNode& e, const Run& run) {
   if (run.steps == 0)
     return fmt::format(
@@ -70,6 +74,7 @@ std::string text(const ending::NotParted& e, const Run& run) {
 
 Status status(const ending::Finished&) { return Status::finished; }
 Status status(const ending::PassedBy&) { return Status::no_contact; }
+Status status(const ending::NotTouched&) { return Status::no_contact; }
 Status status(const ending::BrokenNode&) { return Status::not_finite; }
 Status status(const ending::EnergyBeyondNumbers&) { return Status::not_finite; }
 Status status(const ending::EnergyDrift&) { return Status::energy_drift; }

@@ -13,6 +13,7 @@ namespace ricochet {
 namespace ending {
 struct Finished {};
 struct PassedBy {};
+struct NotTouched {};
 struct BrokenNode {
   BodyNode node;
 };
@@ -39,9 +40,9 @@ struct NotParted {
 };
 }  // namespace ending
 
-using Ending =
-    std::variant<ending::Finished, ending::PassedBy, ending::BrokenNode, ending::EnergyBeyondNumbers,
-                 ending::EnergyDrift, ending::Unstable, ending::Tunnelled, ending::FlewThrough, ending::NotParted>;
+using Ending = std::variant<ending::Finished, ending::PassedBy, ending::NotTouched, ending::BrokenNode,
+                            ending::EnergyBeyondNumbers, ending::EnergyDrift, ending::Unstable, ending::Tunnelled,
+                            ending::FlewThrough, ending::NotParted>;
 
 Status status_of(const Ending& ending);
 

@@ -86,4 +86,11 @@ std::optional<Intruder> inside_one_another(const PlacedSurface& first, const Pla
   return std::nullopt;
 }
 
+double deepest_inside(const PlacedSurface& first, const PlacedSurface& second) {
+  double deepest = 0;
+  for (const Vec2& p : first.points()) deepest = std::max(deepest, second.depth(p));
+  for (const Vec2& p : second.points()) deepest = std::max(deepest, first.depth(p));
+  return deepest;
+}
+
 }  // namespace ricochet

@@ -34,4 +34,7 @@ struct Intruder {
 std::optional<Intruder> inside_one_another(const PlacedSurface& first, const PlacedSurface& second, bool two_sided,
                                            double gap);
 
+/// How deep the deepest surface node of either body stands inside the other; 0 if none does. [R]
+double deepest_inside(const PlacedSurface& first, const PlacedSurface& second);
+
 }  // namespace ricochet

@@ -5,14 +5,18 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "body/inversion.hpp"
 #include "core/error.hpp"
 #include "impact/launch/aim.hpp"
 #include "impact/report.hpp"
 #include "impact/roles.hpp"
+#include "impact/watch/contact_frame.hpp"
+#include "impact/watch/follow_touches.hpp"
 #include "impact/watch/indentation.hpp"
 #include "impact/watch/ledger.hpp"
+#include "impact/watch/surfaces.hpp"
 #include "integrate/kept_energy.hpp"
 
 namespace ricochet {
@@ -26,10 +30,6 @@ inline constexpr int looks_between_ledgers = 4;
 inline constexpr int looks_between_bounds = 16;
 inline constexpr double bound_slack = 1.15;
 
-// A body has folded when more than this share of its area is turned over; slivers of a random lattice do so in any
-// impact.
-inline constexpr double folded_share = 0.01;
-
 // Bodies that move apart slower than this share of the impact's speed when its time is over: more time would not part
 // them.
 inline constexpr double at_rest_share = 1e-3;
@@ -38,8 +38,10 @@ template <int W>
 class Watch {
  public:
   explicit Watch(State<W>& state) : state_(state) {
-    for (const Solid* solid : state.solids)
+    for (const Solid* solid : state.solids) {
       if (solid->free > 0) lightest_ = std::min(lightest_, solid->mass.lightest());
+      outlines_.emplace_back(*solid);
+    }
     surface_gap_ = longest_cell(*state.solids[role::projectile]);
   }
 
@@ -55,7 +57,11 @@ class Watch {
     now.index = index;
     now.start = start;
     now.threshold = touch_share * start.energy;
-    now.touch.resize(state_.contacts.size());
+    const EndRule& rule = scene.ending;
+    now.clocks.assign(state_.contacts.size(), TouchClock(least_load(start, state_.solids), rule.force, start.step));
+    if (rule.at == "time") now.end_time = rule.time;
+    const Placement &projectile = start.bodies[role::projectile], &target = start.bodies[role::target];
+    now.approach = {0, in_plane(projectile.centre - target.centre), in_plane(projectile.velocity - target.velocity)};
     const RigidMotions<W> motions = rigid_motions(state_.bodies);
     const Energies<W> energies(state_, state_.bodies, motions);
     if (energies.contact(lane) > now.threshold) refuse_contact(scene);
@@ -64,20 +70,27 @@ class Watch {
     now.energy_before = now.before.total();
     now.projectile_radius = reach_from_centre(*state_.solids[role::projectile], -upwards());
     now.target_radius = reach_from_centre(*state_.solids[role::target], upwards());
+    for (const std::size_t b : {role::projectile, role::target}) now.frame.round[b] = outlines_[b].round();
     now.reference_height = start.overlap_height;
   }
 
   void clear(int lane) { run(lane) = Run{}; }
 
-  /// After a step of every lane; the contacts' energies before it.
-  void count_step(const std::vector<Lane<W>>& contact_before) {
+  /// After a step of every lane.
+  void count_step() {
     for (int lane = 0; lane < W; ++lane) {
       Run& now = run(lane);
       if (!now.scene || state_.broken[at(lane)]) continue;
       ++now.steps;
-      for (std::size_t p = 0; p < now.touch.size(); ++p)
-        count_touch(now, now.touch[p], contact_before[p][lane], state_.contact_energy[p][lane]);
+      now.due_now = std::exchange(now.due, Due{});
+      follow_touches(state_, lane, now);
+      if (now.time() + 1.5 * now.start.step > now.end_time) now.due.end = true;
     }
+  }
+
+  /// Whether a lane asks to be looked at after the next step.
+  bool due() const {
+    return std::any_of(runs_.begin(), runs_.end(), [](const Run& run) { return run.due.any(); });
   }
 
   struct Ended {
@@ -86,14 +99,29 @@ class Watch {
   };
   /// Looks at every lane, the state's `end` being that of the last step: those that have come to an end.
   std::vector<Ended> look() {
-    state_.contacts.update(state_.end);
-    Look now{rigid_motions(state_.end), {}, {}};
+    Look now = look_at_end();
     take_interior_bounds();
     std::vector<Ended> ended;
     for (int lane = 0; lane < W; ++lane) {
       if (idle(lane)) continue;
       const std::optional<Ending> ending = follow(lane, now);
       if (ending) ended.push_back({lane, report(run(lane), *ending, state_.solids, last_facts(lane, now))});
+    }
+    return ended;
+  }
+
+  /// Looks at the lanes that asked for it before the last step: those that have come to an end.
+  std::vector<Ended> look_closely() {
+    Look now = look_at_end();
+    std::vector<Ended> ended;
+    for (int lane = 0; lane < W; ++lane) {
+      const Due due = std::exchange(run(lane).due_now, Due{});
+      if (idle(lane) || !due.any() || state_.broken[at(lane)]) continue;
+      if (due.frame) take_frame(lane, now);
+      if (due.parting)
+        run(lane).first_parting = {at_parting(role::projectile, lane, now), at_parting(role::target, lane, now)};
+      if (const auto ending = over(lane, now))
+        ended.push_back({lane, report(run(lane), *ending, state_.solids, last_facts(lane, now))});
     }
     return ended;
   }
@@ -129,17 +157,19 @@ class Watch {
                                     "temperature or raise contact.reach");
   }
 
-  void count_touch(const Run& now, TouchRecord& touch, double energy_before, double energy) const {
-    const bool touching = energy > now.threshold;
-    if (touching && !touch.touching && touch.touches++ == 0) touch.first = now.time();
-    if (touching) touch.last = now.time();
-    // The energy of a contact that ends falls as an exponential: where within the step it passed the threshold, so that
-    // effects that act on do not shift what is read by a step. (Verlet, which they go with, evaluates in the middle of
-    // its steps.)
-    else if (touch.touching && state_.effects.split())
-      touch.last =
-          now.time() - now.start.step * (0.5 + std::log(now.threshold / energy) / std::log(energy_before / energy));
-    touch.touching = touching;
+  Look look_at_end() {
+    state_.contacts.update(state_.end);
+    return {rigid_motions(state_.end), {}, {}};
+  }
+
+  void take_frame(int lane, const Look& now) {
+    std::array<const SmoothOutline*, 2> outline;
+    std::array<Pose, 2> pose;
+    for (const std::size_t b : {role::projectile, role::target}) {
+      outline[b] = &outlines_[b];
+      pose[b] = pose_of(state_.end[b], lane, in_plane(fact(now.motions[b].centre, lane)));
+    }
+    add_to_frame(state_.contacts.pairs()[role::aimed_pair], lane, state_.end, outline, pose, run(lane));
   }
 
   const Energies<W>& energies(Look& now) {
@@ -183,21 +213,43 @@ class Watch {
   std::optional<Ending> follow(int lane, Look& now) {
     Run& run = this->run(lane);
     if (const auto& node = state_.broken[at(lane)]) return ending::BrokenNode{*node};
+    if (run.clock().touching()) take_frame(lane, now);
+    if (!run.clock().touched()) keep_approach(lane, now);
     const bool parted = separated(lane, now), late = run.time() >= run.start.time_limit;
     if (parted || late || run.looks % looks_between_ledgers == 0)
       if (auto ending = keep_ledger(lane, now)) return ending;
     if (auto ending = keep_stable(lane)) return ending;
-    const TouchRecord& touch = run.touch[role::aimed_pair];
-    if (touch.touches > 0) {
+    const bool touched = run.clock().touched();
+    if (touched) {
       if (auto ending = keep_outside(lane)) return ending;
       indent(lane, now);
     } else if (parted && state_.effects.empty()) {
       if (auto ending = flew_through(run)) return ending;
     }
-    if (parted && touch.touches > 0) return ending::Finished{};
-    if (parted) return ending::PassedBy{};
+    if (auto ending = over(lane, now)) return ending;
+    if (parted && !touched) return ending::PassedBy{};
+    if (parted && run.end_time == never) return ending::Finished{};
     if (late) return ending::NotParted{rests(lane, now)};
     return std::nullopt;
+  }
+
+  // What the scene says of its end, beside parting for good.
+  std::optional<Ending> over(int lane, Look& now) {
+    const Run& run = this->run(lane);
+    const EndRule& rule = run.scene->ending;
+    const bool in_time = run.time() + run.start.step / 2 >= run.end_time;
+    const bool first = rule.at == "first_parting" && run.first_parting && !run.clock().touching() &&
+                       (std::isnan(rule.gap) || gap_between(state_.end, lane) >= rule.gap);
+    if (!in_time && !first) return std::nullopt;
+    if (auto ending = keep_ledger(lane, now)) return ending;
+    if (!run.clock().touched()) return ending::NotTouched{};
+    return ending::Finished{};
+  }
+
+  void keep_approach(int lane, const Look& now) {
+    const RigidMotion<W>&p = now.motions[role::projectile], &t = now.motions[role::target];
+    run(lane).approach = {run(lane).time(), in_plane(fact(p.centre, lane) - fact(t.centre, lane)),
+                          in_plane(fact(p.velocity, lane) - fact(t.velocity, lane))};
   }
 
   std::optional<Ending> keep_ledger(int lane, Look& now) {
@@ -235,11 +287,18 @@ class Watch {
                             contact_bound > run.interior_bound ? node : run.bound_node};
   }
 
-  std::optional<Ending> keep_outside(int lane) const {
-    const Run& run = this->run(lane);
+  std::optional<Ending> keep_outside(int lane) {
+    Run& run = this->run(lane);
     const bool two_sided = run.scene->contact.two_sided();
+    const Surfaces surfaces = surfaces_at(state_.end, lane);
+    for (std::size_t p = 0; p < run.clocks.size(); ++p) {
+      if (!run.clocks[p].touched()) continue;
+      const Pair<W>& pair = state_.contacts.pairs()[p];
+      run.penetration =
+          std::max(run.penetration, deepest_inside(surfaces[at(pair.body(0))], surfaces[at(pair.body(1))]));
+    }
     const auto intruder =
-        inside_one_another(surface(role::projectile, lane), surface(role::target, lane), two_sided, surface_gap_);
+        inside_one_another(surfaces[role::projectile], surfaces[role::target], two_sided, surface_gap_);
     if (!intruder) return std::nullopt;
     const std::size_t whose = intruder->side == 0 ? role::projectile : role::target;
     const int other = static_cast<int>(intruder->side == 0 ? role::target : role::projectile);
@@ -275,45 +334,50 @@ class Watch {
     return std::hypot(tangential(apart), normal(apart)) < at_rest_share * launched.norm();
   }
 
-  // Parted for good: no node within reach of a cell, and clear of each other. An asperity that touched before the main
-  // contact does not end the impact: the surfaces are not clear yet.
+  // Parted for good: no node within reach of a cell (or the gap that the scene wants), and clear of each other. An
+  // asperity that touched before the main contact does not end the impact: the surfaces are not clear yet.
   bool separated(int lane, const Look& now) const {
-    if (!state_.contacts.pairs()[role::aimed_pair].apart(lane, state_.end)) return false;
+    const double gap = run(lane).scene->ending.gap;
+    if (std::isnan(gap) ? !state_.contacts.pairs()[role::aimed_pair].apart(lane, state_.end)
+                        : gap_between(state_.end, lane) < gap)
+      return false;
     const RigidMotion<W>&p = now.motions[role::projectile], &t = now.motions[role::target];
     const RelativeFlight flight{in_plane(fact(p.centre, lane)), in_plane(fact(t.centre, lane)),
                                 in_plane(fact(p.velocity, lane) - fact(t.velocity, lane)), about(fact(p.turning, lane)),
                                 about(fact(t.turning, lane))};
-    return clear_for_good(surface(role::projectile, lane), surface(role::target, lane), flight);
+    const Surfaces surfaces = surfaces_at(state_.end, lane);
+    return clear_for_good(surfaces[role::projectile], surfaces[role::target], flight);
   }
 
   static Vec3 fact(const Space<W>& of_lanes, int lane) {
     return {of_lanes.at[0][lane], of_lanes.at[1][lane], of_lanes.at[2][lane]};
   }
 
-  // The surface of a body at the end of the last step.
-  PlacedSurface surface(std::size_t body, int lane) const {
-    Points points;
-    for (const int node : surface_nodes(state_.solids[body]->surface))
-      points.push_back(state_.end[body].q.at(node, lane));
-    return PlacedSurface(state_.solids[body]->surface, std::move(points));
+  static Flying flying(std::size_t body, int lane, const Look& now) {
+    return {fact(now.motions[body].velocity, lane), fact(now.motions[body].spin, lane)};
   }
 
   // Velocities after the impact are those at parting: what acts on meanwhile would make them those of some later
   // moment.
+  Flying at_parting(std::size_t body, int lane, const Look& now) const {
+    const Run& run = this->run(lane);
+    const Flying last = flying(body, lane, now);
+    const bool parted = run.clock().touched() && !run.clock().touching() && run.end_time == never;
+    if (state_.effects.empty() || !parted || state_.solids[body]->anchored()) return last;
+    return state_.effects.at_parting(static_cast<int>(body), last, run.time() - run.clock().end());
+  }
+
   LastFacts last_facts(int lane, Look& now) {
     const Run& run = this->run(lane);
     const ActingEffects<W>& effects = state_.effects;
-    const TouchRecord& touch = run.touch[role::aimed_pair];
     LastFacts facts;
     facts.ledger = energies(now).ledger(lane, run.effects_before);
     for (std::size_t b = 0; b < state_.end.size(); ++b) {
       if (effects.empty())
         facts.ledger.bodies[b].vibration +=
             kept_beyond(state_.method, state_.h, b == MultirateRoles{}.slow, state_.end[b])[lane];
-      const Flying flying{fact(now.motions[b].velocity, lane), fact(now.motions[b].spin, lane)};
-      const bool taken_back = !effects.empty() && touch.touches > 0 && !state_.solids[b]->anchored();
-      facts.bodies.push_back(taken_back ? effects.at_parting(static_cast<int>(b), flying, run.time() - touch.last)
-                                        : flying);
+      facts.bodies.push_back(at_parting(b, lane, now));
+      facts.now.push_back(flying(b, lane, now));
     }
     if (effects.empty()) return facts;
     const auto counts = effects.counts(lane);
@@ -327,6 +391,7 @@ class Watch {
 
   State<W>& state_;
   double lightest_ = std::numeric_limits<double>::infinity();  // of the masses that move [m0]
+  std::vector<SmoothOutline> outlines_;                        // [body]
   double surface_gap_ = 0;  // the longest distance of neighbours in the projectile's surface [R]
   std::array<Run, W> runs_{};
 };

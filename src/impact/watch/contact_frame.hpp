@@ -1,0 +1,70 @@
+#pragma once
+// How the contact stands: its normal, where it is pushed, how far the bodies have come into each other.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "contact/pair.hpp"
+#include "core/turn.hpp"
+#include "impact/watch/run.hpp"
+#include "impact/watch/smooth_outline.hpp"
+
+namespace ricochet {
+
+/// A body as it was built, turned and carried to where it is.
+struct Pose {
+  double cosine = 1, sine = 0;
+  Vec2 centre = Vec2::Zero();  ///< of mass [R]
+
+  Facing operator()(const Facing& at_rest) const { return {turned(at_rest.normal, cosine, sine), at_rest.curvature}; }
+};
+
+/// The turn that brings the surface's nodes nearest to where they are, by least squares; none of a held body.
+template <int W>
+Pose pose_of(const Motion<W>& body, int lane, const Vec2& centre) {
+  const Solid& solid = *body.solid;
+  if (solid.anchored()) return {1, 0, centre};
+  const std::vector<int>& nodes = surface_nodes(solid.surface);
+  Vec2 then = Vec2::Zero(), now = Vec2::Zero();
+  for (const int node : nodes) {
+    then += solid.points[static_cast<std::size_t>(node)] / static_cast<double>(nodes.size());
+    now += body.q.at(node, lane) / static_cast<double>(nodes.size());
+  }
+  double along = 0, across = 0;
+  for (const int node : nodes) {
+    const Vec2 from = solid.points[static_cast<std::size_t>(node)] - then, to = body.q.at(node, lane) - now;
+    along += from.dot(to);
+    across += cross(from, to);
+  }
+  const double size = std::hypot(along, across);
+  return {along / size, across / size, centre};
+}
+
+/// Adds what pushes now to the contact's frame. `outline`, `pose`: of the pair's bodies, the projectile first.
+template <int W>
+void add_to_frame(const Pair<W>& pair, int lane, const Motions<W>& bodies,
+                  const std::array<const SmoothOutline*, 2>& outline, const std::array<Pose, 2>& pose, Run& run) {
+  ContactFrame now;
+  pair.each(lane, bodies, [&](const Push& push) {
+    const int other = 1 - push.side;
+    std::array<Facing, 2> facing;
+    facing[push.side] = pose[push.side](outline[push.side]->at_node(push));
+    facing[other] = pose[other](outline[other]->at_cell(push));
+    const Vec2 place = bodies[static_cast<std::size_t>(pair.body(push.side))].q.at(push.node, lane);
+    now.load += push.energy;
+    now.normal += push.energy * normal_between(facing[0], facing[1]);
+    for (int side : {0, 1}) now.arm[side] += push.energy * (place - pose[side].centre);
+  });
+  if (!(now.load > 0)) return;
+  ContactFrame& frame = run.frame;
+  frame.heaviest = std::max(frame.heaviest, now.load);
+  frame.load += now.load;
+  frame.normal += now.normal;
+  for (int side : {0, 1}) frame.arm[side] += now.arm[side];
+  const Vec2 came_from = run.approach.place + (run.clock().begin() - run.approach.time) * run.approach.velocity;
+  const double overlap = now.normal.normalized().dot(came_from - (pose[0].centre - pose[1].centre));
+  if (!(frame.overlap >= overlap)) frame.overlap = overlap;
+}
+
+}  // namespace ricochet
