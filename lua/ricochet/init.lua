@@ -14,6 +14,8 @@ for name, call in pairs(core.functions) do
   end
 end
 
+ricochet.materials = require "ricochet.materials"
+
 local shapes = require "ricochet.shapes"
 ricochet.disk = core.wrap(shapes.disk)
 ricochet.wall = core.wrap(shapes.wall)

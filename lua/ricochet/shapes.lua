@@ -3,17 +3,17 @@ local core = require "ricochet.core"
 
 local shapes = {}
 
--- The fields of ricochet.body among those of a shape: all but its own.
-local function body_fields(t, ...)
-  local body = {}
-  for name, value in pairs(t) do body[name] = value end
+-- The fields of ricochet.body among those given of a shape: all but its own. Those that were not given stay so.
+local function body_fields(t, given, ...)
+  local body = { nodes = t.nodes }
+  for name, value in pairs(given) do body[name] = value end
   for _, own in ipairs { ... } do body[own] = nil end
   return body
 end
 
 function shapes.disk(given)
-  local t = core.check("disk", given)
-  local body = body_fields(t, "radius")
+  local t, own = core.check("disk", given)
+  local body = body_fields(t, own, "radius")
   body.outline = {}
   -- Eight corners a rim node: the points lie on the circle to within its sagitta, (pi / corners)^2 / 2.
   local corners = 8 * math.ceil(math.sqrt(4 * math.pi * t.nodes))
@@ -25,8 +25,8 @@ function shapes.disk(given)
 end
 
 function shapes.wall(given)
-  local t = core.check("wall", given)
-  local body = body_fields(t, "width", "depth")
+  local t, own = core.check("wall", given)
+  local body = body_fields(t, own, "width", "depth")
   local half, depth = t.width / 2, t.depth
   body.outline = { { -half, -depth }, { half, -depth }, { half, 0 }, { -half, 0 } }
   local rounding = 1e-9 * t.width

@@ -2,16 +2,21 @@
 // A body as a script describes it: plain data, from which a Solid is built.
 
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/field.hpp"
 #include "core/vec2.hpp"
+#include "material/material.hpp"
 #include "material/spring_law.hpp"
 #include "shape/surface.hpp"
 
 namespace ricochet {
+
+/// The paper's: 800 nodes of m0 in a disk of radius R. [m0/R^2]
+inline constexpr double usual_density = 800 / std::numbers::pi;
 
 /// The numbers that describe a body in a closed outline. Units: R, m0, c.
 struct BodyNumbers : SpringLawNumbers {
@@ -36,6 +41,8 @@ struct Body {
   std::vector<bool> anchored;          ///< [plan node]
   std::vector<double> node_stiffness;  ///< [plan node], in m0 c^2 / R^2
   std::optional<Plane> plane{};        ///< a rigid half-space instead of all this
+  /// What its stiffness and mass were made from; nothing if they were given. [m0 c^2/R^2, m0/R^2]
+  std::optional<PlaneMaterial> material{};
 
   bool rigid() const { return plane || numbers.rigid(); }
   int moving_nodes() const { return rigid() ? 0 : numbers.nodes; }  ///< about as many as are computed

@@ -26,6 +26,9 @@ inline constexpr Range any_number{};
 inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
 inline constexpr Range not_negative{0};
 
+/// The value of a number that a script may leave out, and did.
+inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
 /// As `initial` of a field of a plain struct: what a default-made one holds.
 inline constexpr const char* by_struct = "=";
 

@@ -59,6 +59,7 @@ struct Outcome {
   double inverted = undefined, inversion_time = undefined;
   double certified = 0, time = undefined, step = undefined, theta = undefined, theta_most = undefined, steps = 0;
   double momentum_residual = undefined, error_estimate = undefined;
+  double over_yield = undefined;
 
   /// By kind of effect, NaN for those that the scene does not name; empty if it names none. Energy lost to it, or
   /// gained in its potential [m0 c^2]; how many springs it changed.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "impact/axes.hpp"
+#include "impact/estimate.hpp"
 #include "impact/roles.hpp"
 
 namespace ricochet {
@@ -16,6 +17,7 @@ void report_course(const Run& run, Outcome& o) {
   o.theta_most = run.theta_most;
   o.steps = static_cast<double>(run.steps);
   o.error_estimate = run.scene->error_estimate;
+  o.over_yield = over_yield(*run.scene);
   o.energy_drift = run.drift;
   o.inverted = run.inverted;
   o.inversion_time = run.inversion_time;

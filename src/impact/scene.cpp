@@ -22,6 +22,16 @@ std::string text_of(const std::string& prefix, const Struct& values) {
   return text;
 }
 
+// What only scenes in SI have: older texts stay.
+std::string text_of_units(const Scene& scene) {
+  std::string text;
+  for (std::size_t b = 0; b < scene.bodies().size(); ++b)
+    if (const auto& m = scene.bodies()[b]->material)
+      text += fmt::format("{} of E {} nu {} density {} yield {}\n", body_name(b), m->E, m->nu, m->density, m->yield);
+  const Units& u = scene.units;
+  return u.si ? text + fmt::format("units SI: R {} m, m0 {} kg, R/c {} s\n", u.length, u.mass, u.time) : text;
+}
+
 }  // namespace
 
 const std::vector<Member<Launch>>& Launch::fields() {
@@ -147,7 +157,7 @@ std::string Scene::text() const {
   return fmt::format("projectile {} ka {}\ntarget {} ka {}\n", projectile->geometry_text(),
                      projectile->numbers.stiffness, target->geometry_text(), target->numbers.stiffness) +
          text_of("launch", launch) + text_of("contact", contact) + text_of("integration", integration) +
-         (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects));
+         (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects)) + text_of_units(*this);
 }
 
 std::string Scene::hash() const { return hash_text(text()); }

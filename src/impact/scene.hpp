@@ -2,18 +2,16 @@
 // A scene: everything that fixes one impact. Plain data with a canonical text; equal texts give equal outcomes, bit for
 // bit.
 
-#include <limits>
 #include <memory>
 #include <string>
 
 #include "body/description.hpp"
 #include "contact/exponential_repulsion.hpp"
+#include "core/units.hpp"
 #include "effect/catalogue.hpp"
 #include "integrate/method.hpp"
 
 namespace ricochet {
-
-inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 /// How the projectile comes in. The normal is +y: it falls along -y and moves along +x. Either `speed` with `psi1` or
 /// `angle`, or `normal_speed` with `tangential_speed`.
@@ -53,6 +51,7 @@ struct Scene {
   ExponentialRepulsion contact;
   Integration integration;
   std::vector<Effect> effects;  ///< what acts beside springs and contact
+  Units units;                  ///< of its user; nothing that computes looks at them
   double error_estimate =
       not_given;  ///< of integration.accuracy_of, if its step was chosen for an accuracy; no part of the text
 

@@ -36,8 +36,10 @@ struct Group {
 
 // Each group in its own file.
 Group parameter_functions();
+Group material_functions();
 Group body_functions();
 Group scene_functions();
+Group estimate_functions();
 Group sweep_functions();
 Group plot_functions();
 Group picture_functions();

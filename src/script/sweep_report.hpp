@@ -27,6 +27,12 @@ class Progress {
   Clock::time_point start_ = Clock::now();
 };
 
+/// How fast, how deep and how long a touch of these scenes is, by the law of a line contact; empty where none holds.
+std::string scale_text(const std::vector<Scene>& scenes);
+
+/// How many rows are over_yield; empty if none is.
+std::string yield_text(const std::vector<Row>& rows);
+
 /// "pefrl, time step 0.0052 R/c, theta 1.6 and at most 1.68 (stable below 2.99)" for each method that ran.
 std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>& rows);
 
