@@ -38,7 +38,8 @@ function ricochet.parameters(t) end
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field mass? number mass of one node [m0] (default 1)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
@@ -55,7 +56,8 @@ function ricochet.body(t) end
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field mass? number mass of one node [m0] (default 1)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
@@ -73,7 +75,8 @@ function ricochet.disk(t) end
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field mass? number mass of one node [m0] (default 1)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
@@ -715,6 +718,7 @@ function ricochet.theory.maw_integrated(t) end
 ---@field e_alpha number restitution against the turned normal
 ---@field offset number |x_c - x_a|/R, from the trailing end of the contact to the disk's centre
 ---@field nu number Poisson's ratio of the wall
+---@field beta_x? number 1 + m R^2/I: 3 for a disk (default 3)
 ---@class ricochet.theory_tilted_surface_result
 ---@field e number restitution against the flat surface's normal, as printed
 ---@field e_rotated number the same with mu_alpha = (mu - tan_alpha)/(1 + mu tan_alpha)
@@ -735,6 +739,7 @@ function ricochet.theory.tilted_surface(t) end
 ---@field offset number[] |x_c - x_a|/R at each
 ---@field at number[] where the curve is wanted, within psi1
 ---@field nu number Poisson's ratio of the wall
+---@field beta_x? number 1 + m R^2/I: 3 for a disk (default 3)
 ---@class ricochet.theory_tilted_curve_result
 ---@field e number[] e at each of `at`, as printed
 ---@field e_rotated number[] with the friction angle turned with the surface

@@ -13,7 +13,7 @@ namespace ricochet::render {
 /// Flat vectors of a mesh as pictures see them: a node's part in the plane.
 template <class Number>
 Vec2 seen(const FrameMesh& mesh, const std::vector<Number>& vectors, int node) {
-  const std::size_t first = static_cast<std::size_t>(mesh.dim * node);
+  const std::size_t first = static_cast<std::size_t>(mesh.dim) * static_cast<std::size_t>(node);
   return {static_cast<double>(vectors[first]), static_cast<double>(vectors[first + 1])};
 }
 

@@ -15,10 +15,13 @@ local rows = figures.sweep(p, "maw", p.ratio, p.speed):run()
 for _, row in ipairs(rows) do row.cot_gamma = 1 / row.psi1 end
 rows:summary { by = "psi1", of = { "beta", "psi2", "e", "mu" } }:print()
 if rows[1].status == "not_run" then return end  -- --check
-local fit, nu = figures.fit(rows), figures.material(p).nu
-local function maw(psi1) return ricochet.theory.maw { psi1 = psi1, mu = fit.mu, e = fit.e, nu = nu } end
+local fit, beta_x, nu = figures.fit(rows), figures.beta_x(rows), figures.material(p).nu
+local function maw(psi1)
+  return ricochet.theory.maw { psi1 = psi1, mu = fit.mu, e = fit.e, nu = nu, beta_x = beta_x }
+end
 local function walton(psi1)
-  return ricochet.theory.walton { psi1 = psi1, mu = fit.mu, e = fit.e, beta0 = math.max(-1, math.min(1, fit.beta0)) }
+  return ricochet.theory.walton { psi1 = psi1, mu = fit.mu, e = fit.e, beta_x = beta_x,
+    beta0 = math.max(-1, math.min(1, fit.beta0)) }
 end
 figures.compare(rows, "psi1", "beta", "Maw, Barber & Fawcett", function(psi1) return maw(psi1).beta end)
 figures.compare(rows, "psi1", "beta", "Walton", function(psi1) return walton(psi1).beta end)

@@ -14,9 +14,9 @@ local p = ricochet.parameters(figures.parameters {
 local rows = figures.sweep(p, "walton", p.ratio, p.speed):run()
 rows:summary { by = "psi1", of = { "psi2", "beta", "e", "mu" } }:print()
 if rows[1].status == "not_run" then return end  -- --check
-local fit = figures.fit(rows)
+local fit, beta_x = figures.fit(rows), figures.beta_x(rows)
 local function walton(psi1)
-  return ricochet.theory.walton { psi1 = psi1, mu = fit.mu, e = fit.e,
+  return ricochet.theory.walton { psi1 = psi1, mu = fit.mu, e = fit.e, beta_x = beta_x,
     beta0 = math.max(-1, math.min(1, fit.beta0)) }.psi2
 end
 figures.compare(rows, "psi1", "psi2", "Walton", walton)

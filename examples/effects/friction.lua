@@ -1,6 +1,6 @@
 -- Friction of a smooth disk on a smooth wall. Without friction or roughness no tangential impulse passes: beta = -1
--- (line at the bottom). With it beta leaves
--- -1: where the disk slides all along, Walton's beta = -1 + mu (1 + e) (1 + m R^2 / I) / psi1, with m R^2 / I = 2.
+-- (line at the bottom). With it beta leaves -1: where the disk slides all along, Walton's beta = -1 + mu (1 + e)
+-- (1 + M R^2 / I) / psi1, with the disk's own moment of inertia I.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -26,15 +26,15 @@ local rows = ricochet.sweep {
 
 local rough = rows:where { rims = "with friction" }
 rough:summary { by = "psi1", of = { "e", "beta", "mu", "friction_energy" } }:print()
-local e, count = 0, 0
+local e, beta_x, count = 0, 0, 0
 for _, row in ipairs(rough) do
-  if row.status == "finished" then e, count = e + row.e, count + 1 end
+  if row.status == "finished" then e, beta_x, count = e + row.e, beta_x + 1 + 1 / row.inertia, count + 1 end
 end
-e = e / count
+e, beta_x = e / count, beta_x / count
 ricochet.plot {
   rows = rows, x = "psi1", y = { "beta", "mu" }, by = "rims", name = "friction",
   title = ("A smooth disk on a smooth wall, friction coefficient %g"):format(p.mu),
   theory = { beta = function(psi1)
-    return -1 + p.mu * (1 + e) * 3 / psi1
+    return -1 + p.mu * (1 + e) * beta_x / psi1
   end, mu = function() return p.mu end }, theory_name = "sliding all along (Walton)",
 }

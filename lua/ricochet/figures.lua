@@ -103,6 +103,15 @@ function figures.means(rows, by, names)
   return lists
 end
 
+--- 1 + M R^2/I of the rows' own projectiles, on average: 3 of a homogeneous disk.
+function figures.beta_x(rows)
+  local sum, count = 0, 0
+  for _, row in ipairs(rows) do
+    if row.status == "finished" then sum, count = sum + 1 + 1 / row.inertia, count + 1 end
+  end
+  return sum / count
+end
+
 --- The run's own tilted-surface curves: the chain of section V C from its mean mu, |x_c - x_a|, e and Psi2. e_alpha is
 --- that of the mean velocities against the normal turned by the theory's own tan(alpha): v_c' = (Psi2, e), v_c = (Psi1,
 --- -1) along (-tan(alpha), 1). (The column e_alpha of a row is against the chord of its own rough contact, whose slope
@@ -113,11 +122,12 @@ function figures.tilted(rows, nu_strain)
   local theory = ricochet.theory
   local m = figures.means(rows, "psi1", { "mu", "centre_offset", "e", "psi2" })
   if #m.psi1 < 2 then return nil end
+  local beta_x = figures.beta_x(rows)
   local offset, e_alpha, first_e_alpha, slope = {}, {}, {}, {}
   for i, psi1 in ipairs(m.psi1) do
     offset[i] = math.min(m.centre_offset[i], 2)
     slope[psi1] = theory.tilted_surface { psi1 = psi1, mu = m.mu[i], e_alpha = 1, offset = offset[i],
-      nu = nu_strain }.tan_alpha
+      nu = nu_strain, beta_x = beta_x }.tan_alpha
     e_alpha[i] = (m.e[i] - m.psi2[i] * slope[psi1]) / (1 + psi1 * slope[psi1])
     first_e_alpha[i] = e_alpha[1]
   end
@@ -126,7 +136,8 @@ function figures.tilted(rows, nu_strain)
   local result = { e_alpha = e_alpha, at = { tan_alpha = function(psi1) return slope[psi1] end } }
   for name, variant in pairs { printed = { e_alpha, "e" }, rotated = { e_alpha, "e_rotated" },
       constant = { first_e_alpha, "e" } } do
-    local given = { psi1 = m.psi1, mu = m.mu, e_alpha = variant[1], offset = offset, nu = nu_strain, at = places }
+    local given = { psi1 = m.psi1, mu = m.mu, e_alpha = variant[1], offset = offset, nu = nu_strain, beta_x = beta_x,
+      at = places }
     local curve, points, there = theory.tilted_curve(given)[variant[2]], {}, {}
     for k, x in ipairs(places) do points[k] = { x, curve[k] } end
     given.at = m.psi1
@@ -140,7 +151,8 @@ end
 --- the errors are those of a jackknife over samples: the fit without each in turn.
 function figures.fit(rows)
   local columns = figures.columns(rows, { "psi1", "psi2", "e", "sample" })
-  local fit = ricochet.theory.fit_walton { psi1 = columns.psi1, psi2 = columns.psi2, e = columns.e }
+  local beta_x = figures.beta_x(rows)
+  local fit = ricochet.theory.fit_walton { psi1 = columns.psi1, psi2 = columns.psi2, e = columns.e, beta_x = beta_x }
   local samples, others = {}, {}
   for _, sample in ipairs(columns.sample) do samples[sample] = true end
   for left_out in pairs(samples) do
@@ -150,6 +162,7 @@ function figures.fit(rows)
         for name, list in pairs(some) do list[#list + 1] = columns[name][i] end
       end
     end
+    some.beta_x = beta_x
     local whole, other = pcall(ricochet.theory.fit_walton, some)
     others[#others + 1] = whole and other or nil
   end

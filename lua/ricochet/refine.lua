@@ -5,12 +5,13 @@ local function refined_body(body, factor, shift)
   local given = core.given(body)
   if next(given) == nil then return body end  -- a plane has no fields, and no nodes
   local t = core.check("body", given, true)
-  t.nodes = math.floor(factor * t.nodes + 0.5)
+  given.nodes = math.floor(factor * t.nodes + 0.5)
   -- Outline, total mass and stiffness stay: the modulus of a network does not depend on its spacing, while a spring's
   -- stretch at a given strain does, as the spacing.
-  if t.interior ~= "rigid" then t.mass, t.quartic = t.mass / factor, t.quartic * factor end
-  t.seed = t.seed + shift
-  return core.own_body(t)
+  if t.interior ~= "rigid" and (given.quartic or not t.material) then given.quartic = t.quartic * factor end
+  if t.mass then given.mass = t.mass / factor end
+  given.seed = t.seed + shift
+  return core.own_body(given)
 end
 
 --- The scene with `factor` times as many nodes in both bodies of the same outline, mass and stiffness; seeds, those of

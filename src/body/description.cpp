@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/hash.hpp"
 
@@ -38,16 +39,24 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
         {{"placement",
           "string",
           "",
-          "how the interior nodes are placed",
+          "how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside "
+          "narrow triangles, and folds early",
           any_number,
-          "uniform",
+          "poisson_disk",
           false,
           {"uniform", "poisson_disk", "triangular"}},
          &BodyNumbers::placement},
         {{"seed", "integer", "", "chooses the random lattice", {0, 9007199254740992.0}, "1"}, &BodyNumbers::seed},
         {{"stiffness", "number", "m0 c^2/R^2", "spring constant ka of T = ka x + kb x^3", positive, "10000"},
          &BodyNumbers::stiffness},
-        {{"mass", "number", "m0", "mass of one node", positive, "1"}, &BodyNumbers::mass},
+        {{"density", "number", "m0/R^2",
+          "mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a "
+          "disk weigh m0 each on average, unless mass is given",
+          positive, "", true},
+         &BodyNumbers::density},
+        {{"mass", "number", "m0", "mass of every node alike, whatever area is its own; instead of density", positive,
+          "", true},
+         &BodyNumbers::mass},
         {{"roughness", "number", "R",
           "standard deviation of the rim along its outward normal; anchored rim nodes stay smooth", not_negative, "0"},
          &BodyNumbers::roughness},
@@ -70,7 +79,7 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
          &BodyNumbers::interior},
     };
     const auto after_stiffness =
-        std::find_if(of_body.begin(), of_body.end(), [](const auto& member) { return member.field.name == "mass"; });
+        std::find_if(of_body.begin(), of_body.end(), [](const auto& member) { return member.field.name == "density"; });
     std::vector<Member<BodyNumbers>> of_law;
     for (const auto& member : SpringLawNumbers::fields())
       std::visit([&](auto where) { of_law.push_back({member.field, inherited(where)}); }, member.place);
@@ -85,20 +94,28 @@ std::string body_name(std::size_t body) {
   return body < std::size(names) ? names[body] : fmt::format("body {}", body + 1);
 }
 
+double BodyNumbers::area_density() const {
+  return !std::isnan(mass) ? not_given : std::isnan(density) ? usual_density : density;
+}
+
 std::string Body::geometry_text() const {
   if (plane)
     return fmt::format("plane {} {} {} {}", plane->normal.x(), plane->normal.y(), plane->normal.z(), plane->offset);
-  std::string outline_text, anchor_text, stiffness_text;
+  std::string outline_text, anchor_text, stiffness_text, density_text;
   for (const Vec2& p : outline) outline_text += fmt::format("{} {};", p.x(), p.y());
   for (const bool held : anchored) anchor_text += held ? '1' : '0';
   if (rigid())
     return fmt::format("rigid outline {} anchored {} nodes {} seed {} roughness {}", hash_text(outline_text),
                        hash_text(anchor_text), numbers.nodes, numbers.seed, numbers.roughness);
   for (const double k : node_stiffness) stiffness_text += fmt::format("{};", k);
-  return fmt::format(
-      "outline {} anchored {} stiffness {} nodes {} placement {} seed {} roughness {}{} mass {} prestress {}",
-      hash_text(outline_text), hash_text(anchor_text), hash_text(stiffness_text), numbers.nodes, numbers.placement,
-      numbers.seed, numbers.roughness, text_of_law(numbers), numbers.mass, numbers.prestress);
+  for (const double density : node_density) density_text += fmt::format("{};", density);
+  const std::string weight = !std::isnan(numbers.mass) ? fmt::format("mass {}", numbers.mass)
+                             : node_density.empty()    ? fmt::format("density {}", numbers.area_density())
+                                                       : fmt::format("densities {}", hash_text(density_text));
+  return fmt::format("outline {} anchored {} stiffness {} nodes {} placement {} seed {} roughness {}{} {} prestress {}",
+                     hash_text(outline_text), hash_text(anchor_text), hash_text(stiffness_text), numbers.nodes,
+                     numbers.placement, numbers.seed, numbers.roughness, text_of_law(numbers), weight,
+                     numbers.prestress);
 }
 
 }  // namespace ricochet

@@ -21,25 +21,29 @@ inline constexpr double usual_density = 800 / std::numbers::pi;
 /// The numbers that describe a body in a closed outline. Units: R, m0, c.
 struct BodyNumbers : SpringLawNumbers {
   int nodes = 800;
-  std::string placement = "uniform";
+  std::string placement = "poisson_disk";
   std::int64_t seed = 1;
   double stiffness = 1e4;
-  double mass = 1;
+  double density = not_given;  ///< of the area; `usual_density` where neither it nor `mass` is given
+  double mass = not_given;     ///< of every node
   double roughness = 0;
   double prestress = 0;
   std::string interior = "springs";
 
   static const std::vector<Member<BodyNumbers>>& fields();
   bool rigid() const { return interior == "rigid"; }
+  /// Of the area; NaN if every node has a mass of its own accord.
+  double area_density() const;
 };
 
-/// `anchored` and `node_stiffness` hold what the script's functions said of each planned node, evaluated once; empty
-/// where no function was given.
+/// `anchored`, `node_stiffness` and `node_density` hold what the script's functions said of each planned node,
+/// evaluated once; empty where no function was given.
 struct Body {
   Points outline;  ///< simple, counter-clockwise
   BodyNumbers numbers;
   std::vector<bool> anchored;          ///< [plan node]
   std::vector<double> node_stiffness;  ///< [plan node], in m0 c^2 / R^2
+  std::vector<double> node_density{};  ///< [plan node], in m0 / R^2
   std::optional<Plane> plane{};        ///< a rigid half-space instead of all this
   /// What its stiffness and mass were made from; nothing if they were given. [m0 c^2/R^2, m0/R^2]
   std::optional<PlaneMaterial> material{};

@@ -31,12 +31,17 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+double density_of(const Body& body) {
+  if (!body.node_density.empty()) return mean(body.node_density);
+  const BodyNumbers& numbers = body.numbers;
+  return std::isnan(numbers.mass) ? numbers.area_density() : numbers.mass * numbers.nodes / signed_area(body.outline);
+}
+
 Elastic elastic_of(const Body& body) {
   if (body.rigid()) return {};
   const LatticeModuli moduli = usual_moduli(body.numbers.placement);
   const double by_place = body.node_stiffness.empty() ? 1 : mean(body.node_stiffness);
-  return {moduli.per_stiffness * body.numbers.stiffness * by_place, moduli.poisson_ratio,
-          body.numbers.mass * body.numbers.nodes / signed_area(body.outline),
+  return {moduli.per_stiffness * body.numbers.stiffness * by_place, moduli.poisson_ratio, density_of(body),
           std::find(body.anchored.begin(), body.anchored.end(), true) != body.anchored.end()};
 }
 

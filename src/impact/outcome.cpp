@@ -92,6 +92,11 @@ const Columns& of_run() {
        [](O o) { return o.inverted; }},
       {{"inversion_time", "number", "R/c", "when that share first exceeded 0.01; undefined if it never did"},
        [](O o) { return o.inversion_time; }},
+      {{"inertia", "number", "",
+        "I/(M R^2) of the projectile at rest about its centre, R the unit of length: 0.5 for a disk of radius R"},
+       [](O o) { return o.inertia; }},
+      {{"inertia_target", "number", "", "I/(M R^2) of the target; undefined if it is anchored"},
+       [](O o) { return o.inertia_target; }},
       {{"certified", "number", "",
         "1 if the total energy is below V0, so that no projectile node can cross a target segment (nor the reverse, "
         "if two-sided)"},

@@ -57,6 +57,7 @@ struct Outcome {
   Ledger before, after;
   double energy_closure = undefined, energy_drift = undefined;
   double inverted = undefined, inversion_time = undefined;
+  double inertia = undefined, inertia_target = undefined;
   double certified = 0, time = undefined, step = undefined, theta = undefined, theta_most = undefined, steps = 0;
   double momentum_residual = undefined, error_estimate = undefined;
   double over_yield = undefined;

@@ -71,6 +71,11 @@ void report_impulse(const Run& run, const Solids& solids, const Flying& after, c
   o.momentum_residual = residual.norm() / (mass * in_plane(v).norm());
 }
 
+// I/(M R^2), of what can turn.
+double inertia_ratio(const Solid& solid) {
+  return solid.anchored() ? Outcome::undefined : solid.inertia() / solid.total_mass();
+}
+
 }  // namespace
 
 Outcome report(const Run& run, const Ending& ending, const Solids& solids, const LastFacts& facts) {
@@ -84,6 +89,8 @@ Outcome report(const Run& run, const Ending& ending, const Solids& solids, const
   o.energy_closure = std::abs(o.after.total() - run.energy_before) / run.energy_before;
   report_course(run, o);
   report_contact(run, o);
+  o.inertia = inertia_ratio(*solids[role::projectile]);
+  o.inertia_target = inertia_ratio(*solids[role::target]);
   const Flying &after = facts.bodies[role::projectile], &target_after = facts.bodies[role::target];
   report_velocities(run, after, target_after, o);
   report_impulse(run, solids, after, target_after, o);

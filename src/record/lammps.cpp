@@ -22,7 +22,7 @@ void add(std::string& text, const char* form, const Values&... values) {
 
 /// What the data file says of each body, in the order of atoms.
 struct Sections {
-  std::string atoms, velocities, coefficients, bonds;
+  std::string atoms, masses, velocities, coefficients, bonds;
   std::size_t atom_count = 0, bond_count = 0;
   double far = 0;  ///< greatest coordinate [R]
 };
@@ -57,13 +57,14 @@ void add_body(Sections& sections, const Solid& solid, const Placement& placement
     const Vec2 v = in_plane(placement.velocity) + about(placement.spin) * perpendicular(p - in_plane(placement.centre));
     const std::size_t atom = ++sections.atom_count;
     add(sections.atoms, "{} {} {} {:.17g} {:.17g} 0\n", atom, molecule, types[i], tangential(p), normal(p));
+    add(sections.masses, "{} {:.17g}\n", atom, solid.mass[static_cast<int>(i)]);
     add(sections.velocities, "{} {:.17g} {:.17g} 0\n", atom, tangential(v), normal(v));
     sections.far = std::max(sections.far, p.lpNorm<Eigen::Infinity>());
   }
   add_springs(sections, *solid.springs(), stiffness, before);
 }
 
-std::string data_file(const Sections& s, const std::string& name, double projectile_mass, double target_mass) {
+std::string data_file(const Sections& s, const std::string& name) {
   std::string data;
   add(data,
       "{} by ricochet; units R, m0, c\n\n{} atoms\n{} bonds\n5 atom types\n{} bond types\n{} extra bond per atom\n\n",
@@ -71,9 +72,9 @@ std::string data_file(const Sections& s, const std::string& name, double project
   // A box with room for the flight: the boundaries are fixed, and an atom beyond them would be lost.
   add(data, "{0:.17g} {1:.17g} xlo xhi\n{0:.17g} {1:.17g} ylo yhi\n-0.5 0.5 zlo zhi\n\n", -3 * s.far - 1,
       3 * s.far + 1);
-  add(data, "Masses\n\n1 {0:.17g}\n2 {0:.17g}\n3 {1:.17g}\n4 {1:.17g}\n5 {1:.17g}\n\n", projectile_mass, target_mass);
-  return data + "Bond Coeffs # class2\n\n" + s.coefficients + "\nAtoms # bond\n\n" + s.atoms + "\nVelocities\n\n" +
-         s.velocities + "\nBonds\n\n" + s.bonds;
+  add(data, "Masses  # of types: the atoms' own, below, count\n\n1 1\n2 1\n3 1\n4 1\n5 1\n\n");
+  return data + "Bond Coeffs # class2\n\n" + s.coefficients + "\nAtoms # bond\n\n" + s.atoms + "\nRMass\n\n" +
+         s.masses + "\nVelocities\n\n" + s.velocities + "\nBonds\n\n" + s.bonds;
 }
 
 std::string input_file(const Scene& scene, const Start& start, const std::string& name) {
@@ -88,7 +89,9 @@ std::string input_file(const Scene& scene, const Start& start, const std::string
       "# Repulsion acts between rim nodes, not between nodes and segments: this is another law of contact than "
       "Ricochet's.\n"
       "units lj\ndimension 2\nboundary f f p\natom_style bond\nnewton on\natom_modify map array\n"
-      "neighbor {1:.17g} bin\nbond_style class2\npair_style born {2:.17g}\nspecial_bonds lj 1 1 1\nread_data {0}.data\n"
+      "neighbor {1:.17g} bin\nbond_style class2\npair_style born {2:.17g}\nspecial_bonds lj 1 1 1\nfix own all "
+      "property/atom rmass\n"
+      "read_data {0}.data fix own NULL RMass\n"
       "pair_coeff * * 0 1 0 0 0\npair_coeff 2 4 {3:.17g} {4:.17g} 0 0 0\n"
       "neigh_modify every 1 delay 0 check yes\n",
       name, contact.reach / 2, contact.reach, contact.V0, 1 / contact.xi);
@@ -119,7 +122,7 @@ LammpsFiles lammps_files(const Scene& scene, const Solids& solids, const std::st
   add_body(sections, projectile, start.bodies[role::projectile], 1, types_of(projectile, 1, 2, 5),
            start.stiffness[role::projectile]);
   add_body(sections, target, start.bodies[role::target], 2, types_of(target, 3, 4, 5), start.stiffness[role::target]);
-  return {data_file(sections, name, projectile.mass.each(), target.mass.each()), input_file(scene, start, name)};
+  return {data_file(sections, name), input_file(scene, start, name)};
 }
 
 }  // namespace ricochet

@@ -88,14 +88,15 @@ std::shared_ptr<const NodePlan> planned(Session& session, const Body& body, cons
   return plan;
 }
 
-// Refuses what says nothing of a rigid body; `by_place`: its stiffness was given as a function.
-void check_rigid(const BodyNumbers& given, bool by_place) {
+// Refuses what says nothing of a rigid body. Its stiffness and density may have been given as functions.
+void check_rigid(const BodyNumbers& given, bool stiffness_by_place, bool density_by_place) {
   const BodyNumbers usual;
   const auto refuse = [](const char* field) {
     throw FieldError(field, "says nothing of a rigid body, inside which nothing moves; leave it out");
   };
-  if (by_place || given.stiffness != usual.stiffness) refuse("stiffness");
-  if (given.mass != usual.mass) refuse("mass");
+  if (stiffness_by_place || given.stiffness != usual.stiffness) refuse("stiffness");
+  if (density_by_place || !std::isnan(given.density)) refuse("density");
+  if (!std::isnan(given.mass)) refuse("mass");
   if (given.placement != usual.placement) refuse("placement");
   if (given.prestress != usual.prestress) refuse("prestress");
   for (const auto& member : SpringLawNumbers::fields())
@@ -149,7 +150,7 @@ void read_material(lua_State* L, Body& made) {
       if (given(field)) throw FieldError(field, "says how a plane is cut from a material; give material too");
     return;
   }
-  for (const char* field : {"stiffness", "mass"})
+  for (const char* field : {"stiffness", "density", "mass"})
     if (given(field)) throw FieldError(field, "follows from the material; give one of them");
   if (made.rigid())
     throw FieldError("material", "says nothing of a rigid body, inside which nothing moves; leave it out");
@@ -160,7 +161,7 @@ void read_material(lua_State* L, Body& made) {
   BodyNumbers& numbers = made.numbers;
   made.material = in_plane(material, section.state, section.thickness);
   numbers.stiffness = made.material->E / usual_moduli(numbers.placement).per_stiffness;
-  numbers.mass = made.material->density * signed_area(made.outline) / numbers.nodes;
+  numbers.density = made.material->density;
   if (!given("quartic")) numbers.quartic = 0;  // Hooke's law is what E tells of
   warn_of_nu(session_of(L), material, *made.material, section.state, numbers);
   lua_pop(L, 1);
@@ -174,8 +175,10 @@ Body read_body(lua_State* L) {
   made.outline = points_at(L, -1);
   if (signed_area(made.outline) < 0) std::reverse(made.outline.begin(), made.outline.end());
   read_material(L, made);
-  const PlaceFunction anchored(L, "anchored"), stiffness(L, "stiffness");
-  if (made.rigid()) check_rigid(made.numbers, stiffness.given());
+  const PlaceFunction anchored(L, "anchored"), stiffness(L, "stiffness"), density(L, "density");
+  if (made.rigid()) check_rigid(made.numbers, stiffness.given(), density.given());
+  if (!std::isnan(made.numbers.mass) && (density.given() || !std::isnan(made.numbers.density)))
+    throw FieldError("mass", "is that of every node, density that of the area: give one of them");
   std::vector<bool> anchored_rim;
   const Points rim = plan_rim(made.outline, made.numbers);
   if (anchored.given())
@@ -192,6 +195,8 @@ Body read_body(lua_State* L) {
     for (const Vec2& p : plan->points) made.node_stiffness.push_back(stiffness.positive_number_at(p, "stiffness"));
     made.numbers.stiffness = 1;  // the factor of what the nodes have by their places
   }
+  if (density.given())
+    for (const Vec2& p : plan->points) made.node_density.push_back(density.positive_number_at(p, "density"));
   return made;
 }
 
@@ -204,8 +209,8 @@ int body(lua_State* L) {
   } catch (const FieldError& error) {
     throw_here(L, error);
   }
-  const std::size_t bytes =
-      made->outline.size() * sizeof(Vec2) + made->anchored.size() / 8 + made->node_stiffness.size() * sizeof(double);
+  const std::size_t bytes = made->outline.size() * sizeof(Vec2) + made->anchored.size() / 8 +
+                            (made->node_stiffness.size() + made->node_density.size()) * sizeof(double);
   push_object(L, "ricochet.body", BodyObject{made});
   lua_gc(L, LUA_GCSTEP, static_cast<int>(bytes / 1024 + 1));  // Lua does not see what its object holds
   return 1;
@@ -219,13 +224,16 @@ int plane(lua_State* L) {
   return 1;
 }
 
-// Numbers of a body, of which stiffness, roughness and anchors may depend on the place.
+// Numbers of a body, of which stiffness and density may depend on the place.
 std::vector<Field> number_fields(const BodyNumbers& defaults = {}) {
   std::vector<Field> fields = fields_of(defaults);
   const auto stiffness =
       std::find_if(fields.begin(), fields.end(), [](const Field& f) { return f.name == "stiffness"; });
   stiffness->type = "number|function";
   stiffness->doc += "; a function (x, y) gives that of a node, a spring takes the mean of its ends";
+  const auto density = std::find_if(fields.begin(), fields.end(), [](const Field& f) { return f.name == "density"; });
+  density->type = "number|function";
+  density->doc += "; a function (x, y) gives that at a node";
   const std::vector<Field> material{
       {"material", "material", "",
        "what it is made of, instead of stiffness, density and mass, for scenes in SI: the "

@@ -18,7 +18,8 @@ Arguments<TiltedSurface> TiltedSurface::fields() {
           {{"e_alpha", "number", "", "restitution against the turned normal"}, &S::e_alpha},
           {{"offset", "number", "", "|x_c - x_a|/R, from the trailing end of the contact to the disk's centre", {0, 2}},
            &S::offset},
-          {{"nu", "number", "", "Poisson's ratio of the wall", {0, 0.5}}, &S::nu}};
+          {{"nu", "number", "", "Poisson's ratio of the wall", {0, 0.5}}, &S::nu},
+          {{"beta_x", "number", "", "1 + m R^2/I: 3 for a disk", {2, 100}, "3"}, &S::beta_x}};
 }
 
 Arguments<TiltedRebound> TiltedRebound::fields() {
@@ -47,7 +48,8 @@ TiltedRebound tilted_surface(const TiltedSurface& impact) {
   const double psi1_alpha = (psi1 - t) / (1 + psi1 * t), mu_alpha = (mu + t) / (1 - mu * t);
   // 1 - Psi1a t = (1 + t^2)/(1 + Psi1 t): positive for every incident angle.
   const auto restitution = [&](double friction) {
-    return (impact.e_alpha + (psi1_alpha - 3 * (1 + impact.e_alpha) * friction) * t) * (1 + psi1 * t) / (1 + t * t);
+    return (impact.e_alpha + (psi1_alpha - impact.beta_x * (1 + impact.e_alpha) * friction) * t) * (1 + psi1 * t) /
+           (1 + t * t);
   };
   return {restitution(mu_alpha),
           restitution((mu - t) / (1 + mu * t)),
@@ -55,7 +57,7 @@ TiltedRebound tilted_surface(const TiltedSurface& impact) {
           t,
           mu_alpha,
           psi1_alpha,
-          psi1_alpha - 3 * (1 + impact.e_alpha) * mu_alpha};
+          psi1_alpha - impact.beta_x * (1 + impact.e_alpha) * mu_alpha};
 }
 
 Arguments<MeasuredCurve> MeasuredCurve::fields() {
@@ -65,7 +67,8 @@ Arguments<MeasuredCurve> MeasuredCurve::fields() {
           {{"e_alpha", "numbers", "", "restitution against the turned normal at each"}, &S::e_alpha},
           {{"offset", "numbers", "", "|x_c - x_a|/R at each", {0, 2}}, &S::offset},
           {{"at", "numbers", "", "where the curve is wanted, within psi1", not_negative}, &S::at},
-          {{"nu", "number", "", "Poisson's ratio of the wall", {0, 0.5}}, &S::nu}};
+          {{"nu", "number", "", "Poisson's ratio of the wall", {0, 0.5}}, &S::nu},
+          {{"beta_x", "number", "", "1 + m R^2/I: 3 for a disk", {2, 100}, "3"}, &S::beta_x}};
 }
 
 Arguments<TiltedCurve> TiltedCurve::fields() {
@@ -84,8 +87,8 @@ TiltedCurve tilted_curve(const MeasuredCurve& measured) {
           name, fmt::format("must hold as many values as psi1, {}; holds {}", measured.psi1.size(), list->size()));
   Numbers e, e_rotated, slope;
   for (std::size_t i = 0; i < measured.psi1.size(); ++i) {
-    const TiltedRebound at =
-        tilted_surface({measured.psi1[i], measured.mu[i], measured.e_alpha[i], measured.offset[i], measured.nu});
+    const TiltedRebound at = tilted_surface(
+        {measured.psi1[i], measured.mu[i], measured.e_alpha[i], measured.offset[i], measured.nu, measured.beta_x});
     e.push_back(at.e);
     e_rotated.push_back(at.e_rotated);
     slope.push_back(at.tan_alpha);

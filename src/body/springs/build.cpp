@@ -97,6 +97,21 @@ void prestress(const Body& body, Solid& solid, Springs& springs) {
   });
 }
 
+// Every node the mass that the script gave, or its share of the area: a third of each triangle at it.
+Masses masses_of(const Body& body, const NodePlan& plan, const std::vector<Triangle>& triangles,
+                 const std::vector<int>& number) {
+  const double density = body.numbers.area_density();
+  if (std::isnan(density)) return Masses(body.numbers.mass);
+  std::vector<double> mass(plan.points.size(), 0.0);
+  for (const Triangle& t : triangles) {
+    const double area =
+        cross(plan.points[at(t[1])] - plan.points[at(t[0])], plan.points[at(t[2])] - plan.points[at(t[0])]) / 2;
+    for (const int node : t)
+      mass[at(number[at(node)])] += area / 3 * (body.node_density.empty() ? density : body.node_density[at(node)]);
+  }
+  return Masses(std::move(mass));
+}
+
 }  // namespace
 
 std::shared_ptr<const Solid> build_lattice(const Body& body, const NodePlan& plan,
@@ -107,7 +122,7 @@ std::shared_ptr<const Solid> build_lattice(const Body& body, const NodePlan& pla
   std::vector<int> number(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) number[at(order[k])] = static_cast<int>(k);
 
-  solid->mass = Masses(body.numbers.mass);
+  solid->mass = masses_of(body, plan, triangles, number);
   for (const int old : order) solid->points.push_back(plan.points[at(old)]);
   solid->smooth = plan.smooth_rim;
   solid->surface = rim_of(plan, number);
