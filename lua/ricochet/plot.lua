@@ -24,8 +24,9 @@ local function wrapped(text, width)
   return lines
 end
 
-local function label(column)
-  local unit = core.columns()[column]
+-- With the unit that the column has in these rows.
+local function label(column, rows)
+  local unit = core.columns(rows and rows[1] and rawget(rows[1], "units"))[column]
   return (greek[column] or column:gsub("_", "\\_")) .. (unit and unit ~= "" and (" [" .. unit .. "]") or "")
 end
 
@@ -278,9 +279,9 @@ local function add_panel(script, t, i, xs, y, parts)
   script:add("set lmargin 11\nset xrange %s", roomy(xs.low, xs.high, xroom, t.log:find "x"))
   script:add("set yrange %s%s%s", roomy(y.low, y.high, yroom, t.log:find "y"), log_tics(t.log, "x", xs.low, xs.high),
     log_tics(t.log, "y", y.low, y.high))
-  local xlabel = i == #t.y and quoted(t.xlabel or label(t.x)) or "''"
+  local xlabel = i == #t.y and quoted(t.xlabel or label(t.x, t.rows)) or "''"
   script:add("set xlabel %s%s", xlabel, t.xlabel and " noenhanced" or " enhanced")
-  local ylabel = quoted(t.ylabel[column] or label(column))
+  local ylabel = quoted(t.ylabel[column] or label(column, t.rows))
   script:add("set ylabel %s%s", ylabel, t.ylabel[column] and " noenhanced" or " enhanced")
   script:add("plot " .. parts)
 end
