@@ -34,7 +34,7 @@ function ricochet.parameters(t) end
 ---@class ricochet.body_fields
 ---@field outline number[][] corners { {x, y}, ... } in order along the boundary; concave is fine, crossing itself is not [R]
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed (default uniform)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
@@ -52,7 +52,7 @@ function ricochet.body(t) end
 ---@class ricochet.disk_fields
 ---@field radius? number radius [R] (default 1)
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed (default uniform)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
@@ -71,7 +71,7 @@ function ricochet.disk(t) end
 ---@field width? number extent along x, centred [R] (default 8)
 ---@field depth? number extent below y = 0 [R] (default 2)
 ---@field nodes? integer number of mass points, those on the outline included (default 4000)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed (default uniform)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)

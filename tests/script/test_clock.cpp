@@ -87,8 +87,8 @@ TEST_CASE("a sweep that its time ends keeps what is finished, and --resume compl
   here.write("s.lua", R"(local ricochet = require "ricochet"
 ricochet.sweep { name = "s", over = { sample = ricochet.range(600) }, scene = function(at)
   return ricochet.scene {
-    projectile = ricochet.disk { nodes = 200, seed = at.sample },
-    target = ricochet.wall { width = 4, depth = 1.5, nodes = 600, seed = at.sample },
+    projectile = ricochet.disk { nodes = 200, placement = "uniform", seed = at.sample },
+    target = ricochet.wall { width = 4, depth = 1.5, nodes = 600, placement = "uniform", seed = at.sample },
   }
 end }:run()
 )");

@@ -50,7 +50,7 @@ local scene = ricochet.scene { projectile = ricochet.disk { nodes = 100, mass = 
 assert(refine.refined(scene, 1, 0):hash() == scene:hash())
 assert(refine.refined(scene, 1, 1):hash() ~= scene:hash())
 local text = refine.refined(scene, 4, 0):text()
-for _, expected in ipairs { "nodes 400", "nodes 1200", "mass 0.5", "mass 0.25", "quartic 2", "ka 100", "psi1 = 1" } do assert(text:find(expected, 1, true), expected .. "\n" .. text) end
+for _, expected in ipairs { "nodes 400", "nodes 1200", "mass 0.5", "density 254.6", "quartic 2", "ka 100", "psi1 = 1" } do assert(text:find(expected, 1, true), expected .. "\n" .. text) end
 )");
   INFO(ended.err);
   CHECK(ended.status == 0);
