@@ -26,7 +26,7 @@ struct ExponentialRepulsion {
         {{"V0", "number", "m0 c^2",
           "energy of a rim node that touches a segment: a total energy below it cannot tunnel", positive, "150"},
          &ExponentialRepulsion::V0},
-        {{"xi", "number", "1/R", "inverse range of the repulsion", {0, 7000, true}, "300"}, &ExponentialRepulsion::xi},
+        {{"xi", "number", "1/R", "inverse range of the repulsion", positive, "300"}, &ExponentialRepulsion::xi},
         {{"reach", "number", "R",
           "segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an "
           "impact is so slow that what is left out would show",

@@ -84,7 +84,7 @@ std::optional<Touch> touch_of(const Scene& scene) {
   if (plane)
     consider(std::min_element(above.begin(), above.end(), [](auto& a, auto& b) { return a.y() < b.y(); })->x());
   else
-    for (const Points* corners : {&above, &scene.target->outline})
+    for (const Points* corners : std::initializer_list<const Points*>{&above, &scene.target->outline})
       for (const Vec2& p : *corners) consider(p.x());
   if (lift == -infinite) return std::nullopt;
   for (Vec2& p : above) p.y() += lift;
