@@ -1,6 +1,7 @@
 -- Smooth disks of six materials on a rigid plane, head on, against the speed, in SI, beside what `ricochet.estimate`
--- says before anything runs. Speeds beyond 0.1 of a material's wave speed are left out. `samples`: seeds of the lattice;
--- `full=true`: finer lattices and more speeds (about an hour on two cores).
+-- says before anything runs. Each material at those speeds at which it warns of nothing: neither is the contact a matter
+-- of few nodes, nor do springs fold. (That the pressure passes the yield stress is told, and left out of the physics.)
+-- `samples`: lattices a point; `full=true`: finer lattices, which reach to lower speeds.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -11,25 +12,35 @@ local p = ricochet.parameters {
 }
 
 local names = { "steel", "aluminium", "glass", "pmma", "ice", "rubber" }
-local speeds = p.full and { 1, 2, 5, 10, 20, 50, 100, 200, 400 } or { 1, 4, 20, 100, 400 }
+local speeds = { 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200 }
 local nodes = p.full and 4 * p.nodes or p.nodes
 
-local function scene_of(name, speed, seed)
+-- The contact: a fiftieth of the expected indentation; V0 above the energy of the impact, so that nothing can pass.
+local function scene_of(name, speed, seed, expected)
+  local material = ricochet.materials[name]
+  local xi = expected and 50 / expected.overlap.value or 1000 / p.radius
   return ricochet.scene {
     units = "SI",
-    projectile = ricochet.disk { radius = p.radius, material = ricochet.materials[name], nodes = nodes,
-      placement = "triangular", seed = seed },
+    projectile = ricochet.disk { radius = p.radius, material = material, nodes = nodes,
+      placement = "poisson_disk", seed = seed },
     target = ricochet.plane {},
     launch = { speed = speed },
+    contact = { xi = xi, V0 = material.density * math.pi * p.radius ^ 2 * speed ^ 2, reach = 30 / xi, sides = "two" },
   }
 end
 
--- Every point that a disk survives without folding, with what is estimated of it.
+local function sound(estimate)
+  for _, warning in ipairs(estimate.warnings) do
+    if warning.kind ~= "over_yield" then return false end
+  end
+  return true
+end
+
 local points, estimates = {}, {}
 for _, name in ipairs(names) do
   for _, speed in ipairs(speeds) do
     local estimate = ricochet.estimate(scene_of(name, speed, 1))
-    if speed <= 0.1 * estimate.wave_speed.value then
+    if sound(estimate) then
       points[#points + 1] = ("%s %g"):format(name, speed)
       estimates[points[#points]] = { name = name, speed = speed, estimate = estimate }
     end
@@ -41,28 +52,25 @@ local rows = ricochet.sweep {
   over = { point = points, sample = ricochet.range(p.samples) },
   scene = function(at)
     local of = estimates[at.point]
-    return scene_of(of.name, of.speed, at.sample)
+    return scene_of(of.name, of.speed, at.sample, of.estimate)
   end,
 }:run()
 
 for _, row in ipairs(rows) do
   local of = estimates[row.point]
   row.material, row.speed = of.name, of.speed
-  row.share = of.speed / of.estimate.wave_speed.value
   row.time_ratio = row.contact_time / of.estimate.contact_time.value
   row.depth_ratio = row.indentation / of.estimate.overlap.value
 end
 
-print(("%-10s %8s %8s %8s %10s %10s %10s %10s  %s"):format("material", "v [m/s]", "v/c_P", "e", "t [us]", "est. [us]",
-  "F est.[N]", "p est.[MPa]", "warnings of the estimate"))
-for _, line in ipairs(rows:summary { by = "point", of = { "e", "contact_time" } }) do
+print(("%-10s %8s %8s %8s %10s %10s %10s %10s %10s"):format("material", "v [m/s]", "v/c_P", "e", "t [us]", "est. [us]",
+  "F est.[N]", "p est.[MPa]", "over_yield"))
+for _, line in ipairs(rows:summary { by = "point", of = { "e", "contact_time", "over_yield" } }) do
   local of = estimates[line.point]
-  local kinds = {}
-  for _, warning in ipairs(of.estimate.warnings) do kinds[#kinds + 1] = warning.kind end
-  print(("%-10s %8g %8.2g %8.4f %10.4g %10.4g %10.3g %10.3g  %s"):format(of.name, of.speed,
+  print(("%-10s %8g %8.2g %8.4f %10.4g %10.4g %10.3g %10.3g %10s"):format(of.name, of.speed,
     of.speed / of.estimate.wave_speed.value, line.e.mean, 1e6 * line.contact_time.mean,
     1e6 * of.estimate.contact_time.value, of.estimate.force.value, of.estimate.pressure.value / 1e6,
-    table.concat(kinds, ", ")))
+    line.over_yield.count == 0 and "-" or line.over_yield.mean == 1 and "yes" or "no"))
 end
 
 ricochet.plot {
@@ -72,6 +80,6 @@ ricochet.plot {
   theory = { time_ratio = { { name = "estimate", f = function() return 1 end } },
              depth_ratio = { { name = "estimate", f = function() return 1 end } } },
   title = "Disks of six materials on a rigid plane, head on",
-  caption = ("Radius %g mm, length 1 m, plane stress, %d nodes (triangular), %d lattices a point; up to 0.1 of the "
-    .. "wave speed c_P. Elastic: no yielding."):format(1e3 * p.radius, nodes, p.samples),
+  caption = ("Radius %g mm, length 1 m, plane stress, %d nodes (Poisson disks), %d lattices a point. "
+    .. "Elastic: nothing yields."):format(1e3 * p.radius, nodes, p.samples),
 }

@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char* line_law = "line contact of smooth outlines, quasi-static [Johnson 1985, section 5.6]";
 constexpr const char* line_range =
-    "round, smooth outlines; contact narrower than the bodies; normal speed below 0.1 c_P; targets that are large are "
-    "taken as blocks held at their depth";
+    "round, smooth outlines; contact narrower than the bodies; normal speed up to 0.1 of the least c_P (0.05 beside an "
+    "elastic wall, a block held at its depth): then within 20 % of fine lattices";
 
 /// One number of the table.
 struct Told {
@@ -89,7 +89,6 @@ Told pressure_of(const Scene& scene, double pressure) {
 int estimate_from_lua(lua_State* L) {
   const Scene& scene = scene_at(L, 1).scene;
   const Estimate e = estimate(scene);
-  const bool in_range = e.no_law.empty() && e.impact.in_range && e.normal_speed <= 0.1 * e.slowest_wave;
   const Told numbers[] = {
       {"force", e.impact.force, "m0 c^2/R"},
       {"overlap", e.impact.approach, "R"},
@@ -101,7 +100,7 @@ int estimate_from_lua(lua_State* L) {
       {"wave_speed", e.wave_speed, "c", "c_P = sqrt(E2/(rho (1 - nu2^2))) of the projectile", "small strains"}};
   lua_newtable(L);
   for (const Told& told : numbers) {
-    push_told(L, told, scene.units, in_range);
+    push_told(L, told, scene.units, e.in_range);
     lua_setfield(L, -2, told.name);
   }
   push_warnings(L, e);

@@ -44,7 +44,7 @@ void check_against_run(const Scene& scene) {
   const Estimate e = estimate(scene);
   CAPTURE(e.no_law, e.normal_speed, e.wave_speed, 2 * e.impact.half_width / e.spacing);
   REQUIRE(e.no_law.empty());
-  CHECK(e.impact.in_range);
+  CHECK(e.in_range);
   const BuiltSolids solids(scene);
   const Outcome run = run_scene(solids, scene, go_on);
   REQUIRE(run.status == Status::finished);
