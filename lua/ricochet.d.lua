@@ -3,6 +3,8 @@
 
 ---@class ricochet.body
 
+---@class ricochet.material
+
 ---@class ricochet.effect
 
 ---@class ricochet.scene
@@ -24,12 +26,24 @@
 ---@field power_law fun(self: ricochet.rows, t: ricochet.rows_power_law_fields): table
 ---@field where fun(self: ricochet.rows, columns: table): ricochet.rows
 
-local ricochet = { file = {}, theory = {} }
+local ricochet = { file = {}, theory = {}, materials = {} }
 
 --- Declares what a user may set on the command line as `name=value` and reads it. Each parameter is a default, or a table with the default first and any of unit, doc, min, max, int, choices. Returns the values.
 ---@param t table
 ---@return table
 function ricochet.parameters(t) end
+
+---@class ricochet.material_fields
+---@field E number Young's modulus [Pa]
+---@field nu number Poisson's ratio
+---@field density number mass of the volume [kg/m^3]
+---@field yield? number yield stress; data: only an effect that uses it lets anything yield [Pa]
+---@field hardening? number rise of the yield stress with the plastic strain; data as `yield` [Pa]
+---@field source? string where a reader can look the numbers up
+--- An elastic material, for the `material` of bodies in scenes with units = "SI". Known ones, each with its source: ricochet.materials.steel, aluminium, glass, alumina, pmma, polycarbonate, rubber, ice. Their numbers are read as fields: ricochet.materials.steel.E.
+---@param t ricochet.material_fields
+---@return ricochet.material
+function ricochet.material(t) end
 
 ---@class ricochet.body_fields
 ---@field outline number[][] corners { {x, y}, ... } in order along the boundary; concave is fine, crossing itself is not [R]
@@ -43,6 +57,9 @@ function ricochet.parameters(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
+---@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
 --- A random mass-spring lattice in a closed outline, or a rigid body.
 ---@param t ricochet.body_fields
@@ -61,6 +78,9 @@ function ricochet.body(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
+---@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
 --- A disk around the origin.
 ---@param t ricochet.disk_fields
@@ -80,6 +100,9 @@ function ricochet.disk(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
+---@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 --- A rectangular block whose top is y = 0, held at both sides and at the bottom.
 ---@param t ricochet.wall_fields
 ---@return ricochet.body
@@ -95,6 +118,7 @@ function ricochet.plane(t) end
 ---@field target ricochet.body the body that is hit; free or anchored
 ---@field launch? ricochet.launch_fields how the projectile comes in (default {})
 ---@field contact? ricochet.contact_fields how the bodies repel each other (default {})
+---@field units? "paper"|"SI" of every number of the scene, its bodies, effects and rows: paper: R, m0, c; SI: m, kg, s, with bodies of materials (default paper)
 ---@field effects? ricochet.effect[] list of what else acts, e.g. { ricochet.gravity { g = 1e-4 } }; what is not named is not computed (default {})
 ---@field method? "auto"|"pefrl"|"forest_ruth"|"verlet"|"takahashi_imada"|"chin_4a"|"mclachlan_sb3a4"|"blanes_moan_s6"|"blanes_moan_srkn6b"|"okunbor_skeel_13"|"blanes_moan_srkn11b"|"blanes_moan_srkn14a"|"multirate_2"|"multirate_3"|"multirate_5"|"multirate_8"|"rk4"|"dop853" integrator; auto is pefrl, or the cheapest one for `accuracy` (default auto)
 ---@field step? number time step; chosen from the stiffest node and the contact's onset unless given [R/c]
@@ -207,6 +231,11 @@ function ricochet.friction(t) end
 ---@param t ricochet.thermal_fields
 ---@return ricochet.effect
 function ricochet.thermal(t) end
+
+--- What laws say of a scene before it runs. A table of force, overlap, contact_time, contact_length, pressure, e and wave_speed; each is a table of value (NaN where no law holds), unit, law, range and in_range. `no_law` says why none holds, or is empty. `warnings` is a list of { kind =, reason = }: coarse_contact, coarse_rim, folding, over_yield.
+---@param scene ricochet.scene
+---@return table
+function ricochet.estimate(scene) end
 
 ---@class ricochet.sweep_fields
 ---@field name string names the folder of its results
@@ -382,7 +411,7 @@ function ricochet.plan(t) end
 
 ---@class ricochet.elasticity_fields
 ---@field body ricochet.body a band longer along y than along x, nowhere anchored
---- Young's modulus E and Poisson's ratio nu of a band, stretched along y by a small strain and solved statically.
+--- Young's modulus E and Poisson's ratio nu of a band, stretched along y by a small strain and solved statically. E is in m0 c^2/R^2, or in Pa if the band is of a material.
 ---@param t ricochet.elasticity_fields
 ---@return table
 function ricochet.elasticity(t) end
