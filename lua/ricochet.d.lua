@@ -11,6 +11,7 @@
 ---@field run fun(self: ricochet.scene): table
 ---@field text fun(self: ricochet.scene): string
 ---@field hash fun(self: ricochet.scene): string
+---@field bounces fun(self: ricochet.scene, t: ricochet.scene_bounces_fields): ricochet.rows, string?
 
 ---@class ricochet.sweep
 ---@field run fun(self: ricochet.sweep): ricochet.rows
@@ -125,22 +126,22 @@ function ricochet.plane(t) end
 ---@field theta? number time step times the bound of the highest frequency of this scene's lattices, instead of a step: equal for lattices of one kind
 ---@field accuracy? number wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs
 ---@field accuracy_of? "e"|"beta"|"mu"|"psi2"|"vn"|"vt"|"omega" the outcome that accuracy is about (default e)
----@field time_limit? number an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given [R/c]
+---@field time_limit? number an impact longer than this ends out_of_time; 100 + 2 / normal speed of the impact unless given [R/c]
 ---@field energy_tolerance? number an impact whose total energy strays further, relative to its start, ends energy_drift (default 0.01)
---- One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream so that its smooth outline would touch the target's at x = launch.at. `scene:run()` runs it and returns a row; `scene:text()` is its canonical text, `scene:hash()` that text's hash.
+--- One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream so that its smooth outline would touch the target's at x = launch.at. `scene:run()` runs it and returns a row, `scene:bounces { }` several impacts one after another; `scene:text()` is its canonical text, `scene:hash()` that text's hash.
 ---@param t ricochet.scene_fields
 ---@return ricochet.scene
 function ricochet.scene(t) end
 
 ---@class ricochet.launch_fields
----@field speed? number impact speed |v|; 0.1 unless normal_speed is given [c]
+---@field speed? number launch speed |v|; 0.1 unless normal_speed is given; 0 only with a height to fall from under gravity [c]
 ---@field psi1? number tangent of the incident angle, v_t / v_n; 0 unless given otherwise
 ---@field angle? number incident angle from the normal, instead of psi1 [degrees]
----@field normal_speed? number speed along the normal, instead of speed [c]
+---@field normal_speed? number speed along the normal, instead of speed; 0 as for speed [c]
 ---@field tangential_speed? number speed along the surface, with normal_speed [c]
 ---@field spin? number angular velocity before impact, counter-clockwise [c/R] (default 0)
 ---@field at? number where along x the smooth projectile would touch the smooth target [R] (default 0)
----@field height? number starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart [R]
+---@field height? number starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart. Gravity on the projectile acts from a given height on, else from the first approach of the rims on; other effects always do so from there on [R]
 
 ---@class ricochet.contact_fields
 ---@field V0? number energy of a rim node that touches a segment: a total energy below it cannot tunnel [m0 c^2] (default 150)
@@ -151,7 +152,7 @@ function ricochet.scene(t) end
 ---@class ricochet.gravity_fields
 ---@field g number acceleration [c^2/R]
 ---@field on? "projectile"|"target"|"both" the bodies it acts on (default projectile)
---- An effect, for the `effects` of a scene. A constant acceleration along -y, from the first approach of the rims on.
+--- An effect, for the `effects` of a scene. A constant acceleration along -y: from the start where launch.height is given, else from the first approach of the rims on.
 ---@param t ricochet.gravity_fields
 ---@return ricochet.effect
 function ricochet.gravity(t) end
@@ -262,8 +263,54 @@ function ricochet.sweep(t) end
 ---@return table
 function ricochet.range(first, last, step) end
 
+---@class ricochet.series_fields
+---@field scene ricochet.scene what happens
+---@field of table list of quantities of the `state`, and name = function (state) that returns a number
+---@field points? integer how many, equally spaced in time; one a step where the steps are fewer (default 400)
+---@field from? number first time; before 0 the projectile is in free flight [R/c] (default 0)
+---@field duration? number time covered, from `from` on, past the end of the impact if it is longer; up to that end unless given [R/c]
+---@field name? string file name without extension (default series)
+--- An impact as columns of numbers over time, sampled between the engine's steps: returns rows, and leaves them as NAME.h5 and NAME.csv in the run's folder. `ricochet.plot` draws them as lines, in their order. The first column is the time.
+---@param t ricochet.series_fields
+---@return ricochet.rows
+function ricochet.series(t) end
+
+---@class ricochet.state_fields
+---@field time number since the rims came within reach of each other [R/c]
+---@field step number steps since then
+---@field x number where the projectile's centre is, along the surface [R]
+---@field height number height of the projectile's centre [R]
+---@field vn number normal velocity of the projectile [c]
+---@field vt number tangential velocity of the projectile [c]
+---@field omega number spin of the projectile [c/R]
+---@field angle number that the projectile has turned by since the rims came within reach, counter-clockwise [rad]
+---@field target_vn number normal velocity of the target; 0 if held [c]
+---@field target_vt number tangential velocity of the target; 0 if held [c]
+---@field target_omega number spin of the target; 0 if held [c/R]
+---@field force_n number normal force of contact on the projectile [m0 c^2/R]
+---@field force_t number tangential force of contact on the projectile [m0 c^2/R]
+---@field overlap number how much nearer along the normal the centres are than at the first touch; undefined before it [R]
+---@field indentation number overlap along the normal of the smooth outlines, undeformed, unrotated; below 0 where they are apart [R]
+---@field contact_length number along the surface, between the outermost nodes of the projectile that bear more than 1 % of the force on the one that bears most; 0 without contact [R]
+---@field vibration number energy of the vibration of both bodies [m0 c^2]
+---@field projectile_translation number energy: projectile, centre of mass [m0 c^2]
+---@field projectile_rotation number energy: projectile, spin [m0 c^2]
+---@field projectile_vibration number energy: projectile, vibration [m0 c^2]
+---@field target_translation number energy: target, centre of mass (0 if held) [m0 c^2]
+---@field target_rotation number energy: target, spin (0 if held) [m0 c^2]
+---@field target_vibration number energy: target, vibration [m0 c^2]
+---@field contact_energy number energy of the repulsion [m0 c^2]
+---@field effects_energy number energy gained in the potentials of effects and lost to those that dissipate, since the start [m0 c^2]
+---@field total_energy number the sum of all [m0 c^2]
+---@field projectile table of the projectile: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]
+---@field target table of the target: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]
+
+---@class ricochet.scene_bounces_fields
+---@field count? integer how many (default 8)
+---@field least_height? number a bounce that rises less is the last one; the reach of the contact unless given, below which bodies do not part [R]
+
 ---@class ricochet.plot_fields
----@field rows? ricochet.rows rows of a sweep; none for a picture of theory alone
+---@field rows? ricochet.rows rows of a sweep, or of a series, drawn as a line in their order; none for a picture of theory alone
 ---@field x string column along x; rows are grouped by it
 ---@field y string[] columns along y, one panel each
 ---@field by? string column whose values are drawn as a line each
@@ -316,7 +363,7 @@ function ricochet.animate(t) end
 ---@field colour_bar? boolean what the colours mean, with unit (default true)
 ---@field clock? boolean time and Psi1 (default true)
 ---@field ledger? boolean where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, vibration, target, contact (default false)
----@field plot? "none"|"vn"|"vt"|"omega"|"height"|"force_n"|"force_t"|"vibration" a plot that grows with time; vn: normal velocity of the projectile [c]; vt: tangential velocity of the projectile [c]; omega: spin of the projectile [c/R]; height: height of the projectile's centre [R]; force_n: normal force of contact on the projectile [m_0c^2/R]; force_t: tangential force of contact on the projectile [m_0c^2/R]; vibration: energy of the vibration of both bodies [m_0c^2] (default none)
+---@field plot? "none"|"vn"|"vt"|"omega"|"height"|"force_n"|"force_t"|"vibration" a plot that grows with time, of every moment while a run is drawn, of its frames if a recording is; vn: normal velocity of the projectile [c]; vt: tangential velocity of the projectile [c]; omega: spin of the projectile [c/R]; height: height of the projectile's centre [R]; force_n: normal force of contact on the projectile [m_0c^2/R]; force_t: tangential force of contact on the projectile [m_0c^2/R]; vibration: energy of the vibration of both bodies [m_0c^2] (default none)
 ---@field colours? "auto"|"ylgnbu"|"puor"|"cividis" of the colour bar; auto: ylgnbu, or puor for a quantity of both signs (default auto)
 ---@field scale? "auto"|"linear"|"sqrt" of the colour bar; auto: sqrt for energies, else linear (default auto)
 ---@field low? number lower end of the colour bar; from the whole sequence unless given

@@ -137,24 +137,27 @@ namespace {
 void draw_moments(Canvas& canvas, const Box& in, int size, const Units& units, double first, double last) {
   const int power = time_power(units, last);
   const double factor = std::pow(10.0, power) / units.worth("R/c"), thin = std::max(1.0, size / 18.0);
+  const std::string name = fmt::format("t [{}]", unit_text(units.name("R/c"), power));
   const auto moments = ticks(first / factor, last / factor, in.width > 30 * size ? 6 : 3);
   for (const double moment : moments) {
     const double t = moment * factor, x = in.x + in.width * (t - first) / (last - first);
     canvas.line({x, in.y + in.height}, {x, in.y + in.height + 0.3 * size}, thin, grey);
-    if (t + 0.12 * (last - first) < last)
-      canvas.text({x, in.y + in.height + 1.3 * size},
-                  number_text(moment, moments.size() > 1 ? moments[1] - moments[0] : 0), size, black, Align::centre);
+    const std::string text = number_text(moment, moments.size() > 1 ? moments[1] - moments[0] : 0);
+    if (x + 0.5 * canvas.text_width(text, size) + 0.6 * size < in.x + in.width - canvas.text_width(name, size))
+      canvas.text({x, in.y + in.height + 1.3 * size}, text, size, black, Align::centre);
   }
-  canvas.text({in.x + in.width, in.y + in.height + 1.3 * size},
-              fmt::format("t [{}]", unit_text(units.name("R/c"), power)), size, black, Align::right);
+  canvas.text({in.x + in.width, in.y + in.height + 1.3 * size}, name, size, black, Align::right);
 }
 
 }  // namespace
 
 void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const Quantity& quantity) {
   const Survey& survey = tile.subject->survey;
-  const auto [least, most] = std::minmax_element(survey.series.begin(), survey.series.end());
-  double low = *least, high = *most;
+  double low = survey.curve.front().y(), high = low;
+  for (const Vec2& point : survey.curve) {
+    low = std::min(low, point.y());
+    high = std::max(high, point.y());
+  }
   if (quantity.name != "height") {
     low = std::min(0.0, low);
     high = std::max(0.0, high);
@@ -183,8 +186,8 @@ void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const
   canvas.line({in.x, in.y}, {in.x, in.y + in.height}, thin, grey);
   canvas.line({in.x, in.y + in.height}, {in.x + in.width, in.y + in.height}, thin, grey);
   Points curve;
-  for (std::size_t k = 0; k <= tile.index && k < survey.series.size(); ++k)
-    curve.push_back({x(survey.times[k]), y(survey.series[k])});
+  for (const Vec2& point : survey.curve)
+    if (point.x() <= tile.frame->time) curve.push_back({x(point.x()), y(point.y())});
   canvas.polyline(curve, std::max(1.2, 0.12 * size), kind_colour(0));
   if (!curve.empty()) canvas.disc(curve.back(), 0.25 * size, kind_colour(5));
 }

@@ -119,7 +119,9 @@ Members fields_of_the_texts() {
             "where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, "
             "vibration, target, contact"),
        &Show::ledger},
-      {choice("plot", "a plot that grows with time" + docs_of(plot_quantities()),
+      {choice("plot",
+              "a plot that grows with time, of every moment while a run is drawn, of its frames if a recording is" +
+                  docs_of(plot_quantities()),
               names_of(plot_quantities(), {"none"})),
        &Show::plot},
   };

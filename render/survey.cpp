@@ -75,7 +75,7 @@ void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, 
     trail.push_back(motion.centre);
   }
   times.push_back(frame.time);
-  if (plotted_quantity(show)) series.push_back(plotted_value(show.plot, mesh, frame));
+  if (plotted_quantity(show)) curve.emplace_back(frame.time, plotted_value(show.plot, mesh, frame));
 }
 
 double Scale::operator()(double value) const {

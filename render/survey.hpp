@@ -15,10 +15,13 @@ struct Survey {
   double most_energy = 0;                ///< greatest sum of the ledger's parts above 0
   bool effects = false;                  ///< whether its last part ever counts
   double most_force = 0, most_speed = 0;
-  Points trail;                       ///< [frame] the projectile's centre
-  std::vector<double> times, series;  ///< [frame] the plotted quantity
+  Points trail;               ///< [frame] the projectile's centre
+  std::vector<double> times;  ///< [frame]
+  Points curve;               ///< time and plotted quantity, at every frame and between them where a run was sampled
 
   void see(const Show& show, const FrameMesh& mesh, const Fields& fields, const Frame& frame);
+  /// The plotted quantity between two frames.
+  void see_between(double time, double value) { curve.emplace_back(time, value); }
 
  private:
   void see_surfaces(const FrameMesh& mesh, const Points& places);

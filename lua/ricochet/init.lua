@@ -20,6 +20,8 @@ local shapes = require "ricochet.shapes"
 ricochet.disk = core.wrap(shapes.disk)
 ricochet.wall = core.wrap(shapes.wall)
 ricochet.sweep = core.wrap(require("ricochet.sweep").sweep)
+ricochet.series = core.wrap(require("ricochet.series").series)
+require "ricochet.bounces"
 ricochet.plot = core.wrap(require("ricochet.plot").plot)
 ricochet.accuracy = core.wrap(require("ricochet.accuracy").accuracy)
 ricochet.relevance = core.wrap(require("ricochet.effects").relevance)

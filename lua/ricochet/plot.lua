@@ -2,7 +2,8 @@
 -- stays beside the picture.
 local core = require "ricochet.core"
 local gnuplot = require "ricochet.gnuplot"
-local summarise = require("ricochet.rows").summarise
+local rows_module = require "ricochet.rows"
+local summarise, known_column = rows_module.summarise, rows_module.known_column
 
 local colours, quoted = gnuplot.colours, gnuplot.quoted
 local greek = {
@@ -24,9 +25,19 @@ local function wrapped(text, width)
   return lines
 end
 
--- With the unit that the column has in these rows.
+-- Rows of a series have no status: they are drawn in their order, as a line.
+local function is_series(rows) return rows and #rows > 0 and rawget(rows[1], "status") == nil end
+
+-- That which the column has in these rows.
+local function unit_of(column, rows)
+  if not is_series(rows) then return core.columns(rows and rows[1] and rawget(rows[1], "units"))[column] end
+  for _, quantity in ipairs(core.quantities(rawget(rows[1], "units"))) do
+    if quantity.name == column then return quantity.unit end
+  end
+end
+
 local function label(column, rows)
-  local unit = core.columns(rows and rows[1] and rawget(rows[1], "units"))[column]
+  local unit = unit_of(column, rows)
   return (greek[column] or column:gsub("_", "\\_")) .. (unit and unit ~= "" and (" [" .. unit .. "]") or "")
 end
 
@@ -195,12 +206,18 @@ local function parts_of(t, i, list, theory, published)
   end
   for k, series in ipairs(list) do
     local colour = quoted(colours[((t.by and k or i) - 1) % #colours + 1])
+    if is_series(t.rows) then
+      parts[#parts + 1] = ("$data%d using 1:%d with lines lw 1.5 lc rgb %s %s"):format(k, 2 * i, colour,
+        title(i == 1 and series.name or nil))
+      goto continue
+    end
     local shape = t.by and ({ 7, 5, 9, 11, 13, 15 })[(k - 1) % 6 + 1] or 7  -- filled shapes, beside colour
     local bars = ("$data%d using 1:%d:%d with yerrorbars pt %d ps 0.8 lw 1.5"):format(k, 2 * i, 2 * i + 1, shape)
     parts[#parts + 1] = ("%s lc rgb %s %s"):format(bars, colour, title(i == 1 and series.name or nil))
     if not theory[column] or t.by then
       parts[#parts + 1] = ("$data%d using 1:%d with lines lw 1 lc rgb %s notitle"):format(k, 2 * i, colour)
     end
+    ::continue::
   end
   for k, entry in ipairs(published[column] or {}) do
     local mark = open_marks[(k - 1) % #open_marks + 1]
@@ -258,7 +275,7 @@ local function titles_of(t, finished, failed, samples)
   for _, line in ipairs(t.caption and wrapped(t.caption, 92) or {}) do titles[#titles + 1] = quoted(line) end
   local impacts = samples > 1 and "mean and standard error of %d impacts, %d failed"
     or "%d impacts, one a point, %d failed"
-  if t.rows then titles[#titles + 1] = quoted(impacts:format(finished, failed)) end
+  if t.rows and not is_series(t.rows) then titles[#titles + 1] = quoted(impacts:format(finished, failed)) end
   return titles
 end
 
@@ -273,10 +290,10 @@ local function most_entries(t, list, theory, published)
 end
 
 -- Panel i, of one column. The same margins and range along x in every panel.
-local function add_panel(script, t, i, xs, y, parts)
+local function add_panel(script, t, i, xs, y, margin, parts)
   local column = t.y[i]
   local xroom, yroom = t.xrange and 0 or 0.04, t.yrange[column] and 0 or 0.08
-  script:add("set lmargin 11\nset xrange %s", roomy(xs.low, xs.high, xroom, t.log:find "x"))
+  script:add("set lmargin %d\nset xrange %s", margin, roomy(xs.low, xs.high, xroom, t.log:find "x"))
   script:add("set yrange %s%s%s", roomy(y.low, y.high, yroom, t.log:find "y"), log_tics(t.log, "x", xs.low, xs.high),
     log_tics(t.log, "y", y.low, y.high))
   local xlabel = i == #t.y and quoted(t.xlabel or label(t.x, t.rows)) or "''"
@@ -286,13 +303,32 @@ local function add_panel(script, t, i, xs, y, parts)
   script:add("plot " .. parts)
 end
 
+-- The points of a series, in their order, each as a group of its own.
+local function points_of(rows, x, y)
+  local summary = {}
+  known_column(rows, x, "x")
+  for _, column in ipairs(y) do known_column(rows, column, "y") end
+  for i, row in ipairs(rows) do
+    summary[i] = { [x] = row[x], count = 1, failed = 0 }
+    for _, column in ipairs(y) do
+      local value = row[column]
+      if type(value) ~= "number" then core.fail(("column '%s' holds no numbers"):format(column), "y") end
+      summary[i][column] = { mean = value, se = 0, count = value == value and 1 or 0 }
+    end
+  end
+  return summary
+end
+
 local function plot(given)
   local t = core.check("plot", given)
   local script = gnuplot.script(t.name)
   local theory, published = entries_of(t, "theory", t.theory_name), entries_of(t, "published", "published")
   check_columns(t)
   local list = t.rows and series_of(t.rows, t.by) or {}
-  for _, series in ipairs(list) do series.summary = summarise(series.rows, t.x, t.y, { by = "x", of = "y" }) end
+  for _, series in ipairs(list) do
+    series.summary = is_series(t.rows) and points_of(series.rows, t.x, t.y)
+      or summarise(series.rows, t.x, t.y, { by = "x", of = "y" })
+  end
   if core.is_check() then return end
   if t.rows and (#list == 0 or #list[1].summary == 0) then core.fail "there are no rows to plot" end
   if t.rows and type(list[1].summary[1][t.x]) ~= "number" then
@@ -308,13 +344,17 @@ local function plot(given)
   write_entries(t, "theory", theory, script, xs, ys, t.rows and 0.5 or math.huge)
   finish_yranges(t, ys)
   local titles = titles_of(t, finished, failed, samples)
+  local margin = 11  -- of characters; ticks that differ in the fourth digit or later need more
+  for _, y in ipairs(ys) do
+    if math.max(math.abs(y.low), math.abs(y.high)) > 100 * (y.high - y.low) and y.high > y.low then margin = 15 end
+  end
   script:panels {
     count = #t.y, width = 800, font = 12, key = "outside top right horizontal",
     height = 70 + 20 * #titles + (285 + 18 * most_entries(t, list, theory, published)) * #t.y,
     title = #titles > 0 and table.concat(titles, '."\\n".') or "''",
     axes = t.log ~= "none" and "set logscale " .. t.log .. "\nset format " .. t.log .. " '%g'" or nil,
     draw = function()
-      for i in ipairs(t.y) do add_panel(script, t, i, xs, ys[i], parts_of(t, i, list, theory, published)) end
+      for i in ipairs(t.y) do add_panel(script, t, i, xs, ys[i], margin, parts_of(t, i, list, theory, published)) end
     end,
   }
   script:draw()

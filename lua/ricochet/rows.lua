@@ -30,6 +30,12 @@ local function known_column(rows, name, ...)
   core.fail(("the rows have no column '%s'%s"):format(name, core.did_you_mean(name, names)), ...)
 end
 
+-- A row of a series has no status: it is data.
+local function is_data(row)
+  local status = rawget(row, "status")
+  return status == nil or status == "finished"
+end
+
 -- Groups of finished rows by a column, in rising order: { { key, members = {...}, failed = n }, ... }.
 local function groups(rows, by)
   local list, of = {}, {}
@@ -41,7 +47,7 @@ local function groups(rows, by)
       list[#list + 1] = of[key]
     end
     local group = of[key]
-    if row.status == "finished" then group.members[#group.members + 1] = row else group.failed = group.failed + 1 end
+    if is_data(row) then group.members[#group.members + 1] = row else group.failed = group.failed + 1 end
   end
   table.sort(list, function(a, b)
     if type(a.key) == "boolean" then return a.key and not b.key end
@@ -89,7 +95,7 @@ Rows.power_law = core.wrap(function(self, given)
   known_column(self, t.y, "y")
   local n, x, y, xx, xy, yy = 0, 0, 0, 0, 0, 0
   for _, row in ipairs(self) do
-    if row.status == "finished" and row[t.y] == row[t.y] then
+    if is_data(row) and row[t.y] == row[t.y] then
       for _, column in ipairs { t.x, t.y } do
         if type(row[column]) ~= "number" or row[column] <= 0 then
           core.fail(("a power law needs values above 0, '%s' is %s in a row"):format(column, tostring(row[column])))
@@ -174,4 +180,4 @@ function rows_of(list)
   return setmetatable(list, Rows)
 end
 
-return { rows_of = rows_of, summarise = summarise }
+return { rows_of = rows_of, summarise = summarise, known_column = known_column }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace ricochet {
 namespace {
 
@@ -109,6 +111,20 @@ ContactLaws contact_laws(std::span<const Effect> effects) {
         },
         effect);
   return laws;
+}
+
+Vec3 fall_of(std::span<const Effect> effects, int body, int count) {
+  Vec3 fall = Vec3::Zero();
+  for (const Effect& effect : effects)
+    std::visit(
+        [&]<class E>(const E& e) {
+          if constexpr (requires { e.fall(); }) {
+            const std::vector<int> on = bodies_of(effect, count);
+            if (std::find(on.begin(), on.end(), body) != on.end()) fall += e.fall();
+          }
+        },
+        effect);
+  return fall;
 }
 
 Vec2 displacement_at_start(std::span<const Effect> effects) {

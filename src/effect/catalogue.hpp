@@ -139,6 +139,9 @@ std::string conflict_of(std::span<const Effect> effects);
 std::string conflict_with(std::span<const Effect> effects, std::span<const Solid* const> solids,
                           const ExponentialRepulsion& contact);
 
+/// Acceleration of a body that touches nothing. [c^2/R] `body`: its index, of `count`.
+Vec3 fall_of(std::span<const Effect> effects, int body, int count);
+
 /// Where anchors are moved to before an impact begins. [R]
 Vec2 displacement_at_start(std::span<const Effect> effects);
 

@@ -47,6 +47,11 @@ Snapshot Engine<W>::snapshot(int lane) {
   shot.time = run(lane).time();
   shot.step = run(lane).steps;
   shot.energy = energies.ledger(lane, run(lane).effects_before);
+  if (const TouchRecord& touch = run(lane).touch[role::aimed_pair]; touch.touches > 0) shot.first_touch = touch.first;
+  for (const RigidMotion<W>& motion : motions)
+    shot.rigid.push_back({{motion.centre.at[0][lane], motion.centre.at[1][lane]},
+                          {motion.velocity.at[0][lane], motion.velocity.at[1][lane]},
+                          motion.spin.at[2][lane]});
   Motions<W> pushed = state_.end;
   state_.contacts.push_copies(lane, pushed);
   for (std::size_t b = 0; b < pushed.size(); ++b) {

@@ -33,6 +33,12 @@ void report_contact(const Run& run, Outcome& o) {
   o.tan_alpha = run.indentation.tan_alpha;
 }
 
+// The projectile at the first touch: where gravity acts from the start, it has gone on falling since the rims came
+// within reach.
+Placement at_touch(const Run& run) {
+  return flown(run.start.bodies[role::projectile], run.touch[role::aimed_pair].first);
+}
+
 // Velocities of the contact point: v_c = v - R omega x n with omega x n = (-omega, 0); the target's own surface moves
 // too if it is free and spins.
 struct ContactPoint {
@@ -40,7 +46,7 @@ struct ContactPoint {
 };
 
 void report_velocities(const Run& run, const Flying& after, const Flying& target_after, Outcome& o) {
-  const Placement& launched = run.start.bodies[role::projectile];
+  const Placement launched = at_touch(run);
   const Vec3& v = launched.velocity;
   const Vec3 w = after.velocity - target_after.velocity;
   const double R = run.projectile_radius, omega = about(after.spin);
@@ -60,7 +66,7 @@ void report_velocities(const Run& run, const Flying& after, const Flying& target
 
 // J acts on the projectile: its own change of momentum.
 void report_impulse(const Run& run, const Solids& solids, const Flying& after, const Flying& target_after, Outcome& o) {
-  const Vec3& v = run.start.bodies[role::projectile].velocity;
+  const Vec3 v = at_touch(run).velocity;
   const double mass = solids[role::projectile]->total_mass();
   const Vec3 impulse = mass * (after.velocity - v);
   o.impulse_n = normal(impulse);

@@ -36,14 +36,17 @@ std::string text_of_units(const Scene& scene) {
 
 const std::vector<Member<Launch>>& Launch::fields() {
   static const std::vector<Member<Launch>> list{
-      {{"speed", "number", "c", "impact speed |v|; 0.1 unless normal_speed is given", positive, "", true},
+      {{"speed", "number", "c",
+        "launch speed |v|; 0.1 unless normal_speed is given; 0 only with a height to fall from under gravity",
+        not_negative, "", true},
        &Launch::speed},
       {{"psi1", "number", "", "tangent of the incident angle, v_t / v_n; 0 unless given otherwise", not_negative, "",
         true},
        &Launch::psi1},
       {{"angle", "number", "degrees", "incident angle from the normal, instead of psi1", {0, 90}, "", true},
        &Launch::angle},
-      {{"normal_speed", "number", "c", "speed along the normal, instead of speed", positive, "", true},
+      {{"normal_speed", "number", "c", "speed along the normal, instead of speed; 0 as for speed", not_negative, "",
+        true},
        &Launch::normal_speed},
       {{"tangential_speed", "number", "c", "speed along the surface, with normal_speed", not_negative, "", true},
        &Launch::tangential_speed},
@@ -51,8 +54,10 @@ const std::vector<Member<Launch>>& Launch::fields() {
       {{"at", "number", "R", "where along x the smooth projectile would touch the smooth target", any_number, "0"},
        &Launch::at},
       {{"height", "number", "R",
-        "starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart", any_number, "",
-        true},
+        "starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart. Gravity on the "
+        "projectile acts from a given height on, else from the first approach of the rims on; other effects always do "
+        "so from there on",
+        any_number, "", true},
        &Launch::height},
   };
   return list;
@@ -115,7 +120,8 @@ const std::vector<Member<Integration>>& Integration::fields() {
         {"e", "beta", "mu", "psi2", "vn", "vt", "omega"}},
        &Integration::accuracy_of},
       {{"time_limit", "number", "R/c",
-        "an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given", positive, "", true},
+        "an impact longer than this ends out_of_time; 100 + 2 / normal speed of the impact unless given", positive, "",
+        true},
        &Integration::time_limit},
       {{"energy_tolerance",
         "number",

@@ -15,12 +15,20 @@ struct BodyShot {
   std::vector<SpringRest<double>> springs;  ///< [spring] what effects have left of each; empty without such effects
 };
 
+/// What an observer sees of a body's rigid motion; a held body has none.
+struct RigidShot {
+  Vec2 centre, velocity;  ///< of mass [R], [c]
+  double spin;            ///< [c/R]
+};
+
 /// What an observer sees of a run at the end of a step.
 struct Snapshot {
   double time = 0;  ///< since the surfaces came within reach of each other [R/c]
   std::int64_t step = 0;
   std::vector<BodyShot> bodies;  ///< by index
+  std::vector<RigidShot> rigid;  ///< by index
   Ledger energy;
+  double first_touch = Outcome::undefined;  ///< when projectile and target first touched [R/c]; NaN before
 };
 
 /// Looks at a single impact without changing a bit of it. `due(time)` is asked at the end of every step whether to look

@@ -38,23 +38,31 @@ Frame frame_of(const Snapshot& shot) {
   return frame;
 }
 
-// The bodies as they were before, when they flew and turned freely.
-Frame moved_back(const Snapshot& shot, const Start& start, double time) {
+// The bodies as they were before, when they flew and turned freely; one that falls was held where it began to.
+Snapshot moved_back(const Snapshot& shot, const Start& start, double time) {
   Snapshot earlier = shot;
-  for (std::size_t b = 0; b < shot.bodies.size(); ++b) {
-    const Vec2 velocity = in_plane(start.bodies[b].velocity);
-    const double spin = start.bodies[b].spin.z();
-    if (velocity == Vec2::Zero() && spin == 0) continue;
-    const Turn turn(spin * time);
-    BodyShot& body = earlier.bodies[b];
-    Vec2 centre = Vec2::Zero();
-    for (const Vec2& p : body.place) centre += p / static_cast<double>(body.place.size());
-    for (Vec2& p : body.place) p = centre + time * velocity + turn(p - centre);
-    for (Vec2& v : body.velocity) v = velocity + turn(v - velocity);
-  }
   earlier.time = time;
   earlier.step = static_cast<std::int64_t>(std::floor(time / start.step));
-  return frame_of(earlier);
+  for (std::size_t b = 0; b < shot.bodies.size(); ++b) {
+    const Vec2 velocity = in_plane(start.bodies[b].velocity), fall = in_plane(start.bodies[b].acceleration);
+    const double spin = start.bodies[b].spin.z();
+    if (velocity == Vec2::Zero() && spin == 0) continue;
+    const double since = fall == Vec2::Zero() ? time : std::max(time, -start.fell);
+    const Vec2 way = since * velocity + since * since / 2 * fall, faster = since * fall;
+    const Turn turn(spin * since);
+    BodyShot& body = earlier.bodies[b];
+    const Vec2 centre = shot.rigid[b].centre;
+    for (Vec2& p : body.place) p = centre + way + turn(p - centre);
+    for (Vec2& v : body.velocity) v = velocity + turn(v - velocity) + faster;
+    earlier.rigid[b].centre += way;
+    earlier.rigid[b].velocity += faster;
+    if (fall == Vec2::Zero()) continue;
+    double& translation = earlier.energy.bodies[b].translation;
+    const double gained = translation * ((velocity + faster).squaredNorm() / velocity.squaredNorm() - 1);
+    translation += gained;
+    earlier.energy.effects -= gained;
+  }
+  return earlier;
 }
 
 // Elastic elongations where the past of a spring counts, one after another for all bodies.
@@ -188,25 +196,58 @@ std::vector<double> frame_times(const Course& course, double from, double until,
   return times;
 }
 
+namespace {
+
+/// Times that are asked for one after the other, each at the step that ends nearest.
+class Moments {
+ public:
+  Moments(const std::vector<double>& times, double step) : times_(times), step_(step) {}
+  bool due(double time) const { return next_ < times_.size() && time >= times_[next_] - step_ / 2; }
+  /// The next one, if it lies in the free flight before the run; 0 if not.
+  double before_the_run() const { return next_ < times_.size() && times_[next_] < -step_ / 2 ? times_[next_] : 0.0; }
+  void take() { ++next_; }
+  double end() const { return times_.empty() ? -step_ : times_.back(); }
+
+ private:
+  const std::vector<double>& times_;
+  double step_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
 bool film_scene(const Solids& solids, const Scene& scene, const std::vector<double>& times,
-                const std::atomic<bool>& stop, const std::function<void(Frame)>& use) {
+                const std::atomic<bool>& stop, const std::function<void(Frame)>& use, const Sampling& sampling) {
   const Start start = launch(scene, solids);
   if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to show");
-  std::size_t next = 0;
-  const auto is_due = [&](double time) { return next < times.size() && time >= times[next] - start.step / 2; };
+  Moments frames(times, start.step), samples(sampling.times, start.step);
+  Sampler sampler(scene, solids, start);
+  const auto hand_over_frame = [&](const Snapshot& shot, const Snapshot& now) {
+    Frame frame = frame_of(shot);
+    add_elongations(frame, now, solids);
+    use(std::move(frame));
+    frames.take();
+  };
+  const auto hand_over_sample = [&](const Snapshot& shot) {
+    sampling.see(sampler(shot));
+    samples.take();
+  };
   const auto look = [&](const Snapshot& seen) {
     Snapshot shot = seen;
     add_planes(shot, scene, solids);
-    const auto hand_over = [&](Frame frame) {
-      add_elongations(frame, shot, solids);
-      use(std::move(frame));
-      ++next;
-    };
-    while (next < times.size() && shot.time == 0 && times[next] < -start.step / 2)
-      hand_over(moved_back(shot, start, times[next]));
-    if (is_due(shot.time)) hand_over(frame_of(shot));
+    while (shot.time == 0) {  // the free flight before, whichever comes first
+      const double frame = frames.before_the_run(), sample = samples.before_the_run();
+      if (std::min(frame, sample) >= 0) break;
+      if (frame <= sample)
+        hand_over_frame(moved_back(shot, start, frame), shot);
+      else
+        hand_over_sample(moved_back(shot, start, sample));
+    }
+    if (frames.due(shot.time)) hand_over_frame(shot, shot);
+    if (samples.due(shot.time)) hand_over_sample(shot);
   };
-  const Observer observer{times.empty() ? 0 : times.back() + start.step, is_due, look, true};
+  const Observer observer{std::max(frames.end(), samples.end()) + start.step,
+                          [&](double time) { return frames.due(time) || samples.due(time); }, look, true};
   run_scene(solids, scene, stop, &observer);
   return !stop;
 }

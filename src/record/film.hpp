@@ -9,6 +9,7 @@
 #include "impact/launch/start.hpp"
 #include "impact/outcome.hpp"
 #include "impact/scene.hpp"
+#include "record/series.hpp"
 
 namespace ricochet {
 
@@ -30,10 +31,16 @@ Course follow_course(const Solids& solids, const Scene& scene, const std::atomic
 /// Throws FieldError "frames" if they are closer than a time step.
 std::vector<double> frame_times(const Course& course, double from, double until, int count, double slow_motion);
 
+/// Rising times at which a run is sampled, beside its frames. [R/c]
+struct Sampling {
+  std::vector<double> times;
+  std::function<void(const Sample&)> see;
+};
+
 /// Runs a scene and hands over its frames at rising times, each at the step that ends nearest. Frames before 0 are free
 /// flight. It goes on past the end of the impact if the times do, and ends with the last of them. Returns false if
 /// `stop` ended it.
 bool film_scene(const Solids& solids, const Scene& scene, const std::vector<double>& times,
-                const std::atomic<bool>& stop, const std::function<void(Frame)>& use);
+                const std::atomic<bool>& stop, const std::function<void(Frame)>& use, const Sampling& sampling = {});
 
 }  // namespace ricochet

@@ -119,14 +119,32 @@ std::vector<double> times_of(const std::vector<FilmedScene>& scenes, const Frame
   return frame_times(course, wanted.from, until, wanted.frames, wanted.slow_motion);
 }
 
+namespace {
+
+// How many points a plot that grows has at least, beside those of the frames: more than it is wide in pixels.
+constexpr int points_of_a_plot = 2000;
+
+}  // namespace
+
+std::vector<double> equal_times(double from, double until, int count, double step) {
+  const double spacing = std::max((until - from) / std::max(1, count - 1), step);
+  const auto last = static_cast<std::int64_t>(std::floor((until - from) / spacing * (1 + 1e-9)));
+  std::vector<double> times;
+  for (std::int64_t k = 0; k <= last; ++k) times.push_back(from + static_cast<double>(k) * spacing);
+  return times;
+}
+
 Source source_of(const FilmedScene& filmed, std::vector<double> times) {
   Source source;
   source.subject = std::make_shared<render::Subject>(frame_mesh(filmed.scene, filmed.solids));
   source.subject->title = filmed.title;
   source.hash = filmed.scene.hash();
   source.play = [&filmed, times = std::move(times)](const std::atomic<bool>& stop,
-                                                    const std::function<void(Frame)>& use) {
-    film_scene(filmed.solids, filmed.scene, times, stop, use);
+                                                    const std::function<void(Frame)>& use,
+                                                    const std::function<void(const Sample&)>& between) {
+    Sampling sampling;
+    if (between) sampling = {equal_times(times.front(), times.back(), points_of_a_plot, filmed.course.step), between};
+    film_scene(filmed.solids, filmed.scene, times, stop, use, sampling);
   };
   return source;
 }

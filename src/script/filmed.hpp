@@ -51,6 +51,9 @@ void follow(lua_State* L, std::vector<FilmedScene>& scenes);
 /// Where the frames of all scenes lie: the same times for all, up to the end of the longest impact.
 std::vector<double> times_of(const std::vector<FilmedScene>& scenes, const FrameTimes& wanted);
 
+/// `count` equally spaced times, or as many as there are steps if those are fewer. [R/c]
+std::vector<double> equal_times(double from, double until, int count, double step);
+
 /// The scene's frames at these times, for as long as the scene lives.
 Source source_of(const FilmedScene& scene, std::vector<double> times);
 

@@ -31,7 +31,13 @@ void stop_if_asked(const char* what, std::size_t done) {
 void survey(const Shooting& shooting, const std::vector<Source>& sources) {
   for (const Source& source : sources) {
     source.subject->survey = {};
-    source.play(stop_requested, [&](const Frame& frame) { source.subject->see(shooting.show, frame); });
+    std::function<void(const Sample&)> between;
+    if (const render::Quantity* plotted = render::plotted_quantity(shooting.show))
+      between = [&source, value = Sample::value_named(plotted->name)](const Sample& sample) {
+        source.subject->survey.see_between(sample.time, value(sample));
+      };
+    source.play(
+        stop_requested, [&](const Frame& frame) { source.subject->see(shooting.show, frame); }, between);
     stop_if_asked("pictures are drawn", 0);
     if (source.subject->survey.times.empty()) throw Error("there is not one frame to draw");
   }
@@ -43,9 +49,10 @@ class Player {
   explicit Player(const Source& source)
       : thread_([this, &source] {
           try {
-            source.play(halt_, [&](Frame frame) {
+            const auto use = [&](Frame frame) {
               if (!queue_.push(std::move(frame))) halt_ = true;
-            });
+            };
+            source.play(halt_, use, {});
           } catch (...) {
             error_ = std::current_exception();
           }
@@ -207,9 +214,10 @@ void shoot_still(const Shooting& shooting, const std::vector<Source>& sources, c
   for (const Pick& pick : picks) kept[pick.source][pick.frame] = {};
   for (std::size_t i = 0; i < sources.size(); ++i) {
     std::size_t k = 0;
-    sources[i].play(stop_requested, [&](Frame frame) {
+    const auto use = [&](Frame frame) {
       if (const auto wanted = kept[i].find(k++); wanted != kept[i].end()) wanted->second = std::move(frame);
-    });
+    };
+    sources[i].play(stop_requested, use, {});
     stop_if_asked("pictures are drawn", 0);
   }
   std::vector<render::Tile> tiles;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "record/series.hpp"
 #include "render/picture.hpp"
 #include "render/png.hpp"
 #include "script/session.hpp"
@@ -17,8 +18,11 @@ namespace ricochet {
 struct Source {
   std::shared_ptr<render::Subject> subject;  ///< mesh and title; surveyed when it is filmed
   std::string hash;                          ///< of the scene
-  /// Hands over every frame in order, the same ones at each call; ends early when `stop` is set.
-  std::function<void(const std::atomic<bool>& stop, const std::function<void(Frame)>& use)> play;
+  /// Hands over every frame in order, the same ones at each call; ends early when `stop` is set. A run also shows what
+  /// happens between them to `between`, if there is one.
+  std::function<void(const std::atomic<bool>& stop, const std::function<void(Frame)>& use,
+                     const std::function<void(const Sample&)>& between)>
+      play;
 };
 
 /// How pictures are made.

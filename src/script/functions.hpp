@@ -41,6 +41,7 @@ Group body_functions();
 Group scene_functions();
 Group estimate_functions();
 Group sweep_functions();
+Group series_functions();
 Group plot_functions();
 Group picture_functions();
 Group record_functions();

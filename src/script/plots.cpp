@@ -46,7 +46,9 @@ Group plot_functions() {
                    "points, as "
                    "NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.",
             .fields =
-                {{"rows", "rows", "", "rows of a sweep; none for a picture of theory alone", any_number, "", true},
+                {{"rows", "rows", "",
+                  "rows of a sweep, or of a series, drawn as a line in their order; none for a picture of theory alone",
+                  any_number, "", true},
                  {"x", "string", "", "column along x; rows are grouped by it"},
                  {"y", "strings", "", "columns along y, one panel each"},
                  {"by", "string", "", "column whose values are drawn as a line each", any_number, "", true},

@@ -128,7 +128,8 @@ void render_file(const RenderOptions& options) {
   if (!sequence.folder.empty()) make_folder(sequence.folder);
   if (sequence.film.has_parent_path()) make_folder(sequence.film.parent_path());
   const Source source{std::make_shared<render::Subject>(trajectory.mesh()), provenance["scene_hash"],
-                      [&](const std::atomic<bool>& stop, const std::function<void(Frame)>& use) {
+                      [&](const std::atomic<bool>& stop, const std::function<void(Frame)>& use,
+                          const std::function<void(const Sample&)>&) {
                         for (const Frame& frame : trajectory.frames())
                           if (!stop) use(frame);
                       }};

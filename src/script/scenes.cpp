@@ -1,10 +1,12 @@
 // ricochet.scene, its tables and its effects.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 
 #include "impact/batch.hpp"
+#include "impact/launch/launch.hpp"
 #include "impact/outcome.hpp"
 #include "script/fields.hpp"
 #include "script/objects.hpp"
@@ -114,9 +116,17 @@ int scene(lua_State* L) {
 Outcome run_one(Session& session, Scene& scene) {
   scene = with_chosen_step(session, scene);
   const BuiltSolids solids(scene);
-  if (!session.options.check) return run_scene(solids, scene, stop_requested);
-  check_start(solids, scene);
-  return {};
+  if (session.options.check) {
+    check_start(solids, scene);
+    return {};
+  }
+  RunProgress progress(session.options.quiet, isatty(STDERR_FILENO), launch(scene, solids).time_limit);
+  const auto pass = [&](double time) {
+    progress.tell(time);
+    return false;
+  };
+  const Observer observer{0, pass, {}};
+  return run_scene(solids, scene, stop_requested, &observer);
 }
 
 int scene_run(lua_State* L) {
@@ -242,7 +252,8 @@ Function scene_function() {
           .doc =
               "One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream "
               "so that its smooth outline would touch the "
-              "target's at x = launch.at. `scene:run()` runs it and returns a row; `scene:text()` is its canonical "
+              "target's at x = launch.at. `scene:run()` runs it and returns a row, `scene:bounces { }` several impacts "
+              "one after another; `scene:text()` is its canonical "
               "text, `scene:hash()` that text's hash.",
           .fields = parts + fields_of<Integration>(),
           .returns = "scene",

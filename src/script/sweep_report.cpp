@@ -94,6 +94,26 @@ std::string yield_text(const std::vector<Row>& rows) {
       count, rows.size());
 }
 
+RunProgress::RunProgress(bool quiet, bool terminal, double time_limit)
+    : quiet_(quiet), terminal_(terminal), time_limit_(time_limit), next_(terminal ? 1 : 10) {}
+
+RunProgress::~RunProgress() {
+  if (told_ && terminal_) fmt::print(stderr, "\r\033[K");
+}
+
+std::string RunProgress::line(double time, double seconds) {
+  if (quiet_ || seconds < next_) return "";
+  next_ = terminal_ ? seconds + 1 : 2 * next_;
+  return fmt::format("scene: t = {:.4g} R/c of {:.4g} at most, {:.0f} s", time, time_limit_, seconds);
+}
+
+void RunProgress::tell(double time) {
+  const std::string text = line(time, std::chrono::duration<double>(Clock::now() - start_).count());
+  if (text.empty()) return;
+  terminal_ ? fmt::print(stderr, "\r\033[K{}", text) : fmt::print(stderr, "{}\n", text);
+  told_ = true;
+}
+
 std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>& rows) {
   const std::size_t step = column("step"), theta = column("theta"), most = column("theta_most");
   const Units units = scenes.empty() ? Units{} : scenes.front().units;

@@ -33,6 +33,29 @@ std::string scale_text(const std::vector<Scene>& scenes);
 /// How many rows are over_yield; empty if none is.
 std::string yield_text(const std::vector<Row>& rows);
 
+/// Of one impact that runs: on a terminal one line, anew every second, elsewhere a line after 10, 20, 40 ... seconds,
+/// nothing with --quiet.
+class RunProgress {
+ public:
+  /// `time_limit`: of the impact [R/c].
+  RunProgress(bool quiet, bool terminal, double time_limit);
+  ~RunProgress();
+  RunProgress(const RunProgress&) = delete;
+  RunProgress& operator=(const RunProgress&) = delete;
+
+  /// At the end of a step.
+  void tell(double time);
+  /// What is due after so many seconds; empty if nothing is.
+  std::string line(double time, double seconds);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool quiet_, terminal_, told_ = false;
+  double time_limit_, next_;  // [R/c]; [s] since the start
+  Clock::time_point start_ = Clock::now();
+};
+
 /// "pefrl, time step 0.0052 R/c, theta 1.6 and at most 1.68 (stable below 2.99)" for each method that ran.
 std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>& rows);
 

@@ -80,6 +80,10 @@ bool is_product(const fs::path& path) {
   if (has_extension_of(path, {picture, vector_picture, film, plot_script, new_extension})) return true;
   for (const TrajectorySink& sink : trajectory_sinks())
     if (has_extension_of(path, {sink.extension})) return true;
+  // A series, whose readable file stands beside the others.
+  for (const RowsSink& sink : rows_sinks())
+    if (has_extension_of(path, {sink.extension}))
+      return fs::exists(fs::path(path).replace_extension(rows_sinks().front().extension));
   return is_folder_of_frames(path);
 }
 

@@ -36,7 +36,7 @@ inline constexpr const char* plot_script = ".gp";
 /// True for names (below the run's folder) of what a run leaves itself, results and log: no script may write there.
 bool is_of_the_run(const std::filesystem::path& name);
 
-/// True for what a script's plots, pictures, films and recordings leave.
+/// True for what a script's plots, pictures, films, series and recordings leave.
 bool is_product(const std::filesystem::path& path);
 
 }  // namespace ricochet::run_names

@@ -250,6 +250,8 @@ TEST_CASE("scripts and examples of the project run short") {
                                     "scripts/walton.lua --check samples=1",
                                     "scripts/normal_speed.lua --check samples=1",
                                     "scripts/which_effects_matter.lua nodes=60 samples=2 speed=0.1,0.2",
+                                    "scripts/bounces.lua --check samples=2",
+                                    "scripts/bounces.lua samples=2 bounces=2",
                                     "examples/effects/gravity.lua nodes=60 samples=2 speed=0.05,0.1,0.2",
                                     "examples/effects/drag.lua samples=1 speed=0.1,0.2",
                                     "examples/effects/absorbing.lua samples=2 density=20 depth=1.5,2",

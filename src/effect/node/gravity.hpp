@@ -9,10 +9,13 @@
 namespace ricochet {
 
 /// F = -m g on every free node of a body, along -y; V = m g (y - y0), y0: its place at rest in the lattice's own frame.
-/// The free flight before the bodies come within reach is straight: g acts from then on.
+/// From a given launch.height the projectile falls; else its flight before the bodies come within reach is straight,
+/// and g acts from then on.
 struct Gravity {
   static constexpr const char* name = "gravity";
-  static constexpr const char* doc = "A constant acceleration along -y, from the first approach of the rims on.";
+  static constexpr const char* doc =
+      "A constant acceleration along -y: from the start where launch.height is given, else from the first approach of "
+      "the rims on.";
   static constexpr const char* example = "ricochet.gravity { g = 1e-4 }";
   static constexpr const char* energy_doc = "energy after: gained in height against gravity";
 

@@ -80,23 +80,30 @@ double Flight::distance(const Placement& placement) const {
 
 bool Flight::gone_past(const Placement& placement, double reach) const {
   const Vec2 velocity = in_plane(placement.velocity), centre = in_plane(placement.centre);
+  const Vec2 acceleration = in_plane(placement.acceleration);
   if (const Plane* plane = placed_target_.plane())
-    return in_plane(plane->normal).dot(velocity) >= 0 &&
+    return in_plane(plane->normal).dot(velocity) >= 0 && in_plane(plane->normal).dot(acceleration) >= 0 &&
            in_plane(plane->normal).dot(centre) - plane->offset > radius_ + reach;
   const Circle around = circle_around(placed_target_.points());
   const Vec2 offset = centre - around.centre;
-  return offset.dot(velocity) >= 0 && offset.norm() > around.radius + (radius_ + reach);
+  return offset.dot(velocity) >= 0 && offset.dot(acceleration) >= 0 &&
+         offset.norm() > around.radius + (radius_ + reach);
+}
+
+// s t + a t^2 / 2 = distance, written without a difference.
+double Flight::time_to_cover(const Placement& placement, double distance) const {
+  const double speed = fastest(placement), growth = placement.acceleration.norm();
+  return growth == 0 ? distance / speed : 2 * distance / (speed + std::sqrt(speed * speed + 2 * growth * distance));
 }
 
 bool Flight::advance(Placement& placement, double reach) const {
-  const double fastest_node = fastest(placement);
   double apart = distance(placement);
   for (int advance = 0; apart > reach; ++advance) {
     if (advance == most_advances)
       throw FieldError("launch",
                        fmt::format("the flight is too shallow to find the first touch (normal speed {:g} of {:g} c)",
                                    -placement.velocity.y(), in_plane(placement.velocity).stableNorm()));
-    placement = flown(placement, std::max(apart - reach, 1e-3 * reach) / fastest_node);
+    placement = flown(placement, time_to_cover(placement, std::max(apart - reach, 1e-3 * reach)));
     if (gone_past(placement, reach)) return false;
     apart = distance(placement);
   }
@@ -126,7 +133,7 @@ class Line {
   Placement at(double above) const {
     Placement placement = start_.bodies.front();
     const Vec3& v = placement.velocity;
-    const double ahead = -v.y() > 0 ? above / -v.y() : 0.0;
+    const double ahead = ahead_of_landing(above);
     placement.centre = Vec3(scene_.launch.at - v.x() * ahead, centre_.y() + lift_ + above, 0);
     return placement;
   }
@@ -138,6 +145,13 @@ class Line {
   double needed() const { return std::log(scene_.contact.V0 / (touch_share * energy())) / scene_.contact.xi; }
 
  private:
+  // How long it flies from so high.
+  double ahead_of_landing(double above) const {
+    const Placement& launched = start_.bodies.front();
+    const double speed = -launched.velocity.y(), growth = -launched.acceleration.y();
+    if (growth > 0 && above > 0) return 2 * above / (speed + std::sqrt(speed * speed + 2 * growth * above));
+    return speed > 0 ? above / speed : 0.0;
+  }
   double energy() const { return std::max(start_.energy, 1e-300); }
 
   const Scene& scene_;

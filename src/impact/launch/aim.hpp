@@ -27,6 +27,8 @@ class Flight {
   double distance(const Placement& placement) const;
   /// A body that flies on like this and reaches so far from its centre comes no nearer any more.
   bool gone_past(const Placement& placement, double reach) const;
+  /// The least time in which a node of the projectile can come by so much nearer. [R/c]
+  double time_to_cover(const Placement& placement, double distance) const;
   /// Flies on until the surfaces are at most `reach` apart: false if it passes by. Throws FieldError if the flight is
   /// too shallow to find that.
   bool advance(Placement& placement, double reach) const;

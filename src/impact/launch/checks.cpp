@@ -26,6 +26,13 @@ void check_bodies(const Solids& solids) {
                                        : "a projectile must be free, nothing of this body moves; make it the target");
 }
 
+void check_motion(const Scene& scene, const Placement& launched) {
+  if (launched.velocity != Vec3::Zero() || launched.acceleration != Vec3::Zero()) return;
+  throw FieldError(std::isnan(scene.launch.normal_speed) ? "speed" : "normal_speed",
+                   "0 leaves the projectile where it is: it needs a launch.height to fall from and gravity on the "
+                   "projectile alone, effects = { ricochet.gravity { g = 1e-3 } }, or a speed above 0");
+}
+
 void check_contact(const ExponentialRepulsion& contact) {
   const double ranges = contact.xi * contact.reach;
   if (ranges < 20)

@@ -9,6 +9,9 @@ namespace ricochet {
 /// The bodies can play their parts.
 void check_bodies(const Solids& solids);
 
+/// The projectile moves, or falls.
+void check_motion(const Scene& scene, const Placement& launched);
+
 /// The repulsion is cut neither where it shows nor beyond the smallest number.
 void check_contact(const ExponentialRepulsion& contact);
 

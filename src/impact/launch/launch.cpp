@@ -23,6 +23,21 @@ Start bodies_at_launch(const Scene& scene, const Solids& solids) {
   return start;
 }
 
+// Gravity acts from a height that was given on. A free target that falls alike sees no fall.
+Vec3 fall_from_height(const Scene& scene, const Solids& solids) {
+  const int count = static_cast<int>(solids.size());
+  if (std::isnan(scene.launch.height)) return Vec3::Zero();
+  const bool alike = !solids[1]->anchored() && fall_of(scene.effects, 1, count) != Vec3::Zero();
+  return alike ? Vec3(Vec3::Zero()) : fall_of(scene.effects, 0, count);
+}
+
+// The projectile as it arrives, if it falls all the height that was given.
+Placement arriving(const Scene& scene, Placement launched) {
+  const double fall = -launched.acceleration.y(), height = scene.launch.height;
+  if (fall > 0 && height > 0) launched.velocity.y() = -std::hypot(launched.velocity.y(), std::sqrt(2 * fall * height));
+  return launched;
+}
+
 // What of the projectile's motion its contact can meet: before a plane, which has nothing to catch on, what is along
 // the plane goes on for ever.
 Placement met_by(const Solid& target, Placement placement) {
@@ -33,9 +48,9 @@ Placement met_by(const Solid& target, Placement placement) {
 
 // Energy at launch, and whether it is too little to cross a cell: that of the relative motion, in the frame where it is
 // least; an anchored target is infinitely heavy.
-void take_energy(Start& start, const Scene& scene, const Solids& solids) {
+void take_energy(Start& start, const Placement& arrives, const Scene& scene, const Solids& solids) {
   const Solid &projectile = *solids[0], &target = *solids[1];
-  const Placement flies = met_by(target, start.bodies[0]);
+  const Placement flies = met_by(target, arrives);
   const double mass = projectile.total_mass();
   const double reduced = target.anchored() ? mass : mass * target.total_mass() / (mass + target.total_mass());
   const double spin = flies.spin.z(), speed2 = in_plane(flies.velocity).squaredNorm();
@@ -66,17 +81,20 @@ Start launch(const Scene& scene, const Solids& solids) {
   Start start = bodies_at_launch(scene, solids);
   const Solid &projectile = *solids[0], &target = *solids[1];
   const Flight flight(projectile, target, displacement_at_start(scene.effects));
-  const double fastest = flight.fastest(start.bodies[0]), meeting = flight.fastest(met_by(target, start.bodies[0]));
+  start.bodies[0].acceleration = fall_from_height(scene, solids);
+  check_motion(scene, start.bodies[0]);
+  const Placement arrives = arriving(scene, start.bodies[0]);
+  const double fastest = flight.fastest(arrives), meeting = flight.fastest(met_by(target, arrives));
   const auto [step, theta] = choose_step(scene, solids, meeting);
   start.step = step;
   start.theta = theta;
-  const double normal_speed = -start.bodies[0].velocity.y();
+  const double normal_speed = -arrives.velocity.y();
   start.time_limit =
       !std::isnan(scene.integration.time_limit) ? scene.integration.time_limit : 100 + 2 / std::max(normal_speed, 1e-9);
   const Vec2 centre = projectile.centre();
   check_progress(scene, start, fastest, std::max(centre.norm(), flight.radius()));
   check_contact_is_seen(scene, step, meeting, flight.radius());
-  take_energy(start, scene, solids);
+  take_energy(start, arrives, scene, solids);
   const double lift = flight.resting_lift(scene.launch.at);
   if (std::isnan(lift))
     throw FieldError("at", fmt::format("a projectile at x = {} passes beside the target", scene.launch.at));
@@ -84,7 +102,9 @@ Start launch(const Scene& scene, const Solids& solids) {
   start.contact = widened(scene.contact, start.energy);
   const auto placement = upstream(scene, start, flight, lift, centre);
   if (placement) start.bodies[0] = *placement;
+  const double thrown = start.bodies[0].velocity.y(), fall = start.bodies[0].acceleration.y();
   start.touches = placement && flight.advance(start.bodies[0], start.contact.reach);
+  if (fall != 0) start.fell = (start.bodies[0].velocity.y() - thrown) / fall;
   return start;
 }
 

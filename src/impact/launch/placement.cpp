@@ -11,6 +11,10 @@ Placement placed_at_rest(const Solid& solid) {
 Placement flown(const Placement& placement, double time) {
   Placement later = placement;
   later.centre += time * placement.velocity;
+  if (placement.acceleration != Vec3::Zero()) {
+    later.centre += time * time / 2 * placement.acceleration;
+    later.velocity += time * placement.acceleration;
+  }
   later.turn = placement.turn.then(time * placement.spin.z());
   return later;
 }

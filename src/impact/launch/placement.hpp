@@ -8,10 +8,11 @@
 namespace ricochet {
 
 struct Placement {
-  Vec3 centre = Vec3::Zero();    ///< of mass [R]
-  Vec3 velocity = Vec3::Zero();  ///< [c]
-  Vec3 spin = Vec3::Zero();      ///< [c/R]
-  Turn turn{};                   ///< from its place at rest
+  Vec3 centre = Vec3::Zero();        ///< of mass [R]
+  Vec3 velocity = Vec3::Zero();      ///< [c]
+  Vec3 spin = Vec3::Zero();          ///< [c/R]
+  Turn turn{};                       ///< from its place at rest
+  Vec3 acceleration = Vec3::Zero();  ///< of its free flight [c^2/R]
 };
 
 /// A body as it was built, at rest.

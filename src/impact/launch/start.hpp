@@ -21,6 +21,7 @@ struct Start {
   double energy = 0;               ///< kinetic energy [m0 c^2]
   ExponentialRepulsion contact{};  ///< the scene's, its reach widened for a slow impact
   bool certified = false;          ///< energy below V0: no node can cross a segment
+  double fell = 0;                 ///< how long it fell before, from where gravity acts from the start [R/c]
   /// Height of the projectile's centre at which the smooth outlines just overlap, above the target's centre.
   double overlap_height = 0;
 };
