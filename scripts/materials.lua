@@ -81,5 +81,6 @@ ricochet.plot {
   theory = { time_ratio = { { name = "estimate", f = function() return 1 end } },
              depth_ratio = { { name = "estimate", f = function() return 1 end } } },
   title = "Disks of six materials on a rigid plane, head on: elastic, nothing yields",
-  caption = ("Radius %g mm, length 1 m, plane stress, %d nodes (Poisson disks), %d lattices a point. "):format(1e3 * p.radius, nodes, p.samples),
+  caption = ("Radius %g mm, length 1 m, plane stress, %d nodes (Poisson disks), %d lattices a point."):format(
+    1e3 * p.radius, nodes, p.samples),
 }
