@@ -1,6 +1,6 @@
 -- Smooth disks of six materials on a rigid plane, head on, against the speed, in SI, beside what `ricochet.estimate`
--- says before anything runs. Each material at those speeds at which it warns of nothing: neither is the contact a matter
--- of few nodes, nor do springs fold. (That the pressure passes the yield stress is told, and left out of the physics.)
+-- says before anything runs. Each material at those speeds at which it warns of nothing: neither is the contact one of
+-- few nodes, nor do springs fold. (That the pressure passes the yield stress is told, and left out of the physics.)
 -- `samples`: lattices a point; `full=true`: finer lattices, which reach to lower speeds.
 local ricochet = require "ricochet"
 

@@ -71,7 +71,8 @@ local function summarise(rows, by, of, fields)
   known_column(rows, by, fields.by)
   for _, column in ipairs(of) do known_column(rows, column, fields.of) end
   -- Of columns in the rows' units; nothing of those that a script added.
-  local summary = setmetatable({ by = by, of = of, units = core.columns(rows[1] and rawget(rows[1], "units")) }, Summary)
+  local units = core.columns(rows[1] and rawget(rows[1], "units"))
+  local summary = setmetatable({ by = by, of = of, units = units }, Summary)
   for i, group in ipairs(groups(rows, by)) do
     local line = { [by] = group.key, count = #group.members, failed = group.failed }
     for _, column in ipairs(of) do line[column] = statistics_of(group.members, column) end

@@ -27,7 +27,7 @@ bool Row::finished() const { return status == name_of(Status::finished); }
 
 Row row_of(const Scene& scene, const Outcome& outcome, double seconds) {
   Row row;
-  for (const auto& [field, value] : Outcome::fields()) 
+  for (const auto& [field, value] : Outcome::fields())
     row.outcomes.push_back(value(outcome) * scene.units.worth(field.unit));
   row.seconds = seconds;
   row.status = name_of(outcome.status);
