@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "body/springs/elasticity.hpp"
+#include "impact/axes.hpp"
 #include "shape/curvature.hpp"
 #include "shape/outline.hpp"
 #include "shape/placed_surface.hpp"
@@ -59,8 +60,8 @@ double height_of(const Points& outline, double x, bool upper) {
     if (std::min(a.x(), b.x()) > x || std::max(a.x(), b.x()) < x) continue;
     for (const double share :
          a.x() == b.x() ? std::vector<double>{0, 1} : std::vector<double>{(x - a.x()) / (b.x() - a.x())}) {
-      const double y = a.y() + share * (b.y() - a.y());
-      if (!(upper ? y <= height : y >= height)) height = y;
+      const double here = normal(a) + share * (normal(b) - normal(a));
+      if (!(upper ? here <= height : here >= height)) height = here;
     }
   }
   return height;
@@ -82,12 +83,12 @@ std::optional<Touch> touch_of(const Scene& scene) {
     at = {x, top};
   };
   if (plane)
-    consider(std::min_element(above.begin(), above.end(), [](auto& a, auto& b) { return a.y() < b.y(); })->x());
+    consider(std::min_element(above.begin(), above.end(), [](auto& a, auto& b) { return normal(a) < normal(b); })->x());
   else
     for (const Points* corners : std::initializer_list<const Points*>{&above, &scene.target->outline})
       for (const Vec2& p : *corners) consider(p.x());
   if (lift == -infinite) return std::nullopt;
-  for (Vec2& p : above) p.y() += lift;
+  for (Vec2& p : above) p += lift * upwards();
   return Touch{std::move(above), at};
 }
 
@@ -110,7 +111,7 @@ Side side_of(const Body& body, const Points& outline, const Vec2& at) {
   side.outline = outline_at(outline, at, 0.1 * size);
   const Box box = bounding_box(outline);
   side.line = std::isinf(side.outline.radius)
-                  ? LineBody::block(side.elastic.modulus, side.elastic.poisson, box.high.y() - box.low.y())
+                  ? LineBody::block(side.elastic.modulus, side.elastic.poisson, normal(Vec2(box.high - box.low)))
                   : LineBody{side.elastic.modulus, side.outline.radius, 4 * size};
   if (side.elastic.held) return side;
   const double arm = cross(at - figure.centre, side.outline.normal);
