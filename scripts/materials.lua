@@ -6,7 +6,7 @@ local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
   samples = { 4, int = true, min = 1, doc = "lattices a point" },
-  nodes   = { 1600, int = true, min = 60, doc = "nodes of a disk; four times as many with full=true" },
+  nodes   = { 1600, int = true, min = 400, doc = "nodes of a disk; four times as many with full=true" },
   radius  = { 0.005, unit = "m", min = 1e-6, doc = "of the disks" },
   full    = { false, doc = "the figure in full" },
 }
