@@ -3,12 +3,15 @@
 
 ---@class ricochet.body
 
+---@class ricochet.material
+
 ---@class ricochet.effect
 
 ---@class ricochet.scene
 ---@field run fun(self: ricochet.scene): table
 ---@field text fun(self: ricochet.scene): string
 ---@field hash fun(self: ricochet.scene): string
+---@field bounces fun(self: ricochet.scene, t: ricochet.scene_bounces_fields): ricochet.rows, string?
 
 ---@class ricochet.sweep
 ---@field run fun(self: ricochet.sweep): ricochet.rows
@@ -24,12 +27,24 @@
 ---@field power_law fun(self: ricochet.rows, t: ricochet.rows_power_law_fields): table
 ---@field where fun(self: ricochet.rows, columns: table): ricochet.rows
 
-local ricochet = { file = {}, theory = {} }
+local ricochet = { file = {}, theory = {}, materials = {} }
 
 --- Declares what a user may set on the command line as `name=value` and reads it. Each parameter is a default, or a table with the default first and any of unit, doc, min, max, int, choices. Returns the values.
 ---@param t table
 ---@return table
 function ricochet.parameters(t) end
+
+---@class ricochet.material_fields
+---@field E number Young's modulus [Pa]
+---@field nu number Poisson's ratio
+---@field density number mass of the volume [kg/m^3]
+---@field yield? number yield stress; data: only an effect that uses it lets anything yield [Pa]
+---@field hardening? number rise of the yield stress with the plastic strain; data as `yield` [Pa]
+---@field source? string where a reader can look the numbers up
+--- An elastic material, for the `material` of bodies in scenes with units = "SI". Known ones, each with its source: ricochet.materials.steel, aluminium, glass, alumina, pmma, polycarbonate, rubber, ice. Their numbers are read as fields: ricochet.materials.steel.E.
+---@param t ricochet.material_fields
+---@return ricochet.material
+function ricochet.material(t) end
 
 ---@class ricochet.body_fields
 ---@field outline number[][] corners { {x, y}, ... } in order along the boundary; concave is fine, crossing itself is not [R]
@@ -43,6 +58,9 @@ function ricochet.parameters(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
+---@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
 --- A random mass-spring lattice in a closed outline, or a rigid body.
 ---@param t ricochet.body_fields
@@ -61,6 +79,9 @@ function ricochet.body(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
+---@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
 --- A disk around the origin.
 ---@param t ricochet.disk_fields
@@ -80,6 +101,9 @@ function ricochet.disk(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
+---@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 --- A rectangular block whose top is y = 0, held at both sides and at the bottom.
 ---@param t ricochet.wall_fields
 ---@return ricochet.body
@@ -95,29 +119,29 @@ function ricochet.plane(t) end
 ---@field target ricochet.body the body that is hit; free or anchored
 ---@field launch? ricochet.launch_fields how the projectile comes in (default {})
 ---@field contact? ricochet.contact_fields how the bodies repel each other (default {})
----@field ending? ricochet.ending_fields when the impact is over (default {})
+---@field units? "paper"|"SI" of every number of the scene, its bodies, effects and rows: paper: R, m0, c; SI: m, kg, s, with bodies of materials (default paper)
 ---@field effects? ricochet.effect[] list of what else acts, e.g. { ricochet.gravity { g = 1e-4 } }; what is not named is not computed (default {})
 ---@field method? "auto"|"pefrl"|"forest_ruth"|"verlet"|"takahashi_imada"|"chin_4a"|"mclachlan_sb3a4"|"blanes_moan_s6"|"blanes_moan_srkn6b"|"okunbor_skeel_13"|"blanes_moan_srkn11b"|"blanes_moan_srkn14a"|"multirate_2"|"multirate_3"|"multirate_5"|"multirate_8"|"rk4"|"dop853" integrator; auto is pefrl, or the cheapest one for `accuracy` (default auto)
 ---@field step? number time step; chosen from the stiffest node and the contact's onset unless given [R/c]
 ---@field theta? number time step times the bound of the highest frequency of this scene's lattices, instead of a step: equal for lattices of one kind
 ---@field accuracy? number wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs
----@field accuracy_of? "e"|"beta"|"mu"|"psi2"|"vn"|"vt"|"omega"|"e_n"|"beta_n"|"mu_n"|"contact_time" the outcome that accuracy is about (default e)
----@field time_limit? number an impact longer than this ends out_of_time; 100 + 2 / normal speed unless given [R/c]
+---@field accuracy_of? "e"|"beta"|"mu"|"psi2"|"vn"|"vt"|"omega" the outcome that accuracy is about (default e)
+---@field time_limit? number an impact longer than this ends out_of_time; 100 + 2 / normal speed of the impact unless given [R/c]
 ---@field energy_tolerance? number an impact whose total energy strays further, relative to its start, ends energy_drift (default 0.01)
---- One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream so that its smooth outline would touch the target's at x = launch.at. `scene:run()` runs it and returns a row; `scene:text()` is its canonical text, `scene:hash()` that text's hash.
+--- One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream so that its smooth outline would touch the target's at x = launch.at. `scene:run()` runs it and returns a row, `scene:bounces { }` several impacts one after another; `scene:text()` is its canonical text, `scene:hash()` that text's hash.
 ---@param t ricochet.scene_fields
 ---@return ricochet.scene
 function ricochet.scene(t) end
 
 ---@class ricochet.launch_fields
----@field speed? number impact speed |v|; 0.1 unless normal_speed is given [c]
+---@field speed? number launch speed |v|; 0.1 unless normal_speed is given; 0 only with a height to fall from under gravity [c]
 ---@field psi1? number tangent of the incident angle, v_t / v_n; 0 unless given otherwise
 ---@field angle? number incident angle from the normal, instead of psi1 [degrees]
----@field normal_speed? number speed along the normal, instead of speed [c]
+---@field normal_speed? number speed along the normal, instead of speed; 0 as for speed [c]
 ---@field tangential_speed? number speed along the surface, with normal_speed [c]
 ---@field spin? number angular velocity before impact, counter-clockwise [c/R] (default 0)
 ---@field at? number where along x the smooth projectile would touch the smooth target [R] (default 0)
----@field height? number starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart [R]
+---@field height? number starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart. Gravity on the projectile acts from a given height on, else from the first approach of the rims on; other effects always do so from there on [R]
 
 ---@class ricochet.contact_fields
 ---@field V0? number energy of a rim node that touches a segment: a total energy below it cannot tunnel [m0 c^2] (default 150)
@@ -125,16 +149,10 @@ function ricochet.scene(t) end
 ---@field reach? number segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an impact is so slow that what is left out would show [R] (default 0.1)
 ---@field sides? "one"|"two" one: projectile nodes are pushed off target segments (the paper); two: and the other way round (default one)
 
----@class ricochet.ending_fields
----@field at? "parted"|"first_parting"|"time" parted: the bodies have parted for good; first_parting: the first touch has ended, whatever follows; time: at a given time, whatever the bodies do (default parted)
----@field force? number a touch lasts while the normal force exceeds this share of its greatest in that touch (default 0.001)
----@field gap? number how far apart the surfaces must be besides; with parted it is the contact's reach unless given [R]
----@field time? number with time: since the surfaces came within reach of each other [R/c]
-
 ---@class ricochet.gravity_fields
 ---@field g number acceleration [c^2/R]
 ---@field on? "projectile"|"target"|"both" the bodies it acts on (default projectile)
---- An effect, for the `effects` of a scene. A constant acceleration along -y, from the first approach of the rims on.
+--- An effect, for the `effects` of a scene. A constant acceleration along -y: from the start where launch.height is given, else from the first approach of the rims on.
 ---@param t ricochet.gravity_fields
 ---@return ricochet.effect
 function ricochet.gravity(t) end
@@ -215,6 +233,11 @@ function ricochet.friction(t) end
 ---@return ricochet.effect
 function ricochet.thermal(t) end
 
+--- What laws say of a scene before it runs. A table of force, overlap, contact_time, contact_length, pressure, e and wave_speed; each is a table of value (NaN where no law holds), unit, law, range and in_range. `no_law` says why none holds, or is empty. `warnings` is a list of { kind =, reason = }: coarse_contact, coarse_rim, folding, over_yield.
+---@param scene ricochet.scene
+---@return table
+function ricochet.estimate(scene) end
+
 ---@class ricochet.sweep_fields
 ---@field name string names the folder of its results
 ---@field over table name = list of values, each a number, string or boolean
@@ -240,8 +263,54 @@ function ricochet.sweep(t) end
 ---@return table
 function ricochet.range(first, last, step) end
 
+---@class ricochet.series_fields
+---@field scene ricochet.scene what happens
+---@field of table list of quantities of the `state`, and name = function (state) that returns a number
+---@field points? integer how many, equally spaced in time; one a step where the steps are fewer (default 400)
+---@field from? number first time; before 0 the projectile is in free flight [R/c] (default 0)
+---@field duration? number time covered, from `from` on, past the end of the impact if it is longer; up to that end unless given [R/c]
+---@field name? string file name without extension (default series)
+--- An impact as columns of numbers over time, sampled between the engine's steps: returns rows, and leaves them as NAME.h5 and NAME.csv in the run's folder. `ricochet.plot` draws them as lines, in their order. The first column is the time.
+---@param t ricochet.series_fields
+---@return ricochet.rows
+function ricochet.series(t) end
+
+---@class ricochet.state_fields
+---@field time number since the rims came within reach of each other [R/c]
+---@field step number steps since then
+---@field x number where the projectile's centre is, along the surface [R]
+---@field height number height of the projectile's centre [R]
+---@field vn number normal velocity of the projectile [c]
+---@field vt number tangential velocity of the projectile [c]
+---@field omega number spin of the projectile [c/R]
+---@field angle number that the projectile has turned by since the rims came within reach, counter-clockwise [rad]
+---@field target_vn number normal velocity of the target; 0 if held [c]
+---@field target_vt number tangential velocity of the target; 0 if held [c]
+---@field target_omega number spin of the target; 0 if held [c/R]
+---@field force_n number normal force of contact on the projectile [m0 c^2/R]
+---@field force_t number tangential force of contact on the projectile [m0 c^2/R]
+---@field overlap number how much nearer along the normal the centres are than at the first touch; undefined before it [R]
+---@field indentation number overlap along the normal of the smooth outlines, undeformed, unrotated; below 0 where they are apart [R]
+---@field contact_length number along the surface, between the outermost nodes of the projectile that bear more than 1 % of the force on the one that bears most; 0 without contact [R]
+---@field vibration number energy of the vibration of both bodies [m0 c^2]
+---@field projectile_translation number energy: projectile, centre of mass [m0 c^2]
+---@field projectile_rotation number energy: projectile, spin [m0 c^2]
+---@field projectile_vibration number energy: projectile, vibration [m0 c^2]
+---@field target_translation number energy: target, centre of mass (0 if held) [m0 c^2]
+---@field target_rotation number energy: target, spin (0 if held) [m0 c^2]
+---@field target_vibration number energy: target, vibration [m0 c^2]
+---@field contact_energy number energy of the repulsion [m0 c^2]
+---@field effects_energy number energy gained in the potentials of effects and lost to those that dissipate, since the start [m0 c^2]
+---@field total_energy number the sum of all [m0 c^2]
+---@field projectile table of the projectile: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]
+---@field target table of the target: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]
+
+---@class ricochet.scene_bounces_fields
+---@field count? integer how many (default 8)
+---@field least_height? number a bounce that rises less is the last one; the reach of the contact unless given, below which bodies do not part [R]
+
 ---@class ricochet.plot_fields
----@field rows? ricochet.rows rows of a sweep; none for a picture of theory alone
+---@field rows? ricochet.rows rows of a sweep, or of a series, drawn as a line in their order; none for a picture of theory alone
 ---@field x string column along x; rows are grouped by it
 ---@field y string[] columns along y, one panel each
 ---@field by? string column whose values are drawn as a line each
@@ -294,7 +363,7 @@ function ricochet.animate(t) end
 ---@field colour_bar? boolean what the colours mean, with unit (default true)
 ---@field clock? boolean time and Psi1 (default true)
 ---@field ledger? boolean where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, vibration, target, contact (default false)
----@field plot? "none"|"vn"|"vt"|"omega"|"height"|"force_n"|"force_t"|"vibration" a plot that grows with time; vn: normal velocity of the projectile [c]; vt: tangential velocity of the projectile [c]; omega: spin of the projectile [c/R]; height: height of the projectile's centre [R]; force_n: normal force of contact on the projectile [m_0c^2/R]; force_t: tangential force of contact on the projectile [m_0c^2/R]; vibration: energy of the vibration of both bodies [m_0c^2] (default none)
+---@field plot? "none"|"vn"|"vt"|"omega"|"height"|"force_n"|"force_t"|"vibration" a plot that grows with time, of every moment while a run is drawn, of its frames if a recording is; vn: normal velocity of the projectile [c]; vt: tangential velocity of the projectile [c]; omega: spin of the projectile [c/R]; height: height of the projectile's centre [R]; force_n: normal force of contact on the projectile [m_0c^2/R]; force_t: tangential force of contact on the projectile [m_0c^2/R]; vibration: energy of the vibration of both bodies [m_0c^2] (default none)
 ---@field colours? "auto"|"ylgnbu"|"puor"|"cividis" of the colour bar; auto: ylgnbu, or puor for a quantity of both signs (default auto)
 ---@field scale? "auto"|"linear"|"sqrt" of the colour bar; auto: sqrt for energies, else linear (default auto)
 ---@field low? number lower end of the colour bar; from the whole sequence unless given
@@ -389,7 +458,7 @@ function ricochet.plan(t) end
 
 ---@class ricochet.elasticity_fields
 ---@field body ricochet.body a band longer along y than along x, nowhere anchored
---- Young's modulus E and Poisson's ratio nu of a band, stretched along y by a small strain and solved statically.
+--- Young's modulus E and Poisson's ratio nu of a band, stretched along y by a small strain and solved statically. E is in m0 c^2/R^2, or in Pa if the band is of a material.
 ---@param t ricochet.elasticity_fields
 ---@return table
 function ricochet.elasticity(t) end

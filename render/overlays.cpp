@@ -58,15 +58,19 @@ int power_of(double most) {
   return power >= -2 && power < 4 ? 0 : power;
 }
 
-std::string label_of(const Quantity& quantity, int power) {
+int time_power(const Units& units, double last) { return units.si ? power_of(last * units.worth("R/c")) : 0; }
+
+std::string unit_text(const std::string& unit, int power) {
   const std::string factor = power == 0 ? "" : fmt::format("10^{{{}}}", number_text(power));
-  if (factor.empty() && quantity.unit.empty()) return quantity.label;
-  return fmt::format("{} [{}{}{}]", quantity.label, factor, factor.empty() || quantity.unit.empty() ? "" : " ",
-                     quantity.unit);
+  return factor + (factor.empty() || unit.empty() ? "" : " ") + unit;
 }
 
-std::vector<BarMark> bar_marks(const Scale& scale, int power, bool tall) {
-  const double factor = std::pow(10.0, power);
+std::string label_of(const Quantity& quantity, int power, const Units& units) {
+  const std::string unit = unit_text(units.name(quantity.unit), power);
+  return unit.empty() ? quantity.label : fmt::format("{} [{}]", quantity.label, unit);
+}
+
+std::vector<BarMark> bar_marks(const Scale& scale, double factor, bool tall) {
   const std::vector<double> values = readable_ticks(scale.low / factor, scale.high / factor, tall ? 5 : 3);
   std::vector<BarMark> marks;
   for (const double value : values)
@@ -127,6 +131,26 @@ void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile) {
                   true);
 }
 
+namespace {
+
+// The axis of time below a plot, from `first` to `last`. [R/c]
+void draw_moments(Canvas& canvas, const Box& in, int size, const Units& units, double first, double last) {
+  const int power = time_power(units, last);
+  const double factor = std::pow(10.0, power) / units.worth("R/c"), thin = std::max(1.0, size / 18.0);
+  const std::string name = fmt::format("t [{}]", unit_text(units.name("R/c"), power));
+  const auto moments = ticks(first / factor, last / factor, in.width > 30 * size ? 6 : 3);
+  for (const double moment : moments) {
+    const double t = moment * factor, x = in.x + in.width * (t - first) / (last - first);
+    canvas.line({x, in.y + in.height}, {x, in.y + in.height + 0.3 * size}, thin, grey);
+    const std::string text = number_text(moment, moments.size() > 1 ? moments[1] - moments[0] : 0);
+    if (x + 0.5 * canvas.text_width(text, size) + 0.6 * size < in.x + in.width - canvas.text_width(name, size))
+      canvas.text({x, in.y + in.height + 1.3 * size}, text, size, black, Align::centre);
+  }
+  canvas.text({in.x + in.width, in.y + in.height + 1.3 * size}, name, size, black, Align::right);
+}
+
+}  // namespace
+
 void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const Quantity& quantity) {
   const Survey& survey = tile.subject->survey;
   double low = survey.curve.front().y(), high = low;
@@ -144,8 +168,10 @@ void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const
   low -= low == 0 ? 0 : room;
   const double thin = std::max(1.0, size / 18.0);
   const double first = survey.times.front(), last = survey.times.back() > first ? survey.times.back() : first + 1;
-  const int power = power_of(std::max(high, -low));
-  const double factor = std::pow(10.0, power);
+  const Units& units = tile.subject->mesh.units;
+  const double worth = units.worth(quantity.unit);
+  const int power = power_of(worth * std::max(high, -low));
+  const double factor = std::pow(10.0, power) / worth;
   const Box in{box.x + 3.4 * size, box.y + 1.3 * size, box.width - 4.2 * size, box.height - 2.8 * size};
   const auto x = [&](double t) { return in.x + in.width * (t - first) / (last - first); };
   const auto y = [&](double v) { return in.y + in.height * (1 - (v - low) / (high - low)); };
@@ -155,16 +181,8 @@ void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const
     canvas.text({in.x - 0.4 * size, y(mark * factor) + 0.36 * size},
                 number_text(mark, marks.size() > 1 ? marks[1] - marks[0] : 0), size, black, Align::right);
   }
-  const std::string name = "t [R/c]";
-  const auto moments = ticks(first, last, in.width > 30 * size ? 6 : 3);
-  for (const double t : moments) {
-    canvas.line({x(t), in.y + in.height}, {x(t), in.y + in.height + 0.3 * size}, thin, grey);
-    const std::string text = number_text(t, moments.size() > 1 ? moments[1] - moments[0] : 0);
-    if (x(t) + 0.5 * canvas.text_width(text, size) + 0.6 * size < in.x + in.width - canvas.text_width(name, size))
-      canvas.text({x(t), in.y + in.height + 1.3 * size}, text, size, black, Align::centre);
-  }
-  canvas.text({in.x + in.width, in.y + in.height + 1.3 * size}, name, size, black, Align::right);
-  canvas.text({box.x, box.y + 0.8 * size}, label_of(quantity, power), size, black);
+  draw_moments(canvas, in, size, units, first, last);
+  canvas.text({box.x, box.y + 0.8 * size}, label_of(quantity, power, units), size, black);
   canvas.line({in.x, in.y}, {in.x, in.y + in.height}, thin, grey);
   canvas.line({in.x, in.y + in.height}, {in.x + in.width, in.y + in.height}, thin, grey);
   Points curve;

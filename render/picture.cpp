@@ -22,8 +22,13 @@ std::string clock_text(const std::vector<Tile>& tiles) {
   const std::vector<double>& times = tiles[0].subject->survey.times;
   double least = 0.1;
   for (std::size_t k = 1; k < times.size(); ++k) least = std::min(least, times[k] - times[k - 1]);
-  std::string text = fmt::format(
-      "t = {} R/c", number_text(tiles[0].frame->time, std::pow(10.0, std::floor(std::log10(std::max(least, 1e-9))))));
+  const Units& units = tiles[0].subject->mesh.units;
+  const int power = time_power(units, times.back());
+  const double factor = std::pow(10.0, power) / units.worth("R/c");
+  std::string text = fmt::format("t = {} {}",
+                                 number_text(tiles[0].frame->time / factor,
+                                             std::pow(10.0, std::floor(std::log10(std::max(least / factor, 1e-9))))),
+                                 unit_text(units.name("R/c"), power));
   const double psi1 = tiles[0].subject->mesh.psi1;
   for (const Tile& tile : tiles)
     if (tile.subject->mesh.psi1 != psi1) return text;
@@ -58,15 +63,18 @@ Sheet sheet_of(const Show& show, const Layout& layout, std::size_t tiles) {
 // The bar of colours beside the cells, if there is one: `quantity` is what it shows.
 struct ColourBar {
   const Quantity* quantity = nullptr;
-  int power = 0;
+  std::string label;
   std::vector<BarMark> marks;
   double width = 0;  // with its marks
 };
 
-ColourBar colour_bar_of(const Sheet& sheet, const Brush& brush, Canvas& over, const Quantity* quantity) {
-  if (!quantity || !sheet.show.colour_bar) return {nullptr, 0, {}, sheet.pad};
-  ColourBar bar{quantity, power_of(std::max(std::abs(brush.scale.low), std::abs(brush.scale.high))), {}, sheet.pad};
-  bar.marks = bar_marks(brush.scale, bar.power, sheet.layout.height > 15 * sheet.text);
+ColourBar colour_bar_of(const Sheet& sheet, const Brush& brush, Canvas& over, const Quantity* quantity,
+                        const Units& units) {
+  if (!quantity || !sheet.show.colour_bar) return {nullptr, "", {}, sheet.pad};
+  const double worth = units.worth(quantity->unit);
+  const int power = power_of(worth * std::max(std::abs(brush.scale.low), std::abs(brush.scale.high)));
+  ColourBar bar{quantity, label_of(*quantity, power, units), {}, sheet.pad};
+  bar.marks = bar_marks(brush.scale, std::pow(10.0, power) / worth, sheet.layout.height > 15 * sheet.text);
   for (const BarMark& mark : bar.marks)
     bar.width = std::max(bar.width, std::round(over.text_width(mark.text, sheet.text) + 2.6 * sheet.text));
   return bar;
@@ -87,8 +95,8 @@ double draw_head(Canvas& over, const Sheet& sheet, const ColourBar& bar, const s
   const double taken = clock.empty() ? 0 : std::min(half, over.text_width(clock, text));
   if (!clock.empty()) over.text_within(half, {pad, top + text}, clock, text, black);
   if (bar.quantity)
-    over.text_within(layout.width - 3 * pad - taken, {layout.width - pad, top + text},
-                     label_of(*bar.quantity, bar.power), text, black, Align::right);
+    over.text_within(layout.width - 3 * pad - taken, {layout.width - pad, top + text}, bar.label, text, black,
+                     Align::right);
   return top + line;
 }
 
@@ -145,7 +153,7 @@ Painting paint(const Show& show, const Layout& layout, Font& font, const std::ve
     for (int i = 0; i < 256; ++i) painting.colours.push_back(colour_of(map_of(show, *quantity), i / 255.0));
 
   Canvas over(font);
-  const ColourBar bar = colour_bar_of(sheet, brush, over, quantity);
+  const ColourBar bar = colour_bar_of(sheet, brush, over, quantity, tiles[0].subject->mesh.units);
   const double top = draw_head(over, sheet, bar, clock);
   if (bar.quantity)
     draw_colour_bar(over,

@@ -54,14 +54,19 @@ struct BarMark {
   double value;
   std::string text;
 };
-std::vector<BarMark> bar_marks(const Scale& scale, int power, bool tall);
+/// `factor`: what 1 beside the bar is in the scale.
+std::vector<BarMark> bar_marks(const Scale& scale, double factor, bool tall);
 void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours,
                      const std::vector<BarMark>& marks);
 void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile);
 void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const Quantity& quantity);
 /// The power of ten that an axis up to `most` is best given in; 0 for numbers of common size.
 int power_of(double most);
+/// That of times up to `last` [R/c]; 0 in the paper's units.
+int time_power(const Units& units, double last);
+/// A unit behind its power of ten.
+std::string unit_text(const std::string& unit, int power);
 /// "name [unit]", with the power of ten.
-std::string label_of(const Quantity& quantity, int power);
+std::string label_of(const Quantity& quantity, int power, const Units& units);
 
 }  // namespace ricochet::render

@@ -14,6 +14,8 @@ for name, call in pairs(core.functions) do
   end
 end
 
+ricochet.materials = require "ricochet.materials"
+
 for name, shape in pairs(require "ricochet.shapes") do ricochet[name] = core.wrap(shape) end
 ricochet.sweep = core.wrap(require("ricochet.sweep").sweep)
 ricochet.series = core.wrap(require("ricochet.series").series)

@@ -28,9 +28,10 @@ end
 -- Rows of a series have no status: they are drawn in their order, as a line.
 local function is_series(rows) return rows and #rows > 0 and rawget(rows[1], "status") == nil end
 
+-- That which the column has in these rows.
 local function unit_of(column, rows)
-  if not is_series(rows) then return core.columns()[column] end
-  for _, quantity in ipairs(core.quantities()) do
+  if not is_series(rows) then return core.columns(rows and rows[1] and rawget(rows[1], "units"))[column] end
+  for _, quantity in ipairs(core.quantities(rawget(rows[1], "units"))) do
     if quantity.name == column then return quantity.unit end
   end
 end

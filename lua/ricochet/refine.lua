@@ -7,17 +7,16 @@ local function refined_body(body, factor, shift)
   local t = core.check("body", given, true)
   if t.points then
     if factor ~= 1 then core.fail_here "nodes that were given one by one cannot be made finer; give other points" end
-    t.nodes, t.placement = nil, nil
   else
-    t.nodes = math.floor(factor * t.nodes + 0.5)
+    given.nodes = math.floor(factor * t.nodes + 0.5)
   end
   -- Outline, total mass and stiffness stay: the modulus of a network does not depend on its spacing, while a spring's
   -- stretch at a given strain does, as the spacing.
-  if t.interior ~= "rigid" then t.quartic = t.quartic * factor end
-  if t.mass then t.mass = t.mass / factor end
-  if t.rim_spacing then t.rim_spacing = t.rim_spacing / math.sqrt(factor) end
-  t.seed = t.seed + shift
-  return core.own_body(t)
+  if t.interior ~= "rigid" and (given.quartic or not t.material) then given.quartic = t.quartic * factor end
+  if t.mass then given.mass = t.mass / factor end
+  if t.rim_spacing then given.rim_spacing = t.rim_spacing / math.sqrt(factor) end
+  given.seed = t.seed + shift
+  return core.own_body(given)
 end
 
 --- The scene with `factor` times as many nodes in both bodies of the same outline, mass and stiffness; seeds, those of

@@ -70,7 +70,9 @@ end
 local function summarise(rows, by, of, fields)
   known_column(rows, by, fields.by)
   for _, column in ipairs(of) do known_column(rows, column, fields.of) end
-  local summary = setmetatable({ by = by, of = of }, Summary)
+  -- Of columns in the rows' units; nothing of those that a script added.
+  local units = core.columns(rows[1] and rawget(rows[1], "units"))
+  local summary = setmetatable({ by = by, of = of, units = units }, Summary)
   for i, group in ipairs(groups(rows, by)) do
     local line = { [by] = group.key, count = #group.members, failed = group.failed }
     for _, column in ipairs(of) do line[column] = statistics_of(group.members, column) end
@@ -147,7 +149,10 @@ function Summary:print()
     core.fail_here "print is a method of a summary: write summary:print(), with a colon"
   end
   local header = { self.by }
-  for _, column in ipairs(self.of) do header[#header + 1] = column .. " +- se (sd)" end
+  for _, column in ipairs(self.of) do
+    local unit = self.units[column]
+    header[#header + 1] = column .. (unit and unit ~= "" and " [" .. unit .. "]" or "") .. " +- se (sd)"
+  end
   header[#header + 1], header[#header + 2] = "finished", "failed"
   local lines = { header }
   for _, line in ipairs(self) do

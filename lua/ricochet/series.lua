@@ -3,9 +3,9 @@ local core = require "ricochet.core"
 local rows_of = require("ricochet.rows").rows_of
 
 -- What `of` asks for: columns { name =, unit =, doc =, f = }, the time first; those with `f` are functions of a state.
-local function columns_of(of)
+local function columns_of(of, units)
   local known, names = {}, {}
-  for i, quantity in ipairs(core.quantities()) do
+  for i, quantity in ipairs(core.quantities(units)) do
     known[quantity.name], names[i] = quantity, quantity.name
   end
   local columns, taken = { known.time }, { time = true }
@@ -58,9 +58,10 @@ local function series(given)
   if not t.name:match "^[%w_%-]+$" then
     core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name")
   end
-  local columns, rows = columns_of(t.of), {}
+  local units = core.given(t.scene).units or "paper"
+  local columns, rows = columns_of(t.of, units), {}
   for i, state in ipairs(core.sample(t)) do
-    local row = {}
+    local row = { units = units }
     for _, column in ipairs(columns) do row[column.name] = value_of(column, state) end
     rows[i] = core.strict(row, "a row of the series")
   end

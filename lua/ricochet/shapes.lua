@@ -3,13 +3,12 @@ local core = require "ricochet.core"
 
 local shapes = {}
 
--- The fields of ricochet.body among those of a shape: all but its own. Nodes given one by one have no default beside
--- them.
-local function body_fields(given, t, ...)
-  local body = {}
-  for name, value in pairs(t) do body[name] = value end
+-- The fields of ricochet.body among those given of a shape: all but its own. Those that were not given stay so, but for
+-- the number of nodes, which a shape knows; nodes given one by one have none.
+local function body_fields(t, given, ...)
+  local body = { nodes = not t.points and t.nodes or nil }
+  for name, value in pairs(given) do body[name] = value end
   for _, own in ipairs { ... } do body[own] = nil end
-  if t.points then body.nodes, body.placement = given.nodes, given.placement end
   return body
 end
 
@@ -32,15 +31,15 @@ local function corners(t, rim, perimeter)
 end
 
 function shapes.disk(given)
-  local t = core.check("disk", given)
-  local body = body_fields(given, t, "radius")
+  local t, own = core.check("disk", given)
+  local body = body_fields(t, own, "radius")
   body.outline = curve(t.radius, t.radius, corners(t, math.sqrt(4 * math.pi), 2 * math.pi * t.radius))
   return core.own_body(body)
 end
 
 function shapes.ellipse(given)
-  local t = core.check("ellipse", given)
-  local body = body_fields(given, t, "a", "b")
+  local t, own = core.check("ellipse", given)
+  local body = body_fields(t, own, "a", "b")
   -- The perimeter to within 0.04 %.  [Ramanujan 1914, Q. J. Math. 45, 350]
   local h = ((t.a - t.b) / (t.a + t.b)) ^ 2
   local perimeter = math.pi * (t.a + t.b) * (1 + 3 * h / (10 + math.sqrt(4 - 3 * h)))
@@ -49,16 +48,16 @@ function shapes.ellipse(given)
 end
 
 function shapes.rectangle(given)
-  local t = core.check("rectangle", given)
-  local body = body_fields(given, t, "width", "height")
+  local t, own = core.check("rectangle", given)
+  local body = body_fields(t, own, "width", "height")
   local x, y = t.width / 2, t.height / 2
   body.outline = { { -x, -y }, { x, -y }, { x, y }, { -x, y } }
   return core.own_body(body)
 end
 
 function shapes.regular_polygon(given)
-  local t = core.check("regular_polygon", given)
-  local body = body_fields(given, t, "sides", "radius")
+  local t, own = core.check("regular_polygon", given)
+  local body = body_fields(t, own, "sides", "radius")
   body.outline = {}
   for i = 1, t.sides do
     local angle = 2 * math.pi * (i - 0.5) / t.sides - math.pi / 2
@@ -68,7 +67,7 @@ function shapes.regular_polygon(given)
 end
 
 function shapes.polygon(given)
-  return core.own_body(body_fields(given, core.check("polygon", given)))
+  return core.own_body(body_fields(core.check("polygon", given)))
 end
 
 function shapes.rotated(given)
@@ -82,8 +81,8 @@ function shapes.rotated(given)
 end
 
 function shapes.wall(given)
-  local t = core.check("wall", given)
-  local body = body_fields(given, t, "width", "depth")
+  local t, own = core.check("wall", given)
+  local body = body_fields(t, own, "width", "depth")
   local half, depth = t.width / 2, t.depth
   body.outline = { { -half, -depth }, { half, -depth }, { half, 0 }, { -half, 0 } }
   local rounding = 1e-9 * t.width

@@ -9,6 +9,7 @@
 
 #include "core/field.hpp"
 #include "core/vec2.hpp"
+#include "material/material.hpp"
 #include "material/spring_law.hpp"
 #include "shape/surface.hpp"
 
@@ -52,6 +53,8 @@ struct Body {
   std::vector<std::string> files{};    ///< hashes of the files that points were read from
   Vec2 velocity = Vec2::Zero();        ///< a target's own, before the impact [c]
   double spin = 0;                     ///< the same [c/R]
+  /// What its stiffness and mass were made from; nothing if they were given. [m0 c^2/R^2, m0/R^2]
+  std::optional<PlaneMaterial> material{};
 
   bool rigid() const { return plane || numbers.rigid(); }
   int moving_nodes() const { return rigid() ? 0 : numbers.nodes; }  ///< about as many as are computed

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/units.hpp"
 #include "core/vec2.hpp"
 
 namespace ricochet {
@@ -27,6 +28,7 @@ struct BodyMesh {
 /// [dim node + k].
 struct FrameMesh {
   int dim = 2;                              ///< of the bodies' space
+  Units units;                              ///< of the user, in which pictures write numbers
   std::vector<BodyMesh> bodies;             ///< by index: the projectile first
   double psi1 = 0;                          ///< tangent of the incident angle, NaN if the launch has none
   std::vector<double> rest;                 ///< [dim node + k] [R]

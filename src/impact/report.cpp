@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "impact/axes.hpp"
+#include "impact/estimate.hpp"
 #include "impact/roles.hpp"
 
 namespace ricochet {
@@ -17,6 +18,7 @@ void report_course(const Run& run, Outcome& o) {
   o.theta_most = run.theta_most;
   o.steps = static_cast<double>(run.steps);
   o.error_step = run.scene->error_step;
+  o.over_yield = over_yield(*run.scene);
   o.energy_drift = run.drift;
   o.inverted = run.inverted;
   o.xi = run.start.contact.xi;

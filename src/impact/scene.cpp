@@ -30,6 +30,16 @@ std::string motion_text(const Body& target) {
                      target.spin);
 }
 
+// What only scenes in SI have: older texts stay.
+std::string text_of_units(const Scene& scene) {
+  std::string text;
+  for (std::size_t b = 0; b < scene.bodies().size(); ++b)
+    if (const auto& m = scene.bodies()[b]->material)
+      text += fmt::format("{} of E {} nu {} density {} yield {}\n", body_name(b), m->E, m->nu, m->density, m->yield);
+  const Units& u = scene.units;
+  return u.si ? text + fmt::format("units SI: R {} m, m0 {} kg, R/c {} s\n", u.length, u.mass, u.time) : text;
+}
+
 }  // namespace
 
 const std::vector<Member<Launch>>& Launch::fields() {
@@ -208,7 +218,8 @@ std::string Scene::text() const {
                      projectile->numbers.stiffness, target->geometry_text(), target->numbers.stiffness) +
          motion_text(*target) + text_of("launch", launch) + text_of("contact", contact) +
          text_of("integration", integration) + (step_is_chosen() ? "integration.chosen\n" : "") +
-         text_of("ending", ending) + (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects));
+         text_of("ending", ending) + (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects)) +
+         text_of_units(*this);
 }
 
 std::string Scene::hash() const { return hash_text(text()); }

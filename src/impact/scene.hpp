@@ -8,6 +8,7 @@
 
 #include "body/description.hpp"
 #include "contact/exponential_repulsion.hpp"
+#include "core/units.hpp"
 #include "effect/catalogue.hpp"
 #include "integrate/method.hpp"
 
@@ -68,6 +69,7 @@ struct Scene {
   /// step under which the impact fails is shortened.
   double error_step = not_given;
   bool step_is_chosen() const { return !std::isnan(error_step); }
+  Units units;  ///< of its user; nothing that computes looks at them
 
   /// By index, as the engine moves them.
   std::vector<const Body*> bodies() const { return {projectile.get(), target.get()}; }

@@ -143,6 +143,7 @@ void add_planes(Snapshot& shot, const Scene& scene, const Solids& solids) {
 
 FrameMesh frame_mesh(const Scene& scene, const Solids& solids) {
   FrameMesh mesh;
+  mesh.units = scene.units;
   const Vec2 velocity = scene.launch.velocity();
   mesh.psi1 = normal(velocity) < 0 ? tangential(velocity) / -normal(velocity) : not_given;
   const auto bodies = scene.bodies();

@@ -18,6 +18,7 @@ const std::vector<Member<Row>>& Row::fields() {
       {{"reason", "string", "", "a sentence, if it did not finish"}, &Row::reason},
       {{"scene_hash", "string", "", "hash of the scene's canonical text"}, &Row::hash},
       {{"seed", "string", "", "seed of the projectile"}, &Row::seed},
+      {{"units", "string", "", "those of the scene, in which its numbers are: paper or SI"}, &Row::units},
   };
   return list;
 }
@@ -26,11 +27,13 @@ bool Row::finished() const { return status == name_of(Status::finished); }
 
 Row row_of(const Scene& scene, const Outcome& outcome, double seconds) {
   Row row;
-  for (const auto& [field, value] : Outcome::fields()) row.outcomes.push_back(value(outcome));
+  for (const auto& [field, value] : Outcome::fields())
+    row.outcomes.push_back(value(outcome) * scene.units.worth(field.unit));
   row.seconds = seconds;
   row.status = name_of(outcome.status);
   row.reason = outcome.reason;
   row.hash = scene.hash();
+  row.units = scene.units.system();
   row.seed = fmt::format("{}", scene.projectile->numbers.seed);
   return row;
 }

@@ -12,9 +12,9 @@ struct Outcome;
 struct Scene;
 
 struct Row {
-  std::vector<double> outcomes;  ///< in the order of Outcome::fields()
+  std::vector<double> outcomes;  ///< in the order of Outcome::fields(), in the scene's units
   double seconds = 0;
-  std::string status, reason, hash, seed;
+  std::string status, reason, hash, seed, units;
 
   /// The columns beside the outcomes.
   static const std::vector<Member<Row>>& fields();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "body/springs/elasticity.hpp"
 #include "core/hash.hpp"
 #include "script/fields.hpp"
 #include "script/objects.hpp"
@@ -183,6 +184,66 @@ void check_rigid(const Body& body, bool stiffness_by_place, bool density_by_plac
         member.place);
 }
 
+/// How a plane is cut from a material.
+struct Section {
+  std::string state = "plane_stress";
+  double thickness = 1;
+
+  static const std::vector<Member<Section>>& fields() {
+    static const std::vector<Member<Section>> list{
+        {{"state",
+          "string",
+          "",
+          "of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder",
+          any_number,
+          "plane_stress",
+          false,
+          {"plane_stress", "plane_strain"}},
+         &Section::state},
+        {{"thickness", "number", "m", "of a body of a material, across the plane: a disk is a cylinder of that length",
+          positive, "1"},
+         &Section::thickness},
+    };
+    return list;
+  }
+};
+
+// Springs are alike, so what they have of nu is their placement's.
+void warn_of_nu(Session& session, const Material& material, const PlaneMaterial& wanted, const std::string& state,
+                const BodyNumbers& numbers) {
+  const double nu = usual_moduli(numbers.placement).poisson_ratio;
+  if (std::abs(wanted.nu - nu) <= 0.05) return;
+  session.warn(
+      fmt::format("a lattice of equal springs ({}) has nu = {:.2f} in its plane; the material of E = {:g} Pa, nu "
+                  "= {:g} has {:.2f} in {}, so what depends on nu is that of another material",
+                  numbers.placement, nu, material.E, material.nu, wanted.nu, state));
+}
+
+// Stiffness and mass from the material of the table at index 1, if there is one; in SI.
+void read_material(lua_State* L, Body& made) {
+  const auto given = [L](const char* field) { return has_field(L, 1, field); };
+  if (!given("material")) {
+    for (const char* field : {"state", "thickness"})
+      if (given(field)) throw FieldError(field, "says how a plane is cut from a material; give material too");
+    return;
+  }
+  for (const char* field : {"stiffness", "density", "mass"})
+    if (given(field)) throw FieldError(field, "follows from the material; give one of them");
+  if (made.rigid())
+    throw FieldError("material", "says nothing of a rigid body, inside which nothing moves; leave it out");
+  Section section;
+  read_members(L, 1, section);
+  lua_getfield(L, 1, "material");
+  const Material& material = material_at(L, -1).material;
+  BodyNumbers& numbers = made.numbers;
+  made.material = in_plane(material, section.state, section.thickness);
+  numbers.stiffness = made.material->E / usual_moduli(numbers.placement).per_stiffness;
+  numbers.density = made.material->density;
+  if (!given("quartic")) numbers.quartic = 0;  // Hooke's law is what E tells of
+  warn_of_nu(session_of(L), material, *made.material, section.state, numbers);
+  lua_pop(L, 1);
+}
+
 // The body of the table at index 1.
 Body read_body(lua_State* L) {
   Body made;
@@ -190,6 +251,7 @@ Body read_body(lua_State* L) {
   read_outlines(L, made);
   read_nodes(L, made);
   read_motion(L, made);
+  read_material(L, made);
   const PlaceFunction anchored(L, "anchored"), stiffness(L, "stiffness"), density(L, "density");
   if (made.rigid()) check_rigid(made, stiffness.given(), density.given());
   if (!std::isnan(made.numbers.mass) && (density.given() || !std::isnan(made.numbers.density)))
@@ -251,6 +313,14 @@ std::vector<Field> number_fields(const BodyNumbers& defaults = {}) {
   const auto density = std::find_if(fields.begin(), fields.end(), [](const Field& f) { return f.name == "density"; });
   density->type = "number|function";
   density->doc += "; a function (x, y) gives that at a node";
+  const std::vector<Field> material{
+      {"material", "material", "",
+       "what it is made of, instead of stiffness, density and mass, for scenes in SI: the "
+       "spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 "
+       "(uniform) times the thickness, E2 the modulus in the plane; springs are linear "
+       "unless quartic is given; nu is the lattice's",
+       any_number, "", true}};
+  fields = fields + material + fields_of<Section>();
   return fields;
 }
 

@@ -25,7 +25,8 @@ int elasticity(lua_State* L) {
     throw_here(L, FieldError("body", error.what()));
   }
   lua_createtable(L, 0, 2);
-  lua_pushnumber(L, result.young_modulus);
+  // Of a material, a stress: its stiffness holds the thickness.
+  lua_pushnumber(L, result.young_modulus / (band.material ? band.material->thickness : 1));
   lua_setfield(L, -2, "E");
   lua_pushnumber(L, result.poisson_ratio);
   lua_setfield(L, -2, "nu");
@@ -39,7 +40,7 @@ Group elasticity_functions() {
   return {.functions = {
               {.name = "elasticity",
                .doc = "Young's modulus E and Poisson's ratio nu of a band, stretched along y by a small strain and "
-                      "solved statically.",
+                      "solved statically. E is in m0 c^2/R^2, or in Pa if the band is of a material.",
                .fields = {{"body", "body", "", "a band longer along y than along x, nowhere anchored"}},
                .returns = "table",
                .example = "ricochet.elasticity { body = band }.E",

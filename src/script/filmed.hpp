@@ -76,8 +76,8 @@ auto at_scene(const Session& session, const CallSite& call, const FilmedScene& s
 
 /// The table at index 1 as a plain struct, with these values where it has none.
 template <class Struct>
-Struct members_of_call(lua_State* L, Struct values = {}) {
-  read_members(L, 1, values);
+Struct members_of_call(lua_State* L, Struct values = {}, const Units& units = {}) {
+  read_members(L, 1, values, units);
   return values;
 }
 

@@ -36,9 +36,11 @@ struct Group {
 
 // Each group in its own file.
 Group parameter_functions();
+Group material_functions();
 Group body_functions();
 Group point_functions();
 Group scene_functions();
+Group estimate_functions();
 Group sweep_functions();
 Group series_functions();
 Group plot_functions();

@@ -14,6 +14,10 @@ struct BodyObject {
   std::shared_ptr<const Body> body;
 };
 
+struct MaterialObject {
+  Material material;
+};
+
 struct EffectObject {
   Effect effect;
 };
@@ -44,6 +48,9 @@ inline SceneObject& scene_at(lua_State* L, int index) {
 }
 inline BodyObject& body_at(lua_State* L, int index) {
   return *static_cast<BodyObject*>(luaL_checkudata(L, index, "ricochet.body"));
+}
+inline MaterialObject& material_at(lua_State* L, int index) {
+  return *static_cast<MaterialObject*>(luaL_checkudata(L, index, "ricochet.material"));
 }
 inline EffectObject& effect_at(lua_State* L, int index) {
   return *static_cast<EffectObject*>(luaL_checkudata(L, index, "ricochet.effect"));

@@ -173,8 +173,9 @@ int animate(lua_State* L) {
     session.replace_product(sequence.folder);
     make_folder(sequence.folder);
   }
-  const std::vector<double> times =
-      at_scene(session, call_site(L), scenes[0], [&] { return times_of(scenes, members_of_call<FrameTimes>(L)); });
+  const std::vector<double> times = at_scene(session, call_site(L), scenes[0], [&] {
+    return times_of(scenes, members_of_call<FrameTimes>(L, {}, scenes[0].scene.units));
+  });
   std::vector<Source> sources;
   for (const FilmedScene& filmed : scenes) sources.push_back(source_of(filmed, times));
   const int count = at_call(L, [&] { return shoot_sequence(shooting, sources, sequence); });
@@ -223,7 +224,7 @@ int still(lua_State* L) {
   if (session.options.check) return push_filmed_rows(L, scenes);
   const fs::path path = claimed_path(L, "out", members_of_call(L, still_name).out + run_names::picture);
   follow(L, scenes);
-  const double at = members_of_call<Moment>(L).at;
+  const double at = members_of_call<Moment>(L, {}, scenes[0].scene.units).at;
   std::vector<std::vector<double>> moments;
   for (const FilmedScene& filmed : scenes) moments.push_back({std::isnan(at) ? filmed.course.tightest : at});
   shoot_moments(L, shooting, scenes, moments, static_cast<int>(scenes.size()), path,
@@ -240,9 +241,9 @@ double decimals_of(const std::vector<double>& moments) {
 }
 
 // The moments that a script names, in order, each once.
-std::vector<double> given_times(lua_State* L) {
+std::vector<double> given_times(lua_State* L, const Units& units) {
   std::vector<double> times;
-  each_in_field(L, 1, "times", [&](lua_Integer) { times.push_back(lua_tonumber(L, -1)); });
+  each_in_field(L, 1, "times", [&](lua_Integer) { times.push_back(lua_tonumber(L, -1) / units.worth("R/c")); });
   for (const double t : times)
     if (std::abs(t) > farthest_moment)
       throw_here(L, FieldError("times", fmt::format("must lie between -1e6 and 1e6 R/c, one is {:g}", t)));
@@ -268,15 +269,17 @@ int contact_sheet(lua_State* L) {
   if (session.options.check) return push_filmed_rows(L, scenes);
   const fs::path path = claimed_path(L, "out", members_of_call(L, sheet_name).out + run_names::picture);
   follow(L, scenes);
-  const std::vector<double> times = given_times(L);
+  const std::vector<double> times = given_times(L, scenes[0].scene.units);
   const Grid grid = members_of_call<Grid>(L);
   std::vector<std::vector<double>> moments;
   for (const FilmedScene& filmed : scenes)
     moments.push_back(times.empty() ? moments_of(filmed.course, grid.moments) : times);
   const auto caption = [&](std::size_t i, std::size_t k) {
     const double decimals = times.empty() ? decimals_of(moments[i]) : 0;
-    return fmt::format("{}{}t = {} R/c", scenes[i].title, scenes[i].title.empty() ? "" : ", ",
-                       render::number_text(moments[i][k], decimals));
+    const Units& units = scenes[i].scene.units;
+    const std::string moment =
+        units.si ? units.shown(moments[i][k], "R/c") : render::number_text(moments[i][k], decimals) + " R/c";
+    return fmt::format("{}{}t = {}", scenes[i].title, scenes[i].title.empty() ? "" : ", ", moment);
   };
   const std::size_t in_row = moments[0].size() > 1 ? moments[0].size() : scenes.size();
   int columns = static_cast<int>(in_row);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "sandbox/sandbox.hpp"
 #include "script/functions.hpp"
 #include "script/lua_values.hpp"
@@ -29,8 +30,9 @@ void make_plain(lua_State* L, int index, const std::vector<Field>& fields);
 void check_table(lua_State* L, int index, const Function& function, bool ours = false);
 
 /// Reads the table's members into a plain struct; absent fields keep their values. The table must have been checked.
+/// `units`: those of the table.
 template <class Struct>
-void read_members(lua_State* L, int index, Struct& values) {
+void read_members(lua_State* L, int index, Struct& values, const Units& units = {}) {
   for (const Member<Struct>& member : Struct::fields()) {
     lua_getfield(L, index, member.field.name.c_str());
     if (!lua_isnil(L, -1) && !lua_isfunction(L, -1))
@@ -38,7 +40,7 @@ void read_members(lua_State* L, int index, Struct& values) {
           [&](auto place) {
             using Value = std::remove_reference_t<decltype(values.*place)>;
             if constexpr (std::is_same_v<Value, double>)
-              values.*place = lua_tonumber(L, -1);
+              values.*place = lua_tonumber(L, -1) / units.worth(member.field.unit);
             else if constexpr (std::is_same_v<Value, bool>)
               values.*place = lua_toboolean(L, -1);
             else if constexpr (std::is_same_v<Value, std::string>)
@@ -53,8 +55,8 @@ void read_members(lua_State* L, int index, Struct& values) {
 
 /// The same of the table in a field, if there is one.
 template <class Struct>
-void read_inner_members(lua_State* L, int index, const char* field, Struct& values) {
-  if (lua_getfield(L, index, field) == LUA_TTABLE) read_members(L, lua_gettop(L), values);
+void read_inner_members(lua_State* L, int index, const char* field, Struct& values, const Units& units = {}) {
+  if (lua_getfield(L, index, field) == LUA_TTABLE) read_members(L, lua_gettop(L), values, units);
   lua_pop(L, 1);
 }
 

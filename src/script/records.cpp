@@ -38,7 +38,7 @@ int record(lua_State* L) {
   if (session.options.check) return push_filmed_rows(L, scenes);
   const std::string name = members_of_call(L, trajectory_name).out;
   const fs::path path = claimed_path(L, "out", name + trajectory_sinks().front().extension);
-  const FrameTimes wanted = members_of_call(L, record_times);
+  const FrameTimes wanted = members_of_call(L, record_times, filmed.scene.units);
   follow(L, scenes);
   const CallSite call = call_site(L);
   at_scene(session, call, filmed, [&] {

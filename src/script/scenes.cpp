@@ -11,6 +11,7 @@
 #include "script/fields.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
+#include "script/scaling.hpp"
 #include "script/step_choice.hpp"
 #include "script/sweep_report.hpp"
 
@@ -46,18 +47,50 @@ void check_scene(const Scene& scene) {
     throw FieldError("projectile", "must be free, but this body has anchored nodes");
 }
 
+// The effect on top of the stack, from the table that it was made of, in these units.
+Effect read_effect(lua_State* L, const Units& units) {
+  Effect effect = effect_at(L, -1).effect;
+  if (!units.si) return effect;
+  lua_getiuservalue(L, -1, 1);
+  std::visit([&](auto& e) { read_members(L, lua_gettop(L), e, units); }, effect);
+  lua_pop(L, 1);
+  return effect;
+}
+
+bool is_si(lua_State* L) {
+  lua_getfield(L, 1, "units");
+  const bool si = lua_isstring(L, -1) && lua_tostring(L, -1) == std::string("SI");
+  lua_pop(L, 1);
+  return si;
+}
+
+// The scene of the table at index 1, whose numbers are in the units that it names.
 Scene read_scene(lua_State* L) {
   Scene scene;
   lua_getfield(L, 1, "projectile");
   lua_getfield(L, 1, "target");
-  scene.projectile = body_at(L, -2).body;
-  scene.target = body_at(L, -1).body;
-  read_members(L, 1, scene.integration);
-  read_inner_members(L, 1, "launch", scene.launch);
-  read_inner_members(L, 1, "contact", scene.contact);
-  read_inner_members(L, 1, "ending", scene.ending);
-  each_in_field(L, 1, "effects", [&](lua_Integer) { scene.effects.push_back(effect_at(L, -1).effect); });
+  if (is_si(L)) scene.units = si_units(*body_at(L, -2).body);
+  scene.projectile = scaled(body_at(L, -2).body, scene.units, "projectile");
+  scene.target = scaled(body_at(L, -1).body, scene.units, "target");
+  read_members(L, 1, scene.integration, scene.units);
+  read_inner_members(L, 1, "launch", scene.launch, scene.units);
+  read_inner_members(L, 1, "contact", scene.contact, scene.units);
+  read_inner_members(L, 1, "ending", scene.ending, scene.units);
+  each_in_field(L, 1, "effects", [&](lua_Integer) { scene.effects.push_back(read_effect(L, scene.units)); });
   return scene;
+}
+
+// Pushes a copy of the table from which the object at `index` was made.
+void push_given(lua_State* L, int index) {
+  lua_getiuservalue(L, index, 1);
+  const int table = lua_gettop(L);
+  lua_newtable(L);
+  for (lua_pushnil(L); lua_next(L, table) != 0;) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_settable(L, table + 1);
+  }
+  lua_remove(L, table);
 }
 
 // A study is about the first scene that a script makes; here the newest, on top of the stack.
@@ -70,8 +103,9 @@ void keep_first_scene(lua_State* L) {
 int scene(lua_State* L) {
   check_table(L, 1, function_named("scene"));
   Session& session = session_of(L);
-  SceneObject made{read_scene(L), call_site(L)};
+  SceneObject made{{}, call_site(L)};
   try {
+    made.scene = read_scene(L);
     check_scene(made.scene);
   } catch (const FieldError& error) {
     throw_at(session, made.site, error);
@@ -113,11 +147,13 @@ int scene_run(lua_State* L) {
   if (stop_requested) throw Error("interrupted", Exit::interrupted);
   const Method& method = scene.method();
   if (!session.options.check && outcome.status != Status::no_contact)
-    session.print_first(fmt::format("{}:{}", object.site.file, object.site.line),
-                        fmt::format("scene: {}, time step {:.4g} R/c, theta {:.4g} and at most {:.3g} (stable "
-                                    "below {:.4g}); frequency bound {:.4g} c/R\n",
-                                    method.name, outcome.step, outcome.theta, outcome.theta_most,
-                                    method.stability_limit, outcome.theta / outcome.step));
+    session.print_first(
+        fmt::format("{}:{}", object.site.file, object.site.line),
+        fmt::format("scene: {}, time step {}, theta {:.4g} and at most {:.3g} (stable below {:.4g}); frequency bound "
+                    "{}\n{}",
+                    method.name, scene.units.shown(outcome.step, "R/c", 4), outcome.theta, outcome.theta_most,
+                    method.stability_limit, scene.units.shown(outcome.theta / outcome.step, "c/R", 4),
+                    scale_text({scene}) + yield_text({row_of(scene, outcome, 0)})));
   const Row row = row_of(scene, outcome, 0);
   if (!session.options.check) {
     session.count(row);
@@ -142,13 +178,7 @@ int scene_hash(lua_State* L) {
 int given(lua_State* L) {
   if (!is_object(L, 1, "body") && !is_object(L, 1, "scene"))
     throw std::logic_error("given: neither a body nor a scene");
-  lua_getiuservalue(L, 1, 1);
-  lua_newtable(L);
-  for (lua_pushnil(L); lua_next(L, 2) != 0;) {
-    lua_pushvalue(L, -2);
-    lua_insert(L, -2);
-    lua_settable(L, 3);
-  }
+  push_given(L, 1);
   return 1;
 }
 
@@ -181,8 +211,14 @@ int reseeded(lua_State* L) {
         if constexpr (requires { e.seed; }) e.seed += shift;
       },
       effect);
-  lua_newtable(L);
-  lua_replace(L, 1);  // what it was made from: nothing that is asked for
+  push_given(L, 1);
+  if (has_field(L, -1, "seed")) {
+    lua_getfield(L, -1, "seed");
+    lua_pushinteger(L, lua_tointeger(L, -1) + shift);
+    lua_setfield(L, -3, "seed");
+    lua_pop(L, 1);
+  }
+  lua_replace(L, 1);
   push_object(L, "ricochet.effect", EffectObject{effect});
   return 1;
 }
@@ -210,6 +246,15 @@ Function scene_function() {
       {"launch", "launch", "", "how the projectile comes in", any_number, "{}"},
       {"contact", "contact", "", "how the bodies repel each other", any_number, "{}"},
       {"ending", "ending", "", "when the impact is over", any_number, "{}"},
+      {"units",
+       "string",
+       "",
+       "of every number of the scene, its bodies, effects and rows: paper: R, m0, c; SI: m, kg, s, with bodies of "
+       "materials",
+       any_number,
+       "paper",
+       false,
+       {"paper", "SI"}},
       {"effects", "effects", "",
        "list of what else acts, e.g. { ricochet.gravity { g = 1e-4 } }; what is not named is not computed", any_number,
        "{}"}};

@@ -50,26 +50,28 @@ void set_number(lua_State* L, const char* name, double value) {
 }
 
 // Sets a field of the table on top of the stack to what a function sees of a body.
-void set_body(lua_State* L, const char* name, const BodySample& body) {
+void set_body(lua_State* L, const char* name, const BodySample& body, const Units& units) {
+  const double length = units.worth("R"), speed = units.worth("c"), energy = units.worth("m0 c^2");
   lua_createtable(L, 0, 9);
-  set_number(L, "x", body.centre.x());
-  set_number(L, "y", body.centre.y());
-  set_number(L, "vx", body.velocity.x());
-  set_number(L, "vy", body.velocity.y());
+  set_number(L, "x", length * body.centre.x());
+  set_number(L, "y", length * body.centre.y());
+  set_number(L, "vx", speed * body.velocity.x());
+  set_number(L, "vy", speed * body.velocity.y());
   set_number(L, "angle", body.angle);
-  set_number(L, "spin", body.spin);
-  set_number(L, "translation", body.energy.translation);
-  set_number(L, "rotation", body.energy.rotation);
-  set_number(L, "vibration", body.energy.vibration);
+  set_number(L, "spin", units.worth("c/R") * body.spin);
+  set_number(L, "translation", energy * body.energy.translation);
+  set_number(L, "rotation", energy * body.energy.rotation);
+  set_number(L, "vibration", energy * body.energy.vibration);
   push_strict(L, fmt::format("the {} of a state", name));
   lua_setfield(L, -2, name);
 }
 
-void push_state(lua_State* L, const Sample& sample) {
+void push_state(lua_State* L, const Sample& sample, const Units& units) {
   lua_createtable(L, 0, static_cast<int>(Sample::fields().size()) + 2);
-  for (const auto& [field, value] : Sample::fields()) set_number(L, field.name.c_str(), value(sample));
-  set_body(L, "projectile", sample.projectile);
-  set_body(L, "target", sample.target);
+  for (const auto& [field, value] : Sample::fields())
+    set_number(L, field.name.c_str(), units.worth(field.unit) * value(sample));
+  set_body(L, "projectile", sample.projectile, units);
+  set_body(L, "target", sample.target, units);
   push_strict(L, "a state");
 }
 
@@ -81,7 +83,7 @@ int sample(lua_State* L) {
   Session& session = session_of(L);
   std::vector<FilmedScene> scenes = filmed_scenes(L);
   const FilmedScene& filmed = scenes[0];
-  const SeriesTimes wanted = members_of_call<SeriesTimes>(L);
+  const SeriesTimes wanted = members_of_call<SeriesTimes>(L, {}, filmed.scene.units);
   std::vector<double> times{0};
   if (!session.options.check) {
     lua_getfield(L, 1, "name");
@@ -89,16 +91,15 @@ int sample(lua_State* L) {
     follow(L, scenes);
     const double end = filmed.course.outcome.time;
     if (std::isnan(wanted.duration) && wanted.from >= end)
-      throw_here(L,
-                 FieldError("from", fmt::format("is not before the impact's end at {:.4g} R/c; give an earlier time, "
-                                                "or a duration",
-                                                end)));
+      throw_here(
+          L, FieldError("from", fmt::format("is not before the impact's end at {}; give an earlier time, or a duration",
+                                            filmed.scene.units.shown(end, "R/c", 4))));
     const double until = std::isnan(wanted.duration) ? end : wanted.from + wanted.duration;
     times = equal_times(wanted.from, until, wanted.points, filmed.course.step);
   }
   lua_createtable(L, static_cast<int>(times.size()), 0);
   const Sampling sampling{times, [&](const Sample& now) {
-                            push_state(L, now);
+                            push_state(L, now, filmed.scene.units);
                             lua_seti(L, -2, list_length(L, -2) + 1);
                           }};
   at_scene(session, call_site(L), filmed, [&] {
@@ -108,14 +109,15 @@ int sample(lua_State* L) {
   return 1;
 }
 
-// quantities(): { { name =, unit =, doc = }, ... } of what a series can tell, the time first.
+// quantities([system]): { { name =, unit =, doc = }, ... } of what a series can tell, the time first.
 int quantities(lua_State* L) {
+  const Units units = Units::named(luaL_optstring(L, 1, "paper"));
   lua_newtable(L);
   for (const auto& [field, value] : Sample::fields()) {
     lua_createtable(L, 0, 3);
     lua_pushstring(L, field.name.c_str());
     lua_setfield(L, -2, "name");
-    lua_pushstring(L, field.unit.c_str());
+    lua_pushstring(L, units.name(field.unit).c_str());
     lua_setfield(L, -2, "unit");
     lua_pushstring(L, field.doc.c_str());
     lua_setfield(L, -2, "doc");
@@ -155,14 +157,14 @@ int store_series(lua_State* L) {
   return 0;
 }
 
-void push_bounce(lua_State* L, int number, const Bounce& bounce) {
+void push_bounce(lua_State* L, int number, const Bounce& bounce, const Units& units) {
   lua_createtable(L, 0, 6);
   lua_pushinteger(L, number);
   lua_setfield(L, -2, "bounce");
-  set_number(L, "speed", bounce.speed);
+  set_number(L, "speed", units.worth("c") * bounce.speed);
   set_number(L, "e", bounce.e);
-  set_number(L, "height", bounce.height);
-  set_number(L, "time", bounce.time);
+  set_number(L, "height", units.worth("R") * bounce.height);
+  set_number(L, "time", units.worth("R/c") * bounce.time);
   lua_pushliteral(L, "finished");
   lua_setfield(L, -2, "status");
   push_strict(L, "a row of bounces");
@@ -185,7 +187,7 @@ int bounces(lua_State* L) {
   Session& session = session_of(L);
   const SceneObject& object = scene_at(L, 1);
   const int count = static_cast<int>(luaL_checkinteger(L, 2));
-  const double least_height = lua_isnil(L, 3) ? not_given : lua_tonumber(L, 3);
+  const double least_height = lua_isnil(L, 3) ? not_given : lua_tonumber(L, 3) / object.scene.units.worth("R");
   Bounces result;
   try {
     result = bounces_of(session, object.scene, count, least_height);
@@ -197,7 +199,7 @@ int bounces(lua_State* L) {
     session.print(fmt::format("{} of {} bounces: {}\n", result.list.size(), count, result.reason));
   lua_createtable(L, static_cast<int>(result.list.size()), 0);
   for (std::size_t k = 0; k < result.list.size(); ++k) {
-    push_bounce(L, static_cast<int>(k) + 1, result.list[k]);
+    push_bounce(L, static_cast<int>(k) + 1, result.list[k], object.scene.units);
     lua_seti(L, -2, static_cast<lua_Integer>(k) + 1);
   }
   if (result.reason.empty()) return 1;

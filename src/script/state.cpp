@@ -70,7 +70,7 @@ int wrap(lua_State* L) {
 }
 
 // check(name, table [, ours]): the table's fields checked against those of the function; a copy with the defaults
-// filled in.
+// filled in, and a plain one of what was given alone.
 int check(lua_State* L) {
   const Function& function = function_named(luaL_checkstring(L, 1));
   check_table(L, 2, function, lua_toboolean(L, 3));
@@ -86,7 +86,8 @@ int check(lua_State* L) {
     }
     lua_setfield(L, -2, field.name.c_str());
   }
-  return 1;
+  lua_pushvalue(L, 2);
+  return 2;
 }
 
 // fail(message, field, inner field ...): an error at a field of the user's call, or at the call itself.

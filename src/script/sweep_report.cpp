@@ -8,7 +8,9 @@
 #include <limits>
 #include <map>
 
+#include "impact/estimate.hpp"
 #include "impact/outcome.hpp"
+#include "shape/outline.hpp"
 
 namespace ricochet {
 namespace {
@@ -20,8 +22,9 @@ struct Extent {
     low = std::min(low, x);
     high = std::max(high, x);
   }
-  std::string text() const {
-    return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high);
+  std::string text(int digits = 4) const {
+    return low == high ? fmt::format("{:.{}g}", low, digits)
+                       : fmt::format("{:.{}g} to {:.{}g}", low, digits, high, digits);
   }
 };
 
@@ -61,6 +64,36 @@ void Progress::add(std::size_t count, std::size_t failed) {
   }
 }
 
+std::string scale_text(const std::vector<Scene>& scenes) {
+  Extent speed, depth, length;
+  std::size_t unknown = 0;
+  const std::size_t every = scenes.size() / 200 + 1;  // enough to tell the extent of a sweep
+  for (std::size_t i = 0; i < scenes.size(); i += every) {
+    const Estimate e = estimate(scenes[i]);
+    if (!e.no_law.empty()) {
+      ++unknown;
+      continue;
+    }
+    const Box box = bounding_box(scenes[i].projectile->outline);
+    speed.include(e.normal_speed / e.slowest_wave);
+    depth.include(2 * e.impact.approach / (box.high - box.low).maxCoeff());
+    length.include(2 * e.impact.half_width / e.spacing);
+  }
+  if (!(speed.low <= speed.high)) return "";
+  return fmt::format("  estimated: v/c_P {}, indentation {} R, contact {} node spacings long{}\n", speed.text(3),
+                     depth.text(2), length.text(2), unknown > 0 ? " (where a law holds)" : "");
+}
+
+std::string yield_text(const std::vector<Row>& rows) {
+  const std::size_t over = column("over_yield");
+  const auto count = std::count_if(rows.begin(), rows.end(), [&](const Row& row) { return row.outcomes[over] == 1; });
+  if (count == 0) return "";
+  return fmt::format(
+      "  over_yield: in {} of {} impacts the estimated pressure passes what starts to yield; nothing "
+      "yields here, so their e is too high\n",
+      count, rows.size());
+}
+
 RunProgress::RunProgress(bool quiet, bool terminal, double time_limit)
     : quiet_(quiet), terminal_(terminal), time_limit_(time_limit), next_(terminal ? 1 : 10) {}
 
@@ -83,6 +116,7 @@ void RunProgress::tell(double time) {
 
 std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>& rows) {
   const std::size_t step = column("step"), theta = column("theta"), most = column("theta_most");
+  const Units units = scenes.empty() ? Units{} : scenes.front().units;
   std::map<std::string, Steps> methods;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& values = rows[i].outcomes;
@@ -95,10 +129,11 @@ std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>&
   }
   std::string text;
   for (const auto& [name, s] : methods)
-    text += fmt::format(
-        "  {}, time step {} R/c, theta {} and at most {:.3g} (stable below {:.4g}); frequency bound {} c/R\n", name,
-        s.step.text(), s.theta.text(), s.most.high, method_named(name).stability_limit, s.bound.text());
-  return text;
+    text +=
+        fmt::format("  {}, time step {} {}, theta {} and at most {:.3g} (stable below {:.4g}); frequency bound {} {}\n",
+                    name, s.step.text(), units.name("R/c"), s.theta.text(), s.most.high,
+                    method_named(name).stability_limit, s.bound.text(), units.name("c/R"));
+  return text + scale_text(scenes) + yield_text(rows);
 }
 
 void warn_of_limit(Session& session, const std::vector<Scene>& scenes, const std::vector<Row>& rows,

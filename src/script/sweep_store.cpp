@@ -29,8 +29,12 @@ void add_column(Table& table, const Field& field, const std::vector<const Row*>&
 
 Table table_of(const std::vector<const Row*>& rows) {
   Table table;
-  for (std::size_t c = 0; c < Outcome::fields().size(); ++c)
-    add_column(table, Outcome::fields()[c].first, rows, [c](const Row& row) { return row.outcomes[c]; });
+  const Units units = Units::named(rows.empty() ? "paper" : rows.front()->units);
+  for (std::size_t c = 0; c < Outcome::fields().size(); ++c) {
+    Field field = Outcome::fields()[c].first;
+    field.unit = units.name(field.unit);
+    add_column(table, field, rows, [c](const Row& row) { return row.outcomes[c]; });
+  }
   for (const Member<Row>& member : Row::fields())
     std::visit([&](auto place) { add_column(table, member.field, rows, [=](const Row& row) { return row.*place; }); },
                member.place);

@@ -243,11 +243,12 @@ int clock_seconds(lua_State* L) {
   return 1;
 }
 
-// columns(): name -> unit of every outcome, for labels and for checking names.
+// columns([system]): name -> unit of every outcome, for labels and for checking names.
 int columns(lua_State* L) {
+  const Units units = Units::named(luaL_optstring(L, 1, "paper"));
   lua_newtable(L);
   for (const auto& [field, value] : Outcome::fields()) {
-    lua_pushstring(L, field.unit.c_str());
+    lua_pushstring(L, units.name(field.unit).c_str());
     lua_setfield(L, -2, field.name.c_str());
   }
   return 1;

@@ -72,6 +72,11 @@ std::string body_mistake(const Value& value) {
                       "a body (from ricochet.disk, ricochet.wall, ricochet.body or another shape)");
 }
 
+std::string material_mistake(const Value& value) {
+  return value.unless(is_object(value.L, value.index, "material"),
+                      "a material (ricochet.materials.steel, or from ricochet.material)");
+}
+
 std::string scene_mistake(const Value& value) {
   return value.unless(is_object(value.L, value.index, "scene"), "a scene (from ricochet.scene)");
 }
@@ -209,6 +214,7 @@ constexpr Type types[] = {
     {"points", "number[][]", points_mistake},
     {"outlines", "number[][][]", outlines_mistake},
     {"body", "ricochet.body", body_mistake},
+    {"material", "ricochet.material", material_mistake},
     {"scene", "ricochet.scene", scene_mistake},
     {"scenes", "ricochet.scene[]", scenes_mistake},
     {"effect", "ricochet.effect", nullptr},

@@ -426,9 +426,8 @@ TEST_CASE("all mistakes of a table are reported together, each at its line, with
       ended.err ==
       "error: s.lua:3: disk: unknown field 'radus' (did you mean 'radius'?)\n    3 |   radus = 0.05,\n      |   ^^^^^\n"
       "error: s.lua:4: disk: 'seed' must be between 0 and 9.0072e+15, is -1\n    4 |   seed = -1,\n      |   ^^^^\n"
-      "  valid fields: anchored, density, interior, mass, nodes, placement, prestress, quartic, radius, roughness, "
-      "seed, "
-      "stiffness\n");
+      "  valid fields: anchored, density, interior, mass, material, nodes, placement, prestress, quartic, radius, "
+      "roughness, seed, state, stiffness, thickness\n");
 }
 
 TEST_CASE("a mistake in a sweep's scene names the values it was made with, caught errors do not") {

@@ -261,6 +261,7 @@ TEST_CASE("scripts and examples of the project run short") {
                                     "scripts/maw.lua samples=2 nodes=60",
                                     "scripts/normal_speed.lua samples=1 nodes=60 speed=0.1 --out one",
                                     "scripts/normal_speed.lua samples=2 nodes=60 speed=0.05,0.1",
+                                    "scripts/materials.lua samples=1 nodes=400",
                                     "scripts/radiation.lua",
                                     "scripts/hertz_benchmarks.lua",
                                     "scripts/walton.lua --check samples=1",

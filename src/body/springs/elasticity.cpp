@@ -6,6 +6,7 @@
 
 #include "body/springs/tangent.hpp"
 #include "core/error.hpp"
+#include "shape/placement.hpp"
 
 namespace ricochet {
 namespace {
@@ -107,6 +108,18 @@ std::vector<double> equilibrium(const Solid& band, const Springs& springs, doubl
 }
 
 }  // namespace
+
+LatticeModuli usual_moduli(const std::string& placement) {
+  switch (placement_from_name(placement)) {
+    case Placement::triangular:
+      return {2 / std::sqrt(3.0), 1.0 / 3};
+    case Placement::poisson_disk:
+      return {1.16, 0.33};
+    case Placement::uniform:
+      break;
+  }
+  return {1.08, 0.26};
+}
 
 Elasticity stretch_band(const Solid& band, const Springs& springs, double stiffness) {
   const Extent extent = extent_of(band.points);

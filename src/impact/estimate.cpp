@@ -1,0 +1,225 @@
+#include "impact/estimate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <optional>
+
+#include "body/springs/elasticity.hpp"
+#include "impact/axes.hpp"
+#include "shape/curvature.hpp"
+#include "shape/outline.hpp"
+#include "shape/placed_surface.hpp"
+
+namespace ricochet {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A body as the law sees it.
+struct Elastic {
+  double modulus = infinite, poisson = 0, density = infinite;
+  bool held = true;  ///< infinitely heavy
+
+  double wave_speed() const { return std::sqrt(modulus / (density * (1 - poisson * poisson))); }
+};
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double density_of(const Body& body) {
+  if (!body.node_density.empty()) return mean(body.node_density);
+  const BodyNumbers& numbers = body.numbers;
+  return std::isnan(numbers.mass) ? numbers.area_density() : numbers.mass * numbers.nodes / signed_area(body.outline);
+}
+
+Elastic elastic_of(const Body& body) {
+  if (body.rigid()) return {};
+  const LatticeModuli moduli = usual_moduli(body.numbers.placement);
+  const double by_place = body.node_stiffness.empty() ? 1 : mean(body.node_stiffness);
+  return {moduli.per_stiffness * body.numbers.stiffness * by_place, moduli.poisson_ratio, density_of(body),
+          std::find(body.anchored.begin(), body.anchored.end(), true) != body.anchored.end()};
+}
+
+/// Where the smooth outlines first touch: the projectile is moved there, the target lies where it is at rest.
+struct Touch {
+  Points projectile;
+  Vec2 at;
+};
+
+// The height of a closed outline's lower or upper side at x; NaN beside it.
+double height_of(const Points& outline, double x, bool upper) {
+  double height = not_given;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    if (std::min(a.x(), b.x()) > x || std::max(a.x(), b.x()) < x) continue;
+    for (const double share :
+         a.x() == b.x() ? std::vector<double>{0, 1} : std::vector<double>{(x - a.x()) / (b.x() - a.x())}) {
+      const double here = normal(a) + share * (normal(b) - normal(a));
+      if (!(upper ? here <= height : here >= height)) height = here;
+    }
+  }
+  return height;
+}
+
+// Nothing if the bodies pass beside each other.
+std::optional<Touch> touch_of(const Scene& scene) {
+  Points above = scene.projectile->outline;
+  const double shift = scene.launch.at - figure_of(above).centre.x();
+  for (Vec2& p : above) p.x() += shift;
+  const bool plane = scene.target->plane.has_value();
+  double lift = -infinite;
+  Vec2 at(0, 0);
+  const auto consider = [&](double x) {
+    const double bottom = height_of(above, x, false);
+    const double top = plane ? scene.target->plane->offset : height_of(scene.target->outline, x, true);
+    if (std::isnan(bottom) || std::isnan(top) || top - bottom <= lift) return;
+    lift = top - bottom;
+    at = {x, top};
+  };
+  if (plane)
+    consider(std::min_element(above.begin(), above.end(), [](auto& a, auto& b) { return normal(a) < normal(b); })->x());
+  else
+    for (const Points* corners : std::initializer_list<const Points*>{&above, &scene.target->outline})
+      for (const Vec2& p : *corners) consider(p.x());
+  if (lift == -infinite) return std::nullopt;
+  for (Vec2& p : above) p += lift * upwards();
+  return Touch{std::move(above), at};
+}
+
+/// A body at the touch.
+struct Side {
+  Elastic elastic;
+  OutlineAt outline{};
+  LineBody line = LineBody::rigid_plane();
+  double slowness = 0;  ///< 1 over the mass that the normal speed of its point at the touch has [1/m0]
+};
+
+Side side_of(const Body& body, const Points& outline, const Vec2& at) {
+  Side side{elastic_of(body)};
+  if (body.plane) {
+    side.outline = {{0, 1}, infinite, false};
+    return side;
+  }
+  const Figure figure = figure_of(outline);
+  const double size = std::sqrt(figure.area / std::numbers::pi);
+  side.outline = outline_at(outline, at, 0.1 * size);
+  const Box box = bounding_box(outline);
+  side.line = std::isinf(side.outline.radius)
+                  ? LineBody::block(side.elastic.modulus, side.elastic.poisson, normal(Vec2(box.high - box.low)))
+                  : LineBody{side.elastic.modulus, side.outline.radius, 4 * size};
+  if (side.elastic.held) return side;
+  const double arm = cross(at - figure.centre, side.outline.normal);
+  side.slowness = (1 / figure.area + arm * arm / figure.moment) / side.elastic.density;
+  return side;
+}
+
+std::string why_no_law(const Side& one, const Side& other, const LinePair& pair) {
+  if (one.outline.corner || other.outline.corner) return "a corner touches, and the law is of smooth outlines";
+  if (!(pair.radius > 0)) return "the outlines fit into each other";
+  if (std::isinf(pair.radius)) return "a flat side touches a flat one, and the law is of round outlines";
+  return "";
+}
+
+double spacing_of(const Scene& scene) {
+  double spacing = 0;
+  for (const Body* body : scene.bodies())
+    if (!body->rigid()) spacing = std::max(spacing, std::sqrt(signed_area(body->outline) / body->numbers.nodes));
+  return spacing;
+}
+
+double pressure_over_yield(const Scene& scene, double pressure) {
+  double over = not_given;
+  for (const Body* body : scene.bodies()) {
+    if (!body->material || std::isnan(body->material->yield) || std::isnan(pressure)) continue;
+    const bool passes = pressure > 1.67 * body->material->yield;
+    over = passes || over == 1 ? 1 : 0;
+  }
+  return over;
+}
+
+// Speeds over c_P up to which no spring of a smooth disk of 1600 nodes folds on a plane: triangular 0.14, and at 0.21 7
+// % of the area does; Poisson disks 0.05, and 0.6 % at 0.07; uniform points 0.02, and some at 0.05. [here]
+double folding_speed(const std::string& placement) {
+  return placement == "triangular" ? 0.15 : placement == "poisson_disk" ? 0.055 : 0.025;
+}
+
+void add_doubts(const Scene& scene, Estimate& e) {
+  const auto add = [&](const char* kind, std::string reason) { e.doubts.push_back({kind, std::move(reason)}); };
+  const double nodes = 2 * e.impact.half_width / e.spacing;
+  if (nodes < 4)
+    add("coarse_contact",
+        fmt::format("the contact is {:.2g} node spacings long, and 4 are needed for a force within some per cent: take "
+                    "{:.2g} times as many nodes",
+                    nodes, std::pow(4 / nodes, 2)));
+  const double sagitta = e.spacing * e.spacing / (8 * e.radius);
+  if (sagitta > 0.1 * e.impact.approach)
+    add("coarse_rim",
+        fmt::format("the rim's polygon strays from the outline by {:.2g} of the indentation: take {:.2g} times as many "
+                    "nodes",
+                    sagitta / e.impact.approach, sagitta / (0.1 * e.impact.approach)));
+  for (const Body* body : scene.bodies()) {
+    if (body->rigid()) continue;
+    const double share = e.normal_speed / elastic_of(*body).wave_speed(), most = folding_speed(body->numbers.placement);
+    if (share > most)
+      add("folding",
+          fmt::format("at {:.2g} of a body's wave speed springs of a {} lattice fold, which takes energy that "
+                      "no solid would; stay below {:g} of it, or take a triangular lattice",
+                      share, body->numbers.placement, most));
+  }
+  if (e.over_yield == 1)
+    add("over_yield",
+        "the greatest pressure passes 1.67 times a yield stress, where yielding begins, and nothing yields here");
+}
+
+void set_speeds(const Scene& scene, Estimate& e) {
+  e.wave_speed = elastic_of(*scene.projectile).wave_speed();
+  e.slowest_wave = e.wave_speed;
+  if (!scene.target->rigid()) e.slowest_wave = std::min(e.wave_speed, elastic_of(*scene.target).wave_speed());
+}
+
+Estimate without_law(Estimate e, std::string why) {
+  e.no_law = std::move(why);
+  e.impact = {not_given, not_given, not_given, not_given, false};
+  return e;
+}
+
+}  // namespace
+
+Estimate estimate(const Scene& scene) {
+  Estimate e;
+  e.spacing = spacing_of(scene);
+  set_speeds(scene, e);
+  const std::optional<Touch> touch = touch_of(scene);
+  if (!touch) return without_law(e, "the outlines pass beside each other");
+  const Side one = side_of(*scene.projectile, touch->projectile, touch->at);
+  const Side other = side_of(*scene.target, scene.target->outline, touch->at);
+  const Vec2 normal =
+      std::isinf(one.outline.radius) || one.outline.corner ? other.outline.normal : Vec2(-one.outline.normal);
+  e.normal_speed = -scene.launch.velocity().dot(normal);
+  const LinePair pair = pressed_together(one.line, other.line);
+  e.radius = pair.radius;
+  if (const std::string why = why_no_law(one, other, pair); !why.empty()) return without_law(e, why);
+  if (!(e.normal_speed > 0)) return without_law(e, "the outlines slide past each other");
+  e.impact = line_impact(pair, 1 / (one.slowness + other.slowness), e.normal_speed);
+  e.pressure = 2 * e.impact.force / (std::numbers::pi * e.impact.half_width);
+  e.over_yield = pressure_over_yield(scene, e.pressure);
+  const double most = !scene.target->rigid() && other.elastic.held ? 0.05 : 0.1;
+  e.in_range = e.impact.in_range && e.normal_speed <= most * e.slowest_wave;
+  add_doubts(scene, e);
+  return e;
+}
+
+double over_yield(const Scene& scene) {
+  const auto bodies = scene.bodies();
+  const bool known = std::any_of(bodies.begin(), bodies.end(),
+                                 [](const Body* body) { return body->material && !std::isnan(body->material->yield); });
+  return known ? estimate(scene).over_yield : not_given;
+}
+
+}  // namespace ricochet

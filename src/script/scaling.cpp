@@ -1,0 +1,62 @@
+#include "script/scaling.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "shape/outline.hpp"
+
+namespace ricochet {
+namespace {
+
+void check_material(const Body& body, const Units& units, const std::string& field) {
+  if (units.si && !body.material && !body.rigid())
+    throw FieldError(field,
+                     "is of no material; in SI give it one (material = ricochet.materials.steel, or ricochet.material "
+                     "{ E = ..., nu = ..., density = ... }) or, a target, interior = \"rigid\"");
+  if (!units.si && body.material)
+    throw FieldError(field,
+                     "is of a material, whose numbers are in SI: give the scene units = \"SI\", or the body stiffness "
+                     "and density instead");
+}
+
+}  // namespace
+
+Units si_units(const Body& projectile) {
+  if (projectile.rigid()) throw FieldError("projectile", "must move inside; a rigid body can only be a target");
+  check_material(projectile, {.si = true}, "projectile");
+  const BodyNumbers usual;
+  const Box box = bounding_box(projectile.outline);
+  Units units{.si = true};
+  units.length = (box.high - box.low).maxCoeff() / 2;
+  units.mass = projectile.material->density * units.length * units.length / usual_density;
+  units.time = std::sqrt(usual.stiffness * units.mass / projectile.numbers.stiffness);
+  return units;
+}
+
+std::shared_ptr<const Body> scaled(const std::shared_ptr<const Body>& given, const Units& units,
+                                   const std::string& field) {
+  check_material(*given, units, field);
+  if (!units.si) return given;
+  auto body = std::make_shared<Body>(*given);
+  for (Points* points : {&body->outline, &body->points})
+    for (Vec2& p : *points) p /= units.length;
+  for (Points& hole : body->holes)
+    for (Vec2& p : hole) p /= units.length;
+  for (double& density : body->node_density) density /= units.worth("m0/R^2");
+  body->velocity /= units.worth("c");
+  body->spin /= units.worth("c/R");
+  if (body->plane) body->plane->offset /= units.length;
+  for (const auto& member : BodyNumbers::fields())
+    if (const auto* place = std::get_if<double BodyNumbers::*>(&member.place))
+      body->numbers.** place /= units.worth(member.field.unit);
+  if (body->rigid()) body->numbers.stiffness = BodyNumbers{}.stiffness;  // nobody gave it
+  if (auto& material = body->material) {
+    for (double* per_length : {&material->E, &material->yield}) *per_length /= units.worth("m0 c^2/R^2");
+    material->density /= units.worth("m0/R^2");
+  }
+  return body;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,107 @@
+// What is estimated of an impact, against the impact.
+
+#include <catch2/catch.hpp>
+
+#include "impact/estimate.hpp"
+#include "scenes.hpp"
+
+using namespace ricochet;
+using namespace ricochet::test;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+const std::atomic<bool> go_on{false};
+
+std::shared_ptr<const Body> round_body(double radius, double stiffness, int nodes = 800) {
+  Body body{circle(radius, 808), numbers(nodes, stiffness, 0, 1, "triangular"), {}, {}};
+  body.numbers.mass = not_given;
+  return std::make_shared<Body>(body);
+}
+
+std::shared_ptr<const Body> plane() {
+  Body body;
+  body.plane = Plane{};
+  return std::make_shared<Body>(body);
+}
+
+std::shared_ptr<const Body> block(double stiffness) {
+  Body made = *wall(3200, stiffness, 0, 1, 6, 2);
+  made.numbers.mass = not_given;
+  return std::make_shared<Body>(made);
+}
+
+Scene scene_of(std::shared_ptr<const Body> projectile, std::shared_ptr<const Body> target, double speed) {
+  Scene scene;
+  scene.projectile = std::move(projectile);
+  scene.target = std::move(target);
+  scene.launch.speed = speed;
+  scene.contact = {20 * speed * speed, 3000, 0.02, "two"};  // hard
+  return scene;
+}
+
+void check_against_run(const Scene& scene) {
+  const Estimate e = estimate(scene);
+  CAPTURE(e.no_law, e.normal_speed, e.wave_speed, 2 * e.impact.half_width / e.spacing);
+  REQUIRE(e.no_law.empty());
+  CHECK(e.in_range);
+  const BuiltSolids solids(scene);
+  const Outcome run = run_scene(solids, scene, go_on);
+  REQUIRE(run.status == Status::finished);
+  CHECK_THAT(run.contact_time, WithinRel(e.impact.time, 0.2));
+  CHECK_THAT(run.indentation, WithinRel(e.impact.approach, 0.2));
+}
+
+}  // namespace
+
+TEST_CASE("estimate: a disk on a plane is in touch as long, and comes as near, as the law says within 20 %",
+          "[estimate]") {
+  const double speed = GENERATE(0.1, 0.3, 0.6);  // of c_P about 7 c
+  check_against_run(scene_of(round_body(1, 1e4), plane(), speed));
+}
+
+TEST_CASE("estimate: two unlike disks", "[estimate]") {
+  check_against_run(scene_of(round_body(1, 1e4), round_body(1.5, 3e4, 1800), 0.4));
+}
+
+TEST_CASE("estimate: a disk on an elastic block", "[estimate]") {
+  check_against_run(scene_of(round_body(1, 1e4), block(4e4), 0.3));
+}
+
+TEST_CASE("estimate: where no law holds it says why, and its numbers are undefined", "[estimate]") {
+  const auto square = std::make_shared<Body>(Body{box(2, 2), numbers(400, 1e4, 0, 1), {}, {}});
+  const Estimate e = estimate(scene_of(square, plane(), 0.1));
+  CHECK(e.no_law == "a corner touches, and the law is of smooth outlines");
+  CHECK(std::isnan(e.impact.force));
+  CHECK(std::isnan(e.over_yield));
+}
+
+TEST_CASE("estimate: it doubts a contact of few nodes, and a speed at which springs fold", "[estimate]") {
+  const auto kinds = [](const Scene& scene) {
+    std::vector<std::string> list;
+    for (const Doubt& doubt : estimate(scene).doubts) list.push_back(doubt.kind);
+    return list;
+  };
+  CHECK(kinds(scene_of(round_body(1, 1e4), plane(), 0.3)).empty());
+  const auto slow = kinds(scene_of(round_body(1, 1e4), plane(), 0.003));
+  CHECK(std::count(slow.begin(), slow.end(), "coarse_contact") == 1);
+  CHECK(std::count(slow.begin(), slow.end(), "coarse_rim") == 1);
+  Body random = *round_body(1, 1e4);
+  random.numbers.placement = "poisson_disk";
+  CHECK(kinds(scene_of(std::make_shared<Body>(random), plane(), 0.7)) == std::vector<std::string>{"folding"});
+}
+
+TEST_CASE("estimate: yielding begins at 1.67 times the yield stress", "[estimate]") {
+  Scene scene = scene_of(round_body(1, 1e4), plane(), 0.3);
+  CHECK(std::isnan(over_yield(scene)));
+  const double pressure = estimate(scene).pressure;
+  const auto with_yield = [&](double yield) {
+    Body body = *scene.projectile;
+    body.material = PlaneMaterial{.yield = yield};
+    Scene other = scene;
+    other.projectile = std::make_shared<Body>(body);
+    return over_yield(other);
+  };
+  CHECK(with_yield(pressure / 1.66) == 0);
+  CHECK(with_yield(pressure / 1.68) == 1);
+}

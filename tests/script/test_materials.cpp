@@ -1,0 +1,92 @@
+// Materials and SI, through scripts.
+
+#include <catch2/catch.hpp>
+
+#include "program.hpp"
+
+using namespace ricochet::test;
+using Catch::Matchers::Contains;
+
+TEST_CASE("SI: an impact is that of the paper's units, scaled, to 1e-9") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+local steel = ricochet.material { E = 205e9, nu = 0.29, density = 7850 }
+local R, thickness = 0.005, 0.02
+-- What the paper's disk is worth: density 800/pi m0/R^2, stiffness 1e4 m0 c^2/R^2.
+local m0 = steel.density * thickness * R ^ 2 / (800 / math.pi)
+local time = math.sqrt(1e4 * m0 / (steel.E * thickness / (2 / math.sqrt(3))))
+local c = R / time
+local function scene(length, mass, speed, disk, wall, units)
+  disk.radius, disk.nodes, disk.placement, disk.roughness = length, 100, "triangular", 0.01 * length
+  wall.width, wall.depth, wall.nodes, wall.placement = 4 * length, 1.5 * length, 300, "triangular"
+  return ricochet.scene { projectile = ricochet.disk(disk), target = ricochet.wall(wall), units = units,
+    launch = { speed = 0.3 * speed, psi1 = 0.5, spin = 0.01 * speed / length },
+    contact = { V0 = 150 * mass * speed ^ 2, xi = 300 / length, reach = 0.1 * length, sides = "two" },
+    effects = { ricochet.damping { time = 1e-3 * length / speed }, ricochet.gravity { g = 1e-3 * speed ^ 2 / length } } }
+end
+local si = scene(R, m0, c, { material = steel, thickness = thickness },
+  { material = ricochet.material { E = 70e9, nu = 0.3, density = 2700 }, thickness = thickness }, "SI"):run()
+local paper = scene(1, 1, 1, { quartic = 0 },
+  { quartic = 0, stiffness = 1e4 * 70 / 205, density = 800 / math.pi * 2700 / 7850 }):run()
+assert(si.status == "finished" and si.units == "SI" and paper.units == "paper")
+local worth = { e = 1, beta = 1, mu = 1, vn = c, omega = c / R, contact_time = time, indentation = R, impulse_n = m0 * c,
+  after_projectile_vibration = m0 * c ^ 2, step = time, damping_energy = m0 * c ^ 2 }
+for column, one in pairs(worth) do
+  assert(math.abs(si[column] / (paper[column] * one) - 1) < 1e-9, column .. ": " .. si[column] .. " " .. paper[column] * one)
+end
+local estimate, other = ricochet.estimate(scene(R, m0, c, { material = steel, thickness = thickness }, { material = steel }, "SI")), 0
+assert(estimate.contact_time.unit == "s" and estimate.force.unit == "N" and estimate.pressure.unit == "Pa")
+assert(math.abs(estimate.wave_speed.value / math.sqrt(205e9 / 7850 / (1 - 1 / 9)) - 1) < 1e-9)
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
+
+TEST_CASE("SI: files and summaries name the units") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+ricochet.sweep { name = "s", over = { speed = { 100, 200 } }, scene = function(at)
+  return ricochet.scene { units = "SI", target = ricochet.plane {}, launch = { speed = at.speed },
+    projectile = ricochet.disk { radius = 0.005, nodes = 60, material = ricochet.materials.aluminium } }
+end }:run():summary { by = "speed", of = { "contact_time" } }:print()
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.out, Contains("contact_time [s] +- se"));
+  CHECK_THAT(ended.out, Contains("estimated: v/c_P 0.01"));
+  CHECK_THAT(ended.out, Contains("over_yield: in 2 of 2 impacts"));
+  CHECK_THAT(here.read("out/s/results.csv"), Contains("vn [m/s]") && Contains("before_total [J]"));
+}
+
+TEST_CASE("materials: what contradicts itself is refused at its line, with a remedy") {
+  const Workplace here;
+  const auto refused = [&](const std::string& scene) {
+    const Ended ended =
+        here.script("local ricochet = require \"ricochet\"\nlocal steel = ricochet.materials.steel\n" + scene);
+    CHECK(ended.status != 0);
+    return ended.err;
+  };
+  CHECK_THAT(refused("ricochet.scene { projectile = ricochet.disk { material = steel }, target = ricochet.plane {} }"),
+             Contains("give the scene units = \"SI\""));
+  CHECK_THAT(refused("ricochet.scene { units = \"SI\", projectile = ricochet.disk {}, target = ricochet.plane {} }"),
+             Contains("is of no material"));
+  CHECK_THAT(refused("ricochet.disk { material = steel, stiffness = 1e4 }"), Contains("follows from the material"));
+  CHECK_THAT(refused("ricochet.disk { thickness = 2 }"), Contains("give material too"));
+  CHECK_THAT(refused("ricochet.wall { material = steel, interior = \"rigid\" }"), Contains("rigid"));
+  CHECK_THAT(refused("print(steel.Youngs)"), Contains("Youngs"));
+}
+
+TEST_CASE("materials: a Poisson's ratio that a lattice cannot have is told") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+ricochet.disk { material = ricochet.materials.steel, placement = "triangular" }
+ricochet.disk { material = ricochet.materials.glass, placement = "triangular" }
+local band = ricochet.body { outline = { { 0, 0 }, { 0.1, 0 }, { 0.1, 0.4 }, { 0, 0.4 } }, nodes = 900, placement = "triangular",
+  material = ricochet.materials.steel }
+local moduli = ricochet.elasticity { body = band }
+assert(math.abs(moduli.E / 205e9 - 1) < 0.1, moduli.E)
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.err, Contains("nu = 0.22") && !Contains("nu = 0.29"));
+}
