@@ -47,7 +47,7 @@ function ricochet.parameters(t) end
 function ricochet.material(t) end
 
 ---@class ricochet.body_fields
----@field outline number[][] corners { {x, y}, ... } in order along the boundary; concave is fine, crossing itself is not [R]
+---@field outline number[][] corners { {x, y}, ... } in order along the boundary; the first may close it as the last; concave is fine, crossing itself is not [R]
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
 ---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
@@ -56,12 +56,19 @@ function ricochet.material(t) end
 ---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
 ---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
+---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
+---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
 ---@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
+---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
+---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
+---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- A random mass-spring lattice in a closed outline, or a rigid body.
 ---@param t ricochet.body_fields
 ---@return ricochet.body
@@ -77,16 +84,146 @@ function ricochet.body(t) end
 ---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
 ---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
+---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
+---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
 ---@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
+---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
+---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
+---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- A disk around the origin.
 ---@param t ricochet.disk_fields
 ---@return ricochet.body
 function ricochet.disk(t) end
+
+---@class ricochet.ellipse_fields
+---@field a? number half axis along x [R] (default 1)
+---@field b? number half axis along y [R] (default 0.5)
+---@field nodes? integer number of mass points, those on the outline included (default 800)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field seed? integer chooses the random lattice (default 1)
+---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
+---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
+---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
+---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
+---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
+---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
+---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
+---@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
+---@field anchored? function function (x, y) that is true where a node is held fixed
+---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
+---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
+---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
+--- An ellipse around the origin.
+---@param t ricochet.ellipse_fields
+---@return ricochet.body
+function ricochet.ellipse(t) end
+
+---@class ricochet.rectangle_fields
+---@field width? number extent along x, centred [R] (default 2)
+---@field height? number extent along y, centred [R] (default 1)
+---@field nodes? integer number of mass points, those on the outline included (default 800)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field seed? integer chooses the random lattice (default 1)
+---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
+---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
+---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
+---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
+---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
+---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
+---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
+---@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
+---@field anchored? function function (x, y) that is true where a node is held fixed
+---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
+---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
+---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
+--- A rectangle around the origin.
+---@param t ricochet.rectangle_fields
+---@return ricochet.body
+function ricochet.rectangle(t) end
+
+---@class ricochet.regular_polygon_fields
+---@field sides? integer how many sides, of equal length (default 6)
+---@field radius? number of its corners from the centre [R] (default 1)
+---@field nodes? integer number of mass points, those on the outline included (default 800)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field seed? integer chooses the random lattice (default 1)
+---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
+---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
+---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
+---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
+---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
+---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
+---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
+---@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
+---@field anchored? function function (x, y) that is true where a node is held fixed
+---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
+---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
+---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
+--- A regular polygon around the origin that stands on a side. From 12 sides on its rim takes the corners for a curve, and may cut them.
+---@param t ricochet.regular_polygon_fields
+---@return ricochet.body
+function ricochet.regular_polygon(t) end
+
+---@class ricochet.polygon_fields
+---@field outline number[][] corners { {x, y}, ... } in order along the boundary; the first may close it as the last; concave is fine, crossing itself is not [R]
+---@field nodes? integer number of mass points, those on the outline included (default 800)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field seed? integer chooses the random lattice (default 1)
+---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
+---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
+---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
+---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
+---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
+---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
+---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
+---@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
+---@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
+---@field anchored? function function (x, y) that is true where a node is held fixed
+---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
+---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
+---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
+--- A body in a closed outline, such as one from a file; the same as ricochet.body.
+---@param t ricochet.polygon_fields
+---@return ricochet.body
+function ricochet.polygon(t) end
+
+---@class ricochet.rotated_fields
+---@field body ricochet.body what is turned; stays as it is
+---@field angle number counter-clockwise [degrees]
+--- A body turned about the origin: the same nodes and springs, elsewhere. A plane is refused.
+---@param t ricochet.rotated_fields
+---@return ricochet.body
+function ricochet.rotated(t) end
 
 ---@class ricochet.wall_fields
 ---@field width? number extent along x, centred [R] (default 8)
@@ -99,11 +236,18 @@ function ricochet.disk(t) end
 ---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
 ---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
+---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
+---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
 ---@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
+---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
+---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
+---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- A rectangular block whose top is y = 0, held at both sides and at the bottom.
 ---@param t ricochet.wall_fields
 ---@return ricochet.body
@@ -114,40 +258,52 @@ function ricochet.wall(t) end
 ---@return ricochet.body
 function ricochet.plane(t) end
 
+--- Reads an outline, or nodes, from a CSV file beside the script or in a folder there: a line x,y for each point; empty lines, lines that begin with # and names of the columns are passed over. Returns the list { {x, y}, ... } with the file's `hash`, which goes into the scene's text with the points: another file makes another scene.
+---@param name string
+---@return number[][]
+function ricochet.points(name) end
+
 ---@class ricochet.scene_fields
 ---@field projectile ricochet.body the body that flies in; free
 ---@field target ricochet.body the body that is hit; free or anchored
 ---@field launch? ricochet.launch_fields how the projectile comes in (default {})
 ---@field contact? ricochet.contact_fields how the bodies repel each other (default {})
+---@field ending? ricochet.ending_fields when the impact is over (default {})
 ---@field units? "paper"|"SI" of every number of the scene, its bodies, effects and rows: paper: R, m0, c; SI: m, kg, s, with bodies of materials (default paper)
 ---@field effects? ricochet.effect[] list of what else acts, e.g. { ricochet.gravity { g = 1e-4 } }; what is not named is not computed (default {})
 ---@field method? "auto"|"pefrl"|"forest_ruth"|"verlet"|"takahashi_imada"|"chin_4a"|"mclachlan_sb3a4"|"blanes_moan_s6"|"blanes_moan_srkn6b"|"okunbor_skeel_13"|"blanes_moan_srkn11b"|"blanes_moan_srkn14a"|"multirate_2"|"multirate_3"|"multirate_5"|"multirate_8"|"rk4"|"dop853" integrator; auto is pefrl, or the cheapest one for `accuracy` (default auto)
 ---@field step? number time step; chosen from the stiffest node and the contact's onset unless given [R/c]
 ---@field theta? number time step times the bound of the highest frequency of this scene's lattices, instead of a step: equal for lattices of one kind
----@field accuracy? number wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs
----@field accuracy_of? "e"|"beta"|"mu"|"psi2"|"vn"|"vt"|"omega" the outcome that accuracy is about (default e)
+---@field accuracy? number wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial runs, and an impact of a sweep that fails by them runs again with half the step
+---@field accuracy_of? "e"|"beta"|"mu"|"psi2"|"vn"|"vt"|"omega"|"e_n"|"beta_n"|"mu_n"|"contact_time" the outcome that accuracy is about (default e)
 ---@field time_limit? number an impact longer than this ends out_of_time; 100 + 2 / normal speed of the impact unless given [R/c]
 ---@field energy_tolerance? number an impact whose total energy strays further, relative to its start, ends energy_drift (default 0.01)
---- One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream so that its smooth outline would touch the target's at x = launch.at. `scene:run()` runs it and returns a row, `scene:bounces { }` several impacts one after another; `scene:text()` is its canonical text, `scene:hash()` that text's hash.
+--- One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream so that its smooth outline would touch the target's at x = launch.at. Speeds are those in space: launch.speed of the projectile, body.velocity of the target, which is where it was built when the run begins; heights and gaps are between the two. `scene:run()` runs it and returns a row, `scene:bounces { }` several impacts one after another; `scene:text()` is its canonical text, `scene:hash()` that text's hash.
 ---@param t ricochet.scene_fields
 ---@return ricochet.scene
 function ricochet.scene(t) end
 
 ---@class ricochet.launch_fields
----@field speed? number launch speed |v|; 0.1 unless normal_speed is given; 0 only with a height to fall from under gravity [c]
+---@field speed? number launch speed |v| in space, whatever the target's own velocity; 0.1 unless normal_speed is given; 0 only with a height to fall from under gravity [c]
 ---@field psi1? number tangent of the incident angle, v_t / v_n; 0 unless given otherwise
 ---@field angle? number incident angle from the normal, instead of psi1 [degrees]
 ---@field normal_speed? number speed along the normal, instead of speed; 0 as for speed [c]
 ---@field tangential_speed? number speed along the surface, with normal_speed [c]
 ---@field spin? number angular velocity before impact, counter-clockwise [c/R] (default 0)
----@field at? number where along x the smooth projectile would touch the smooth target [R] (default 0)
+---@field at? number x of the projectile's centre of mass where its smooth outline would touch the smooth target; slanting past the far edge it meets the target before [R] (default 0)
 ---@field height? number starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart. Gravity on the projectile acts from a given height on, else from the first approach of the rims on; other effects always do so from there on [R]
 
 ---@class ricochet.contact_fields
----@field V0? number energy of a rim node that touches a segment: a total energy below it cannot tunnel [m0 c^2] (default 150)
----@field xi? number inverse range of the repulsion [1/R] (default 300)
----@field reach? number segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an impact is so slow that what is left out would show [R] (default 0.1)
----@field sides? "one"|"two" one: projectile nodes are pushed off target segments (the paper); two: and the other way round (default one)
+---@field V0? number energy of a rim node that touches a segment; unless given, a length R of rim has 1000 times the energy of the impact, and a node its share [m0 c^2]
+---@field xi? number inverse range of the repulsion; unless given, 1/xi is a fiftieth of the indentation to be expected [1/R]
+---@field reach? number segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an impact is so slow that what is left out would show; 30/xi unless given [R]
+---@field sides? "one"|"two" two: nodes of either body are pushed off segments of the other; one: the projectile's alone (the paper), between which a tip of the target may stand inside (default two)
+
+---@class ricochet.ending_fields
+---@field at? "parted"|"first_parting"|"time" parted: the bodies have parted for good; first_parting: the first touch has ended, whatever follows; time: at a given time, whatever the bodies do (default parted)
+---@field force? number a touch lasts while the normal force exceeds this share of its greatest in that touch (default 0.001)
+---@field gap? number how far apart the surfaces must be besides; with parted it is the contact's reach unless given [R]
+---@field time? number with time: since the surfaces came within reach of each other [R/c]
 
 ---@class ricochet.gravity_fields
 ---@field g number acceleration [c^2/R]
@@ -449,7 +605,7 @@ function ricochet.relevance(t) end
 ---@field of? string the outcome it is about (default e)
 ---@field samples? string the name in `over` that counts samples (default sample)
 ---@field pilot? integer samples of the pilot at every point and size (default 8)
----@field sizes? number[] factors of the number of nodes that the pilot tries (default {0.25, 0.5, 1})
+---@field sizes? number[] factors of the number of nodes that the pilot tries; 0.25, 0.5 and 1 unless given, larger ones where a body would have fewer than 100 nodes, which no plan chooses
 ---@field continuum? boolean count as error what an infinitely fine lattice would change; else only what other lattices than the scene's own change (default false)
 --- The error budget of a sweep (time step, lattice size, samples: which one dominates), from a pilot, and the cheapest method, step, nodes and samples that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the sweep's folder, and says how long it took. The lattice's error is extrapolated in the spacing of its nodes, and what the pilot leaves unknown of it counts as error too; the samples are planned with a deviation that nine pilots of ten do not underrate.
 ---@param t ricochet.plan_fields
