@@ -17,6 +17,7 @@ struct ExponentialRepulsion {
   double xi = not_given;
   double reach = not_given;
   std::string sides = "two";
+  double deepest = not_given;
   /// V0 is that of a length R of rim, of which a node has its share (Mesh::weight). Otherwise each node has all of it.
   bool by_length = false;
 
@@ -51,6 +52,12 @@ struct ExponentialRepulsion {
           false,
           {"one", "two"}},
          &ExponentialRepulsion::sides},
+        {{"deepest", "number", "R",
+          "how deep a node that a one-sided contact does not push may stand inside: beyond it the impact ends "
+          "tunnelled; "
+          "the longest cell of the projectile's surface unless given. A node that is pushed may not be inside at all",
+          positive, "", true},
+         &ExponentialRepulsion::deepest},
     };
     return list;
   }

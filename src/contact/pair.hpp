@@ -31,6 +31,8 @@ class Pair {
       : body_{first, second}, solid_{&of_first, &of_second}, laws_(laws) {
     if (laws.grip) grip_.emplace(*laws.grip, of_first, of_second);
     allowance_.setConstant(std::numeric_limits<double>::infinity());
+    for (const Solid* solid : solid_)
+      if (solid->free > 0) lightest_ = std::min(lightest_, solid->mass.lightest());
   }
 
   int body(int side) const { return body_[side]; }
@@ -82,8 +84,9 @@ class Pair {
         const double repulsion = xi * push.energy;
         on_node = push.node == node ? on_node + repulsion : repulsion;
         node = push.node;  // cells of a node stand together
-        if (xi * on_node > stiffest_[lane]) {
-          stiffest_[lane] = xi * on_node;
+        const double stiffness = xi * on_node / lightest(push);
+        if (stiffness > stiffest_[lane]) {
+          stiffest_[lane] = stiffness;
           stiffest_node_[lane] = {body_[push.side], push.node};
         }
         push_apart(push, lane, bodies);
@@ -94,10 +97,10 @@ class Pair {
   }
 
   /// The greatest stiffness, xi F and that of friction, that contact put on one node in any evaluation since this was
-  /// last asked. [m0 c^2/R^2]
+  /// last asked, over the mass of the lightest node that moves with it. [c^2/R^2]
   double take_stiffest(int lane) {
     const double stiffest = std::exchange(stiffest_[lane], 0.0);
-    return stiffest > 0 && grip_ ? stiffest + grip_->stiffness(lane) : stiffest;
+    return stiffest > 0 && grip_ ? stiffest + grip_->stiffness(lane) / lightest_ : stiffest;
   }
   /// Which node that was.
   BodyNode stiffest_node(int lane) const { return stiffest_node_[lane]; }
@@ -240,6 +243,16 @@ class Pair {
     }
   }
 
+  // Of the nodes of a push, those that move. [m0]
+  double lightest(const Push& push) const {
+    double least = std::numeric_limits<double>::infinity();
+    push.each_force([&](int side, int node, const Vec2&) {
+      const Solid& solid = *solid_[static_cast<std::size_t>(side)];
+      if (node < solid.free) least = std::min(least, solid.mass[node]);
+    });
+    return least;
+  }
+
   void push_apart(const Push& push, int lane, Motions<W>& bodies) const {
     push.each_force([&](int side, int node, const Vec2& force) {
       push_node(bodies[static_cast<std::size_t>(body_[side])], lane, node, force);
@@ -272,6 +285,7 @@ class Pair {
   std::array<const ExponentialRepulsion*, W> law_{};
   std::array<std::array<std::vector<Near>, 2>, W> candidates_;  // [lane][side]
   Lane<W> stiffest_ = Lane<W>::Zero();
+  double lightest_ = std::numeric_limits<double>::infinity();  // of the masses that move [m0]
   std::array<BodyNode, W> stiffest_node_{};
   std::optional<Grip<W>> grip_;
   mutable Gaps gaps_;  // of the lane at hand; kept for its memory

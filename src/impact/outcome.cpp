@@ -169,8 +169,9 @@ const Columns& of_run() {
         "rim"},
        [](O o) { return o.V0; }},
       {{"certified", "number", "",
-        "1 if the total energy is below V0, so that no projectile node can cross a target segment (nor the reverse, "
-        "if two-sided)"},
+        "1 if no node can come inside the other body: every rim node of both is pushed, and the energy is below that "
+        "of "
+        "one on a segment; never 1 of a one-sided contact, or beside effects that bring energy"},
        [](O o) { return o.certified; }},
       {{"time", "number", "R/c", "simulated time, from the rims' coming within reach to the end"},
        [](O o) { return o.time; }},

@@ -153,7 +153,7 @@ int scene_run(lua_State* L) {
                     "{}\n{}",
                     method.name, scene.units.shown(outcome.step, "R/c", 4), outcome.theta, outcome.theta_most,
                     method.stability_limit, scene.units.shown(outcome.theta / outcome.step, "c/R", 4),
-                    scale_text({scene}) + yield_text({row_of(scene, outcome, 0)})));
+                    scale_text({scene}) + doubts_text({row_of(scene, outcome, 0)})));
   const Row row = row_of(scene, outcome, 0);
   if (!session.options.check) {
     session.count(row);

@@ -84,14 +84,26 @@ std::string scale_text(const std::vector<Scene>& scenes) {
                      depth.text(2), length.text(2), unknown > 0 ? " (where a law holds)" : "");
 }
 
-std::string yield_text(const std::vector<Row>& rows) {
-  const std::size_t over = column("over_yield");
-  const auto count = std::count_if(rows.begin(), rows.end(), [&](const Row& row) { return row.outcomes[over] == 1; });
-  if (count == 0) return "";
-  return fmt::format(
-      "  over_yield: in {} of {} impacts the estimated pressure passes what starts to yield; nothing "
-      "yields here, so their e is too high\n",
-      count, rows.size());
+std::string doubts_text(const std::vector<Row>& rows) {
+  struct Doubt {
+    const char* column;
+    double above;
+    const char* meaning;
+  };
+  static constexpr Doubt doubts[] = {
+      {"over_yield", 0,
+       "the estimated pressure passes what starts to yield; nothing yields here, so their e is too high"},
+      {"folded", 0, "springs folded, which takes energy that no solid would; see ricochet.estimate"},
+      {"penetration", 0.01, "a node stood deeper than 0.01 R inside the other body; give contact.sides = \"two\""}};
+  std::string text;
+  for (const Doubt& doubt : doubts) {
+    const std::size_t place = column(doubt.column);
+    const auto count =
+        std::count_if(rows.begin(), rows.end(), [&](const Row& row) { return row.outcomes[place] > doubt.above; });
+    if (count > 0)
+      text += fmt::format("  {}: in {} of {} impacts {}\n", doubt.column, count, rows.size(), doubt.meaning);
+  }
+  return text;
 }
 
 RunProgress::RunProgress(bool quiet, bool terminal, double time_limit)
@@ -133,7 +145,7 @@ std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>&
         fmt::format("  {}, time step {} {}, theta {} and at most {:.3g} (stable below {:.4g}); frequency bound {} {}\n",
                     name, s.step.text(), units.name("R/c"), s.theta.text(), s.most.high,
                     method_named(name).stability_limit, s.bound.text(), units.name("c/R"));
-  return text + scale_text(scenes) + yield_text(rows);
+  return text + scale_text(scenes) + doubts_text(rows);
 }
 
 void warn_of_limit(Session& session, const std::vector<Scene>& scenes, const std::vector<Row>& rows,

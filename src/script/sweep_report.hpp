@@ -31,8 +31,9 @@ class Progress {
 /// How fast, how deep and how long a touch of these scenes is, by the law of a line contact; empty where none holds.
 std::string scale_text(const std::vector<Scene>& scenes);
 
-/// How many rows are over_yield; empty if none is.
-std::string yield_text(const std::vector<Row>& rows);
+/// How many rows hold numbers that mean less than they say: over_yield, folded, penetration above 0.01 R; a line each,
+/// empty if none does.
+std::string doubts_text(const std::vector<Row>& rows);
 
 /// Of one impact that runs: on a terminal one line, anew every second, elsewhere a line after 10, 20, 40 ... seconds,
 /// nothing with --quiet.

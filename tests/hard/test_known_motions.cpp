@@ -187,7 +187,7 @@ TEST_CASE("hard 22: a wave runs along a bar, and rods of lengths 1 and 2 part, a
 
     // A rod that hits one twice as long stops dead and leaves it half its speed: e = 1/2.
     const auto upper = bar_of(100, cells, 0), lower = bar_of(200, 2 * cells, -300);
-    Scene rods;
+    Scene rods = paper_scene();
     rods.projectile = disk(60, 1e4, 0, 1);
     rods.target = disk(60, 1e4, 0, 1);
     rods.launch.speed = 1e-3 * (100.0 / cells) * std::sqrt(1e4);

@@ -52,7 +52,8 @@ Solid block(int columns, int rows, double spacing, double left, double bottom, b
 int main(int count, char** values) {
   const Solid projectile = block(28, 28, 0.06, -0.8, 1, false), target = block(100, 40, 0.06, -3, -2.34, true);
   const Solids solids{&projectile, &target};
-  Scene scene = paper_scene();
+  Scene scene;
+  scene.contact = {150, 300, 0.1, "one"};
   Body stiff, soft;
   soft.numbers.stiffness = 100;
   scene.projectile = std::make_shared<Body>(stiff);

@@ -48,7 +48,7 @@ TEST_CASE("a contact that nobody gives is a fiftieth of the expected indentation
     CHECK(o.V0 == Catch::Detail::Approx(1000 * o.before.total()));
     CHECK(o.certified == 1);
     // The law is right about what it is asked for.
-    CHECK(o.indentation == Catch::Detail::Approx(expected.approach).epsilon(0.2));
+    CHECK(o.overlap == Catch::Detail::Approx(expected.approach).epsilon(0.2));
   }
 }
 

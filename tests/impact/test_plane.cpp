@@ -153,7 +153,7 @@ TEST_CASE(
 
 TEST_CASE("adhesion to a plane is minus the slope of its energy, above it and inside") {
   const Adhesion law{0.5, 200};
-  const ExponentialRepulsion repulsion;
+  const ExponentialRepulsion repulsion = paper_contact();
   const Plane plane;
   for (const double y : {0.01, -0.003}) {
     Gaps gaps, bare;
@@ -170,7 +170,7 @@ TEST_CASE("adhesion to a plane is minus the slope of its energy, above it and in
 
 TEST_CASE("a start at which many nodes together show is refused by its height") {
   Scene scene = on_plane(60, 0.1, 300);
-  scene.contact = ExponentialRepulsion{};
+  scene.contact = paper_contact();
   scene.projectile =
       std::make_shared<Body>(Body{{{-2, 0}, {2, 0}, {2, 0.5}, {-2, 0.5}}, numbers(300, 1e4, 0, 1), {}, {}});
   scene.launch.height = 0.0625;

@@ -171,7 +171,7 @@ TEST_CASE("a sweep over spin starts at every spin: the fastest take shorter step
   std::vector<Scene> scenes;
   for (int k = 0; k < 16; ++k) {
     Scene scene = small_scene(1, 0, 0);
-    scene.target = std::make_shared<Body>(Body{{}, scene.target->numbers, {}, {}, Plane{}});
+    scene.target = std::make_shared<Body>(Body{{}, scene.target->numbers, {}, {}, {}, Plane{}});
     scene.launch.spin = 0.3 * k;
     scene.integration.accuracy = 1e-3;
     scenes.push_back(scene);

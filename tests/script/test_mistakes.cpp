@@ -160,7 +160,7 @@ const std::vector<Mistake> mistakes{
     {"sweep over an outcome", "ricochet.sweep { name = 'x', over = { omega = {1} }, scene = function(at) end }",
      "error: s.lua:2: sweep: over.omega: 'omega' is a column of the outcome; take another name"},
     {"a reach beyond the smallest number",
-     "ricochet.scene { projectile = d, target = w,\n  contact = { reach = 3 } }:run()",
+     "ricochet.scene { projectile = d, target = w,\n  contact = { xi = 300, reach = 3 } }:run()",
      "error: s.lua:4: scene: 'contact': xi reach = 900 is beyond exp(-700), the smallest number there is; lower reach "
      "to 2.33333 or less"},
     {"launch field beside launch", "local s = ricochet.scene { projectile = d, target = w,\n  speed = 0.2 }",
@@ -426,8 +426,8 @@ TEST_CASE("all mistakes of a table are reported together, each at its line, with
       ended.err ==
       "error: s.lua:3: disk: unknown field 'radus' (did you mean 'radius'?)\n    3 |   radus = 0.05,\n      |   ^^^^^\n"
       "error: s.lua:4: disk: 'seed' must be between 0 and 9.0072e+15, is -1\n    4 |   seed = -1,\n      |   ^^^^\n"
-      "  valid fields: anchored, density, interior, mass, material, nodes, placement, prestress, quartic, radius, "
-      "roughness, seed, state, stiffness, thickness\n");
+      "  valid fields: anchored, angle, density, holes, interior, margin, mass, material, nodes, placement, points, "
+      "prestress, quartic, radius, rim_spacing, roughness, seed, spin, state, stiffness, thickness, velocity\n");
 }
 
 TEST_CASE("a mistake in a sweep's scene names the values it was made with, caught errors do not") {

@@ -379,7 +379,7 @@ return r.scene {{ projectile = octagon, target = block, launch = {{ at = 1.6 * s
   const Outcome left = on_edge(-1), right = on_edge(1);
   REQUIRE(left.status == Status::finished);
   CHECK(left.vt < -0.03);  // off the edge, not off the top
-  CHECK(left.e == Approx(right.e).epsilon(1e-6));
+  CHECK(left.e_n == Approx(right.e_n).epsilon(1e-6));
   CHECK(left.vt == Approx(-right.vt).epsilon(1e-6));
   CHECK(left.omega == Approx(-right.omega).epsilon(1e-6));
 }

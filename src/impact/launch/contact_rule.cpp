@@ -2,24 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
+#include "body/springs/elasticity.hpp"
 #include "impact/axes.hpp"
 #include "shape/outline.hpp"
 
 namespace ricochet {
 namespace {
 
-constexpr double softness = 0.02;    // 1/xi over the expected indentation
-constexpr double held = 0.005;       // F/xi over the energy of the impact, where springs yield
-constexpr double strength = 1000;    // V0 R over the energy of the impact
-constexpr double ranges = 30;        // xi reach
-constexpr double least_slope = 0.1;  // the normal speed counts as no less of the speed: a rough rim meets asperities
-
-// E2/ka of a lattice of equal springs, and its Poisson's ratio. [triangular lattice: 2/sqrt(3), 1/3]
-const double modulus_of_springs = 2 / std::sqrt(3.0);
-constexpr double poisson_ratio = 1.0 / 3;
+constexpr double softness = 0.02;     // 1/xi over the expected indentation
+constexpr double held = 0.005;        // F/xi over the energy of the impact, where springs yield
+constexpr double strength = 1000;     // V0 R over the energy of the impact
+constexpr double ranges = 30;         // xi reach
+constexpr double most_ranges = 700;   // beyond it there is nothing
+constexpr double on_asperity = 0.25;  // of the force, on one node of a rough rim
+constexpr double least_slope = 0.1;   // the normal speed counts as no less of the speed: a rough rim meets asperities
 
 double area_of(const Solid& solid) {
   double area = 0;
@@ -41,10 +41,11 @@ double stiffness_of(const Body& body) {
 
 LineBody line_body(const Body& body, const Solid& solid) {
   if (body.rigid()) return LineBody::rigid_plane();
-  const double modulus = modulus_of_springs * stiffness_of(body);
+  const LatticeModuli moduli = usual_moduli(body.numbers.placement);
+  const double modulus = moduli.per_stiffness * stiffness_of(body);
   if (!solid.anchored()) return LineBody::disk(modulus, std::sqrt(area_of(solid) / std::numbers::pi));
   const Box box = bounding_box(solid.points);
-  return LineBody::block(modulus, poisson_ratio, normal(Vec2(box.high - box.low)));
+  return LineBody::block(modulus, moduli.poisson_ratio, normal(Vec2(box.high - box.low)));
 }
 
 double reduced_mass(const Solid& projectile, const Solid& target) {
@@ -66,6 +67,19 @@ bool yields(const Scene& scene) {
   });
 }
 
+// An attraction and the repulsion are one potential, whose numbers nobody but the script knows: the usual ones.
+ExponentialRepulsion beside_pair_forces(const Scene& scene) {
+  ExponentialRepulsion contact = scene.contact;
+  const bool one = std::any_of(scene.effects.begin(), scene.effects.end(), [](const Effect& effect) {
+    return std::visit([]<class E>(const E&) { return PairForceEffect<E>; }, effect);
+  });
+  if (!one) return contact;
+  if (std::isnan(contact.V0)) contact.V0 = 150;
+  if (std::isnan(contact.xi)) contact.xi = 300;
+  if (std::isnan(contact.reach)) contact.reach = 30 / contact.xi;
+  return contact;
+}
+
 double rule_of_xi(const Scene& scene, const Solids& solids, const Placement& arrives) {
   const LineImpact impact = expected_impact(scene, solids, arrives);
   const double hard = 1 / (softness * impact.approach);
@@ -83,11 +97,13 @@ LineImpact expected_impact(const Scene& scene, const Solids& solids, const Place
 }
 
 ExponentialRepulsion acting_contact(const Scene& scene, const Solids& solids, const Placement& arrives) {
-  ExponentialRepulsion contact = scene.contact;
-  if (std::isnan(contact.xi)) contact.xi = rule_of_xi(scene, solids, arrives);
+  ExponentialRepulsion contact = beside_pair_forces(scene);
+  const bool by_rule = std::isnan(contact.xi);
+  if (by_rule) contact.xi = rule_of_xi(scene, solids, arrives);
   contact.by_length = std::isnan(contact.V0);
   if (contact.by_length) contact.V0 = strength * energy_of(scene, solids, arrives);
   if (std::isnan(contact.reach)) contact.reach = ranges / contact.xi;
+  if (by_rule) contact.reach = std::min(contact.reach, most_ranges / contact.xi);
   return contact;
 }
 
@@ -95,14 +111,21 @@ double contact_frequency(const Scene& scene, const Solids& solids, const Placeme
                          const ExponentialRepulsion& acts) {
   if (!acts.by_length) return 0;
   const LineImpact impact = expected_impact(scene, solids, arrives);
-  double most = 0;
+  double most = 0, lightest = std::numeric_limits<double>::infinity();
   for (const Solid* solid : solids) {
     const auto* mesh = std::get_if<Mesh<2>>(&solid->surface);
     for (std::size_t k = 0; mesh && k < mesh->node.size(); ++k)
-      if (mesh->node[k] < solid->free) most = std::max(most, mesh->weight[k] / solid->mass[mesh->node[k]]);
+      if (mesh->node[k] < solid->free) {
+        most = std::max(most, mesh->weight[k] / solid->mass[mesh->node[k]]);
+        lightest = std::min(lightest, solid->mass[mesh->node[k]]);
+      }
   }
   const double pressure = 2 * impact.force / (std::numbers::pi * impact.half_width);
-  return std::sqrt(2 * acts.xi * pressure * most);
+  double omega2 = 2 * acts.xi * pressure * most;
+  const auto bodies = scene.bodies();
+  if (std::any_of(bodies.begin(), bodies.end(), [](const Body* body) { return body->numbers.roughness > 0; }))
+    omega2 = std::max(omega2, 2 * acts.xi * impact.force * on_asperity / lightest);
+  return std::sqrt(omega2);
 }
 
 }  // namespace ricochet

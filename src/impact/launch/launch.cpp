@@ -77,7 +77,9 @@ void take_energy(Start& start, const Placement& arrives, const Scene& scene, con
                                          return std::visit([]<class E>(const E&) { return BringsEnergy<E>; }, effect);
                                        }) ||
                            rest_energy(projectile) > 0 || rest_energy(target) > 0;
-  start.certified = reduced * speed2 / 2 + rotation < least_V0(scene.contact, solids) && !more_energy;
+  // What nobody pushes may stand inside.
+  const bool all_pushed = scene.contact.two_sided() || std::holds_alternative<Plane>(target.surface);
+  start.certified = all_pushed && !more_energy && reduced * speed2 / 2 + rotation < least_V0(scene.contact, solids);
 }
 
 // What is cut off must not show: at 0.1 c a reach of 0.1 R is far enough, below about 1e-4 c it is not.
@@ -113,12 +115,12 @@ Start launch(const Scene& described, const Solids& solids) {
   start.bodies[0].acceleration = fall_from_height(scene, solids);
   check_motion(scene, start.bodies[0]);
   const Placement arrives = arriving(scene, seen_by_target(start));
-  scene.contact = acting_contact(described, solids, arrives);
+  const Placement met = met_by(target, arrives);
+  scene.contact = acting_contact(described, solids, met);
   check_contact(scene.contact);
   check_effects(scene, solids);
-  const double fastest = flight.fastest(arrives), meeting = flight.fastest(met_by(target, arrives));
-  const auto [step, theta] =
-      choose_step(scene, solids, meeting, contact_frequency(scene, solids, arrives, scene.contact));
+  const double fastest = flight.fastest(arrives), meeting = flight.fastest(met);
+  const auto [step, theta] = choose_step(scene, solids, meeting, contact_frequency(scene, solids, met, scene.contact));
   start.step = step;
   start.theta = theta;
   const double normal_speed = -arrives.velocity.y();

@@ -23,7 +23,7 @@ struct Start {
   double step = 0, theta = 0, time_limit = 0;
   double energy = 0;               ///< kinetic energy in the frame of the target's centre [m0 c^2]
   ExponentialRepulsion contact{};  ///< the scene's, its reach widened for a slow impact
-  bool certified = false;          ///< energy below V0: no node can cross a segment
+  bool certified = false;          ///< energy below V0, all nodes pushed: none can come inside
   double fell = 0;                 ///< how long it fell before, from where gravity acts from the start [R/c]
   /// Height of the projectile's centre at which the smooth outlines just overlap, above the target's centre.
   double overlap_height = 0;

@@ -276,7 +276,7 @@ class Watch {
       if (stiffness > stiffest) node = pair.stiffest_node(lane);
       stiffest = std::max(stiffest, stiffness);
     });
-    const double contact_bound = 2 * *std::max_element(on_body.begin(), on_body.end()) / lightest_;
+    const double contact_bound = 2 * *std::max_element(on_body.begin(), on_body.end());
     const double omega = std::sqrt(run.interior_bound + contact_bound);
     run.theta_most = std::max(run.theta_most, run.start.step * omega);
     if (!(run.start.step * omega > bound_slack * state_.method.stability_limit)) return std::nullopt;
@@ -289,7 +289,9 @@ class Watch {
 
   std::optional<Ending> keep_outside(int lane) {
     Run& run = this->run(lane);
-    const bool two_sided = run.scene->contact.two_sided();
+    const ExponentialRepulsion& law = run.start.contact;
+    const bool two_sided = law.two_sided();
+    const double deepest = std::isnan(law.deepest) ? surface_gap_ : law.deepest;
     const Surfaces surfaces = surfaces_at(state_.end, lane);
     for (std::size_t p = 0; p < run.clocks.size(); ++p) {
       if (!run.clocks[p].touched()) continue;
@@ -297,8 +299,7 @@ class Watch {
       run.penetration =
           std::max(run.penetration, deepest_inside(surfaces[at(pair.body(0))], surfaces[at(pair.body(1))]));
     }
-    const auto intruder =
-        inside_one_another(surfaces[role::projectile], surfaces[role::target], two_sided, surface_gap_);
+    const auto intruder = inside_one_another(surfaces[role::projectile], surfaces[role::target], two_sided, deepest);
     if (!intruder) return std::nullopt;
     const std::size_t whose = intruder->side == 0 ? role::projectile : role::target;
     const int other = static_cast<int>(intruder->side == 0 ? role::target : role::projectile);
