@@ -14,8 +14,8 @@ end
 
 local priced = { method = "verlet", theta = 1.2 }
 
--- The scene with a contact that is the same whatever acts beside it, and stable at that step: what effects cost does not
--- depend on it.
+-- The scene with a contact that is the same whatever acts beside it, and stable at that step: what effects cost does
+-- not depend on it.
 local function with_contact(scene)
   local t, contact = core.given(scene), {}
   for name, value in pairs(t.contact or {}) do contact[name] = value end

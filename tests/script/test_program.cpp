@@ -447,7 +447,7 @@ TEST_CASE("relevance compares the same lattices with and without an effect") {
   const Ended ended = here.script(R"(local ricochet = require "ricochet"
 local function scene(effects, seed)
   return ricochet.scene { projectile = ricochet.disk { nodes = 60, roughness = 0.03, seed = seed }, target = ricochet.wall { nodes = 150, width = 4, stiffness = 400, seed = seed },
-    launch = { psi1 = 1 }, effects = effects, method = "verlet", theta = 1.2 }
+    launch = { psi1 = 1 }, effects = effects, method = "verlet" }
 end
 local drag = ricochet.drag { rate = 0.02 }
 local result = ricochet.relevance { scene = scene({}, 5), effects = { drag, ricochet.gravity { g = 0 } }, of = { "e" }, samples = 3 }
