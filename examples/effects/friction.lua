@@ -18,7 +18,7 @@ local rows = ricochet.sweep {
       projectile = ricochet.disk { nodes = p.nodes, placement = "poisson_disk", seed = at.sample },
       target = ricochet.wall { width = 6, depth = 2, nodes = 4 * p.nodes, stiffness = 1e4, placement = "poisson_disk",
         seed = at.sample },
-      launch = { normal_speed = 0.05, psi1 = at.psi1 }, contact = { xi = 1000, reach = 0.03 }, method = "verlet",
+      launch = { normal_speed = 0.05, psi1 = at.psi1 }, method = "verlet",
       effects = at.rims == "with friction" and { ricochet.friction { mu = p.mu } } or {},
     }
   end,

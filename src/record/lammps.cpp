@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 #include "core/error.hpp"
 #include "impact/axes.hpp"
@@ -78,7 +79,14 @@ std::string data_file(const Sections& s, const std::string& name) {
          s.masses + "\nVelocities\n\n" + s.velocities + "\nBonds\n\n" + s.bonds;
 }
 
-std::string input_file(const Scene& scene, const Start& start, const std::string& name) {
+// Of a rim node: where V0 is that of a length R of rim, its mean share. [m0 c^2]
+double node_V0(const ExponentialRepulsion& contact, const Solid& projectile) {
+  if (!contact.by_length) return contact.V0;
+  const std::vector<double>& share = std::get<Mesh<2>>(projectile.surface).weight;
+  return contact.V0 * std::accumulate(share.begin(), share.end(), 0.0) / static_cast<double>(share.size());
+}
+
+std::string input_file(const Solid& projectile, const Start& start, const std::string& name) {
   const ExponentialRepulsion& contact = start.contact;
   const double step = start.step;
   const auto steps = static_cast<std::int64_t>(std::ceil(
@@ -94,7 +102,7 @@ std::string input_file(const Scene& scene, const Start& start, const std::string
       "read_data {0}.data fix own NULL RMass\n"
       "pair_coeff * * 0 1 0 0 0\npair_coeff 2 4 {3:.17g} {4:.17g} 0 0 0\n"
       "neigh_modify every 1 delay 0 check yes\n",
-      name, contact.reach / 2, contact.reach, contact.V0, 1 / contact.xi);
+      name, contact.reach / 2, contact.reach, node_V0(contact, projectile), 1 / contact.xi);
   for (int a = 1; a <= 5; ++a)
     for (int b = a; b <= 5; ++b)
       if (a != 2 || b != 4) input += fmt::format("neigh_modify exclude type {} {}\n", a, b);
@@ -122,7 +130,7 @@ LammpsFiles lammps_files(const Scene& scene, const Solids& solids, const std::st
   add_body(sections, projectile, start.bodies[role::projectile], 1, types_of(projectile, 1, 2, 5),
            start.stiffness[role::projectile]);
   add_body(sections, target, start.bodies[role::target], 2, types_of(target, 3, 4, 5), start.stiffness[role::target]);
-  return {data_file(sections, name), input_file(scene, start, name)};
+  return {data_file(sections, name), input_file(projectile, start, name)};
 }
 
 }  // namespace ricochet

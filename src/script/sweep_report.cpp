@@ -85,18 +85,18 @@ std::string scale_text(const std::vector<Scene>& scenes) {
 }
 
 std::string doubts_text(const std::vector<Row>& rows) {
-  struct Doubt {
+  struct Told {
     const char* column;
     double above;
     const char* meaning;
   };
-  static constexpr Doubt doubts[] = {
+  static constexpr Told doubts[] = {
       {"over_yield", 0,
        "the estimated pressure passes what starts to yield; nothing yields here, so their e is too high"},
       {"folded", 0, "springs folded, which takes energy that no solid would; see ricochet.estimate"},
       {"penetration", 0.01, "a node stood deeper than 0.01 R inside the other body; give contact.sides = \"two\""}};
   std::string text;
-  for (const Doubt& doubt : doubts) {
+  for (const Told& doubt : doubts) {
     const std::size_t place = column(doubt.column);
     const auto count =
         std::count_if(rows.begin(), rows.end(), [&](const Row& row) { return row.outcomes[place] > doubt.above; });
