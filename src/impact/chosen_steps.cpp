@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "impact/accuracy.hpp"
+#include "impact/contact_error.hpp"
 #include "impact/launch/launch.hpp"
 #include "impact/spread.hpp"
 #include "shape/outline.hpp"
@@ -155,6 +156,21 @@ double own_theta(const Solids& solids, Scene scene, double longest) {
   return scene.integration.theta;
 }
 
+// Gives a kind's scenes the error of their contact.
+void tell_contact(std::vector<Scene>& scenes, const Places& members, const Places& places,
+                  std::vector<TrialScene> tried, const Choice& choice, int threads, const std::atomic<bool>& stop,
+                  const Telling& telling) {
+  for (std::size_t k = 0; k < tried.size(); ++k) {
+    tried[k].scene = scenes[places[k]];
+    tried[k].scene.integration.theta = own_theta(tried[k].solids, tried[k].scene, choice.longest);
+  }
+  const double error = contact_error(tried, threads, stop);
+  for (const std::size_t i : members) scenes[i].error_contact = error;
+  if (!std::isnan(error))
+    telling.line(fmt::format("  contact: twice as hard it changes {} by {:.2g}, so its error is about {:.2g}",
+                             scenes[members.front()].integration.accuracy_of, error / 2, error));
+}
+
 }  // namespace
 
 std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, const std::atomic<bool>& stop,
@@ -181,6 +197,7 @@ std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, con
     tell_choice(asked, choice, places, telling);
     take(scenes, members, places, choice);
     for (const std::size_t i : members) longest[i] = choice.longest;
+    tell_contact(scenes, members, places, tried, choice, threads, stop, telling);
   }
   SweepOptions options;
   options.threads = threads;

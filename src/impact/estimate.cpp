@@ -18,11 +18,11 @@
 namespace ricochet {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double boundless = std::numeric_limits<double>::infinity();
 
 /// A body as the law sees it.
 struct Elastic {
-  double modulus = infinite, poisson = 0, density = infinite;
+  double modulus = boundless, poisson = 0, density = boundless;
   bool held = true;  ///< infinitely heavy
 
   double wave_speed() const { return std::sqrt(modulus / (density * (1 - poisson * poisson))); }
@@ -73,7 +73,7 @@ std::optional<Touch> touch_of(const Scene& scene) {
   const double shift = scene.launch.at - figure_of(above).centre.x();
   for (Vec2& p : above) p.x() += shift;
   const bool plane = scene.target->plane.has_value();
-  double lift = -infinite;
+  double lift = -boundless;
   Vec2 at(0, 0);
   const auto consider = [&](double x) {
     const double bottom = height_of(above, x, false);
@@ -87,7 +87,7 @@ std::optional<Touch> touch_of(const Scene& scene) {
   else
     for (const Points* corners : std::initializer_list<const Points*>{&above, &scene.target->outline})
       for (const Vec2& p : *corners) consider(p.x());
-  if (lift == -infinite) return std::nullopt;
+  if (lift == -boundless) return std::nullopt;
   for (Vec2& p : above) p += lift * upwards();
   return Touch{std::move(above), at};
 }
@@ -103,7 +103,7 @@ struct Side {
 Side side_of(const Body& body, const Points& outline, const Vec2& at) {
   Side side{elastic_of(body)};
   if (body.plane) {
-    side.outline = {{0, 1}, infinite, false};
+    side.outline = {{0, 1}, boundless, false};
     return side;
   }
   const Figure figure = figure_of(outline);

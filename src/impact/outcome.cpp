@@ -187,6 +187,10 @@ const Columns& of_run() {
       {{"error_step", "number", "",
         "estimated error of the scene's accuracy_of from the time step; undefined unless accuracy was asked for"},
        [](O o) { return o.error_step; }},
+      {{"error_contact", "number", "",
+        "estimated error of the scene's accuracy_of from the softness of the contact, 2 |e(xi) - e(2 xi)| of trial "
+        "scenes; undefined where the scene gives xi, which is part of the model then, or asks for no accuracy"},
+       [](O o) { return o.error_contact; }},
       {{"over_yield", "number", "",
         "1 if the greatest pressure that ricochet.estimate gives passes 1.67 times the yield stress of a body's "
         "material, 0 if not: nothing yields here; undefined without a yield stress, or a law"},

@@ -18,6 +18,7 @@ void report_course(const Run& run, Outcome& o) {
   o.theta_most = run.theta_most;
   o.steps = static_cast<double>(run.steps);
   o.error_step = run.scene->error_step;
+  o.error_contact = run.scene->error_contact;
   o.over_yield = over_yield(*run.scene);
   o.energy_drift = run.drift;
   o.inverted = run.inverted;

@@ -68,6 +68,8 @@ struct Scene {
   /// Estimated, of integration.accuracy_of, if trials chose the step. Only that they did is part of the text: a chosen
   /// step under which the impact fails is shortened.
   double error_step = not_given;
+  /// Estimated, of integration.accuracy_of, from the softness of a contact that the program chose; no part of the text.
+  double error_contact = not_given;
   bool step_is_chosen() const { return !std::isnan(error_step); }
   Units units;  ///< of its user; nothing that computes looks at them
 
