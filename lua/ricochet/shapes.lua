@@ -6,6 +6,11 @@ local shapes = {}
 -- The fields of ricochet.body among those given of a shape: all but its own. Those that were not given stay so, but for
 -- the number of nodes, which a shape knows; nodes given one by one have none.
 local function body_fields(t, given, ...)
+  for _, own in ipairs { ... } do
+    if given.material and given[own] == nil then
+      core.fail(("'%s' has no usual value for a body of a material; give it in metres"):format(own), own)
+    end
+  end
   local body = { nodes = not t.points and t.nodes or nil }
   for name, value in pairs(given) do body[name] = value end
   for _, own in ipairs { ... } do body[own] = nil end

@@ -37,7 +37,7 @@ const Columns& of_normal() {
         "restitution of the contact points along the contact's normal, -v_cn' / v_cn, with spin and the target's "
         "motion; a round body touches below its centre of mass: on a flat wall its e_n is e"},
        [](O o) { return o.e_n; }},
-      {{"beta_n", "number", "", "the same across the normal, -v_ct' / v_ct; undefined if v_ct = 0"},
+      {{"beta_n", "number", "", "the same across the normal, -v_ct' / v_ct; undefined if v_ct is below 1e-3 of v_cn"},
        [](O o) { return o.beta_n; }},
       {{"mu_n", "number", "", "impulse ratio |n x J| / (n . J) with the contact's normal"}, [](O o) { return o.mu_n; }},
       {{"e_first", "number", "", "e at the first parting: when the first touch ended, whatever followed"},
@@ -159,7 +159,8 @@ const Columns& of_run() {
       {{"folded", "number", "", "1 if that share exceeded 0.01: springs that are turned over resist no more"},
        [](O o) { return o.folded; }},
       {{"inertia", "number", "",
-        "I/(M R^2) of the projectile at rest about its centre, R the unit of length: 0.5 for a disk of radius R"},
+        "I/(M R^2) of the projectile at rest about its centre, R the unit of length, in SI half of the projectile's "
+        "largest extent: 0.5 for a disk of radius R"},
        [](O o) { return o.inertia; }},
       {{"inertia_target", "number", "", "I/(M R^2) of the target; undefined if it is anchored"},
        [](O o) { return o.inertia_target; }},

@@ -163,6 +163,8 @@ ContactPoint at_arms(const Relative& motion, const Arms& arms, const Vec2& n, co
 
 // Where the contact's normal is not y, what the paper defines along y has no meaning.
 constexpr double most_tilted = 0.1;
+// Of the normal speed: below it what moves along the surface is that of the rim's own polygon.
+constexpr double least_slip = 1e-3;
 
 void report_along_normal(const Run& run, const Relative& after, const Vec2& j, Outcome& o) {
   if (!(run.frame.load > 0)) return;
@@ -172,7 +174,7 @@ void report_along_normal(const Run& run, const Relative& after, const Vec2& j, O
   const Arms arms = arms_of(run, n, t);
   const ContactPoint first = at_arms(before(run), arms, n, t), later = at_arms(after, arms, n, t);
   o.e_n = ratio(-later.n, first.n);
-  o.beta_n = ratio(-later.t, first.t);
+  if (std::abs(first.t) > least_slip * std::abs(first.n)) o.beta_n = -later.t / first.t;
   o.mu_n = ratio(std::abs(t.dot(j)), n.dot(j));
   if (std::abs(tangential(n)) <= most_tilted) return;
   for (double* of_y : {&o.e, &o.beta, &o.mu, &o.psi1, &o.psi2, &o.e_first, &o.mu_first}) *of_y = Outcome::undefined;

@@ -165,12 +165,23 @@ Sample Sampler::operator()(const Snapshot& shot) {
   for (const Vec2& force : projectile.force) sample.force += force;
   const double height = normal(sample.projectile.centre) - normal(sample.target.centre);
   sample.indentation = start_.overlap_height - height;
-  sample.overlap = height_at(shot.first_touch) - height;
+  sample.first_touch = shot.first_touch;
+  sample.touch_height = height_at(shot.first_touch);
+  sample.overlap = sample.touch_height - height;
   if (shot.energy.contact > touch_share * start_.energy) sample.contact_length = length_of(projectile);
   sample.contact_energy = shot.energy.contact;
   sample.effects_energy = shot.energy.effects;
   sample.total_energy = shot.energy.total();
   return sample;
+}
+
+void settle_overlaps(std::vector<Sample>& samples) {
+  if (samples.empty()) return;
+  const double first_touch = samples.back().first_touch, height = samples.back().touch_height;
+  for (Sample& sample : samples)
+    sample.overlap = sample.time < first_touch
+                         ? std::numeric_limits<double>::quiet_NaN()
+                         : height - (normal(sample.projectile.centre) - normal(sample.target.centre));
 }
 
 }  // namespace ricochet

@@ -25,9 +25,10 @@ struct Sample {
   double time = 0;  ///< since the surfaces came within reach of each other [R/c]
   std::int64_t step = 0;
   BodySample projectile, target;
-  Vec2 force = Vec2::Zero();                                        ///< of contact on the projectile [m0 c^2/R]
-  double overlap = 0, indentation = 0;                              ///< [R]
-  double contact_length = 0;                                        ///< [R]
+  Vec2 force = Vec2::Zero();                 ///< of contact on the projectile [m0 c^2/R]
+  double overlap = 0, indentation = 0;       ///< [R]
+  double first_touch = 0, touch_height = 0;  ///< as known by then: when it was, how far the centres were apart [R/c, R]
+  double contact_length = 0;                 ///< [R]
   double contact_energy = 0, effects_energy = 0, total_energy = 0;  ///< [m0 c^2]
 
   /// Every number of it by name, the time first.
@@ -50,5 +51,9 @@ class Sampler {
   double last_time_;
   std::vector<double> angle_, spin_;  // [body] at the last time
 };
+
+/// When the first touch was is settled by the greatest load, which comes after it: the overlaps of samples in the order
+/// of time, by what the last of them knows.
+void settle_overlaps(std::vector<Sample>& samples);
 
 }  // namespace ricochet

@@ -74,6 +74,8 @@ Scene read_scene(lua_State* L) {
   scene.target = scaled(body_at(L, -1).body, scene.units, "target");
   read_members(L, 1, scene.integration, scene.units);
   read_inner_members(L, 1, "launch", scene.launch, scene.units);
+  if (scene.units.si && std::isnan(scene.launch.speed) && std::isnan(scene.launch.normal_speed))
+    throw FieldError("launch", "a scene in SI has no usual speed: give launch = { speed = ... } in m/s");
   read_inner_members(L, 1, "contact", scene.contact, scene.units);
   read_inner_members(L, 1, "ending", scene.ending, scene.units);
   each_in_field(L, 1, "effects", [&](lua_Integer) { scene.effects.push_back(read_effect(L, scene.units)); });

@@ -98,14 +98,17 @@ int sample(lua_State* L) {
     times = equal_times(wanted.from, until, wanted.points, filmed.course.step);
   }
   lua_createtable(L, static_cast<int>(times.size()), 0);
-  const Sampling sampling{times, [&](const Sample& now) {
-                            push_state(L, now, filmed.scene.units);
-                            lua_seti(L, -2, list_length(L, -2) + 1);
-                          }};
+  std::vector<Sample> samples;
+  const Sampling sampling{times, [&](const Sample& now) { samples.push_back(now); }};
   at_scene(session, call_site(L), filmed, [&] {
     if (!film_scene(filmed.solids, filmed.scene, {}, stop_requested, {}, sampling))
       throw Error("interrupted", Exit::interrupted);
   });
+  settle_overlaps(samples);
+  for (const Sample& now : samples) {
+    push_state(L, now, filmed.scene.units);
+    lua_seti(L, -2, list_length(L, -2) + 1);
+  }
   return 1;
 }
 

@@ -94,7 +94,9 @@ std::string doubts_text(const std::vector<Row>& rows) {
       {"over_yield", 0,
        "the estimated pressure passes what starts to yield; nothing yields here, so their e is too high"},
       {"folded", 0, "springs folded, which takes energy that no solid would; see ricochet.estimate"},
-      {"penetration", 0.01, "a node stood deeper than 0.01 R inside the other body; give contact.sides = \"two\""}};
+      {"penetration", 0.01,
+       "a node stood deeper than 0.01 R inside the other body; raise contact.V0, or give "
+       "contact.sides = \"two\""}};
   std::string text;
   for (const Told& doubt : doubts) {
     const std::size_t place = column(doubt.column);

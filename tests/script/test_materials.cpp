@@ -66,21 +66,29 @@ TEST_CASE("materials: what contradicts itself is refused at its line, with a rem
     CHECK(ended.status != 0);
     return ended.err;
   };
-  CHECK_THAT(refused("ricochet.scene { projectile = ricochet.disk { material = steel }, target = ricochet.plane {} }"),
+  CHECK_THAT(refused("ricochet.scene { projectile = ricochet.disk { radius = 0.005, material = steel }, target = "
+                     "ricochet.plane {} }"),
              Contains("give the scene units = \"SI\""));
   CHECK_THAT(refused("ricochet.scene { units = \"SI\", projectile = ricochet.disk {}, target = ricochet.plane {} }"),
              Contains("is of no material"));
-  CHECK_THAT(refused("ricochet.disk { material = steel, stiffness = 1e4 }"), Contains("follows from the material"));
+  CHECK_THAT(refused("ricochet.disk { radius = 0.005, material = steel, stiffness = 1e4 }"),
+             Contains("follows from the material"));
   CHECK_THAT(refused("ricochet.disk { thickness = 2 }"), Contains("give material too"));
-  CHECK_THAT(refused("ricochet.wall { material = steel, interior = \"rigid\" }"), Contains("rigid"));
+  CHECK_THAT(refused("ricochet.wall { width = 1, depth = 1, material = steel, interior = \"rigid\" }"),
+             Contains("rigid"));
+  CHECK_THAT(refused("ricochet.wall { material = steel, width = 1 }"), Contains("'depth' has no usual value"));
+  CHECK_THAT(
+      refused("ricochet.scene { units = \"SI\", projectile = ricochet.disk { radius = 0.005, material = steel }, "
+              "target = ricochet.plane {} }"),
+      Contains("give launch = { speed = ... } in m/s"));
   CHECK_THAT(refused("print(steel.Youngs)"), Contains("Youngs"));
 }
 
 TEST_CASE("materials: a Poisson's ratio that a lattice cannot have is told") {
   const Workplace here;
   const Ended ended = here.script(R"(local ricochet = require "ricochet"
-ricochet.disk { material = ricochet.materials.steel, placement = "triangular" }
-ricochet.disk { material = ricochet.materials.glass, placement = "triangular" }
+ricochet.disk { radius = 0.005, material = ricochet.materials.steel, placement = "triangular" }
+ricochet.disk { radius = 0.005, material = ricochet.materials.glass, placement = "triangular" }
 local band = ricochet.body { outline = { { 0, 0 }, { 0.1, 0 }, { 0.1, 0.4 }, { 0, 0.4 } }, nodes = 900, placement = "triangular",
   material = ricochet.materials.steel }
 local moduli = ricochet.elasticity { body = band }
