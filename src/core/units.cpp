@@ -71,4 +71,10 @@ std::string Units::shown(double value, const std::string& unit, int digits) cons
   return unit.empty() ? number : number + " " + name(unit);
 }
 
+std::string Units::explained(const std::string& sentence) const {
+  if (!si || sentence.find_first_of("0123456789") == std::string::npos) return sentence;
+  return fmt::format("{} (numbers here are in units of R = {:.4g} m, R/c = {:.4g} s, c = {:.4g} m/s)", sentence, length,
+                     time, length / time);
+}
+
 }  // namespace ricochet

@@ -31,7 +31,7 @@ Row row_of(const Scene& scene, const Outcome& outcome, double seconds) {
     row.outcomes.push_back(value(outcome) * scene.units.worth(field.unit));
   row.seconds = seconds;
   row.status = name_of(outcome.status);
-  row.reason = outcome.reason;
+  row.reason = scene.units.explained(outcome.reason);
   row.hash = scene.hash();
   row.units = scene.units.system();
   row.seed = fmt::format("{}", scene.projectile->numbers.seed);

@@ -99,7 +99,7 @@ int accuracy_runs(lua_State* L) {
       lua_seti(L, rows, k);
     });
   } catch (const FieldError& error) {
-    throw_at(session_of(L), object.site, error);
+    throw_at(session_of(L), object.site, explained(error, object.scene));
   }
   return 1;
 }

@@ -70,7 +70,7 @@ auto at_scene(const Session& session, const CallSite& call, const FilmedScene& s
     return work();
   } catch (const FieldError& error) {
     const bool of_this_call = error.field == "frames" || error.field == "scene";
-    throw_at(session, of_this_call ? call : scene.site, error);
+    throw_at(session, of_this_call ? call : scene.site, explained(error, scene.scene));
   }
 }
 

@@ -99,6 +99,10 @@ void throw_at(const Session& session, const CallSite& site, const FieldError& er
   throw Error(report(session, site, {mistake}));
 }
 
+FieldError explained(const FieldError& error, const Scene& scene) {
+  return FieldError(error.field, scene.units.explained(error.what()));
+}
+
 void throw_here(lua_State* L, const FieldError& error) { throw_at(session_of(L), call_site(L), error); }
 
 std::string joined(std::span<const std::string> words) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "impact/scene.hpp"
 #include "script/session.hpp"
 
 namespace ricochet {
@@ -44,6 +45,9 @@ Error unknown_name(lua_State* L, const std::string& what, const std::string& nam
 /// Throws the error of a field as a report at the site, looking for the field in the table, or in its launch or contact
 /// table.
 [[noreturn]] void throw_at(const Session& session, const CallSite& site, const FieldError& error);
+
+/// What the engine says of a scene, with what its numbers are worth to the user.
+FieldError explained(const FieldError& error, const Scene& scene);
 /// The same at this call.
 [[noreturn]] void throw_here(lua_State* L, const FieldError& error);
 

@@ -144,7 +144,7 @@ int scene_run(lua_State* L) {
   try {
     outcome = run_one(session, scene);
   } catch (const FieldError& error) {
-    throw_at(session, object.site, error);
+    throw_at(session, object.site, explained(error, scene));
   }
   if (stop_requested) throw Error("interrupted", Exit::interrupted);
   const Method& method = scene.method();

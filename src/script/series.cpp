@@ -195,7 +195,7 @@ int bounces(lua_State* L) {
   try {
     result = bounces_of(session, object.scene, count, least_height);
   } catch (const FieldError& error) {
-    throw_at(session, object.site, error);
+    throw_at(session, object.site, explained(error, object.scene));
   }
   if (stop_requested) throw Error("interrupted", Exit::interrupted);
   if (!result.reason.empty())

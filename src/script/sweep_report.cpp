@@ -80,8 +80,11 @@ std::string scale_text(const std::vector<Scene>& scenes) {
     length.include(2 * e.impact.half_width / e.spacing);
   }
   if (!(speed.low <= speed.high)) return "";
-  return fmt::format("  estimated: v/c_P {}, indentation {} R, contact {} node spacings long{}\n", speed.text(3),
-                     depth.text(2), length.text(2), unknown > 0 ? " (where a law holds)" : "");
+  constexpr double least_length = 4;  // of the contact, in node spacings: ricochet.estimate asks for as many
+  return fmt::format(
+      "  estimated: v/c_P {}, indentation {} R, contact {} node spacings long{}{}\n", speed.text(3), depth.text(2),
+      length.text(2), unknown > 0 ? " (where a law holds)" : "",
+      length.low < least_length ? "; below 4 e follows the lattice: ricochet.estimate says how fine it takes" : "");
 }
 
 std::string doubts_text(const std::vector<Row>& rows) {

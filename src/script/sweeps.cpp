@@ -109,7 +109,8 @@ std::vector<Scene> scenes_at(lua_State* L, int list) {
 // Throws the error of a scene of the list at the place that made it; `where`: more about it.
 [[noreturn]] void throw_at_scene(lua_State* L, int list, const SceneError& error, const std::string& where = "") {
   lua_rawgeti(L, list, static_cast<lua_Integer>(error.scene) + 1);
-  throw_at(session_of(L), scene_at(L, -1).site, FieldError(error.field, error.what() + where));
+  const SceneObject& object = scene_at(L, -1);
+  throw_at(session_of(L), object.site, FieldError(error.field, object.scene.units.explained(error.what()) + where));
 }
 
 // pilot(scenes): a row for each, and the wall seconds that all of them took on the run's threads, steps chosen for an
