@@ -306,6 +306,12 @@ function ricochet.scene(t) end
 ---@field gap? number how far apart the surfaces must be besides; with parted it is the contact's reach unless given [R]
 ---@field time? number with time: since the surfaces came within reach of each other [R/c]
 
+--- The scene with `factor` times as many nodes in both bodies: outlines, masses and stiffness stay. A step that was given is left to the program again.
+---@param scene scene
+---@param factor number
+---@return ricochet.scene
+function ricochet.refined(scene, factor) end
+
 ---@class ricochet.gravity_fields
 ---@field g number acceleration [c^2/R]
 ---@field on? "projectile"|"target"|"both" the bodies it acts on (default projectile)

@@ -25,6 +25,14 @@ ricochet.accuracy = core.wrap(require("ricochet.accuracy").accuracy)
 ricochet.relevance = core.wrap(require("ricochet.effects").relevance)
 ricochet.plan = core.wrap(require("ricochet.plan").plan)
 
+--- refined(scene, factor): the same scene on finer lattices, or coarser ones.
+ricochet.refined = core.wrap(function(scene, factor)
+  if type(factor) ~= "number" or not (factor > 0 and factor <= 64) then
+    core.fail(("'factor' of the nodes must be above 0 and at most 64, is %s"):format(tostring(factor)), "factor")
+  end
+  return require("ricochet.refine").refined(scene, factor, 0)
+end)
+
 --- range(n): 1 ... n; range(first, last [, step]).
 ricochet.range = core.wrap(function(first, last, step)
   if last == nil then first, last = 1, first end

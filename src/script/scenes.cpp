@@ -311,6 +311,13 @@ Group scene_functions() {
        .doc = "The `ending` table of a scene: when its impact is over, and its row is made.",
        .fields = fields_of<EndRule>(),
        .is_table = true}};
+  group.functions.push_back(
+      {.name = "refined",
+       .doc = "The scene with `factor` times as many nodes in both bodies: outlines, masses and stiffness stay. A step "
+              "that was given is left to the program again.",
+       .returns = "scene",
+       .example = "ricochet.refined(scene, 4):run()",
+       .arguments = {{"scene", "scene"}, {"factor", "number"}}});
   each_effect_kind([&]<class E>(const E&) { group.functions.push_back(effect_function<E>()); });
   group.natives = {{"given", guarded<given>}, {"strict", strict}, {"catalogue", catalogue},
                    {"reseeded", reseeded},    {"nodes", nodes},   {"effect_name", effect_name}};

@@ -49,6 +49,8 @@ local refine = require "ricochet.refine"
 local scene = ricochet.scene { projectile = ricochet.disk { nodes = 100, mass = 2 }, target = ricochet.wall { nodes = 300, width = 4, stiffness = 100, quartic = 0.5 }, launch = { psi1 = 1 }, step = 0.001 }
 assert(refine.refined(scene, 1, 0):hash() == scene:hash())
 assert(refine.refined(scene, 1, 1):hash() ~= scene:hash())
+assert(ricochet.refined(scene, 4):text() == refine.refined(scene, 4, 0):text())
+assert(not pcall(ricochet.refined, scene, -1))
 local text = refine.refined(scene, 4, 0):text()
 for _, expected in ipairs { "nodes 400", "nodes 1200", "mass 0.5", "density 254.6", "quartic 2", "ka 100", "psi1 = 1" } do assert(text:find(expected, 1, true), expected .. "\n" .. text) end
 )");
