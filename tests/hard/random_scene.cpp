@@ -222,12 +222,18 @@ Verdict judged(const RandomScene& random, double steps) {
   const auto wrong = [&](const std::string& what) {
     verdict.wrong = fmt::format("{}: {} ({})", verdict.ending, what, o.reason);
   };
+  std::string refusal;  // of an advice that was taken
   // The advice, taken, leads elsewhere.
   const auto again = [&](const auto& change) {
     Scene better = scene;
     change(better);
     if (std::isnan(better.integration.time_limit)) better.integration.time_limit = start.time_limit;
-    return run_scene({projectile.get(), target.get()}, better, go_on);
+    try {
+      return run_scene({projectile.get(), target.get()}, better, go_on);
+    } catch (const FieldError& error) {
+      refusal = error.what();
+      return o;
+    }
   };
   const auto with_step = [&](double step) {
     return again([&](Scene& s) {
@@ -264,6 +270,9 @@ Verdict judged(const RandomScene& random, double steps) {
       for (int halving = 0; halving < 4 && finer.status == Status::energy_drift; ++halving) {
         step /= 2;
         finer = with_step(step);
+        if (refusal.empty()) continue;
+        if (halving > 0) refusal.clear();  // shorter than what was advised
+        finer.status = Status::finished;
       }
       if (finer.status == Status::energy_drift && !(finer.energy_drift < drift))
         wrong(fmt::format("a sixteenth of the step strays by {:.2g} again", finer.energy_drift));
@@ -319,6 +328,7 @@ Verdict judged(const RandomScene& random, double steps) {
       break;
   }
   if (o.status != Status::finished && o.reason.empty()) wrong("no reason");
+  if (!refusal.empty()) wrong(fmt::format("its advice is refused: {}", refusal));
   return verdict;
 }
 
