@@ -294,11 +294,11 @@ function ricochet.scene(t) end
 ---@field height? number starting gap of the smooth outlines along the normal; chosen so that the rough rims are apart. Gravity on the projectile acts from a given height on, else from the first approach of the rims on; other effects always do so from there on [R]
 
 ---@class ricochet.contact_fields
----@field V0? number energy of a rim node that touches a segment; unless given, a length R of rim has 1000 times the energy of the impact, and a node its share [m0 c^2]
+---@field V0? number energy of a rim node that touches a segment; unless given, a length R of rim has 1000 times the impact's energy, and a node its share [m0 c^2]
 ---@field xi? number inverse range of the repulsion; unless given, 1/xi is a fiftieth of the indentation to be expected [1/R]
 ---@field reach? number segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an impact is so slow that what is left out would show; 30/xi unless given [R]
 ---@field sides? "one"|"two" two: nodes of either body are pushed off segments of the other; one: the projectile's alone (the paper), between which a tip of the target may stand inside (default two)
----@field deepest? number how deep a node that a one-sided contact does not push may stand inside: beyond it the impact ends tunnelled; the longest cell of the projectile's surface unless given. A node that is pushed may not be inside at all [R]
+---@field deepest? number how deep a node that a one-sided contact does not push may stand inside, beyond which the impact ends tunnelled: the longest cell of the projectile's surface unless given. A node that is pushed may not be inside at all [R]
 
 ---@class ricochet.ending_fields
 ---@field at? "parted"|"first_parting"|"time" parted: the bodies have parted for good; first_parting: the first touch has ended, whatever follows; time: at a given time, whatever the bodies do (default parted)

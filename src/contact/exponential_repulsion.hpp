@@ -28,9 +28,8 @@ struct ExponentialRepulsion {
   static const std::vector<Member<ExponentialRepulsion>>& fields() {
     static const std::vector<Member<ExponentialRepulsion>> list{
         {{"V0", "number", "m0 c^2",
-          "energy of a rim node that touches a segment; unless given, a length R of rim has 1000 times the energy of "
-          "the "
-          "impact, and a node its share",
+          "energy of a rim node that touches a segment; unless given, a length R of rim has 1000 times the impact's "
+          "energy, and a node its share",
           positive, "", true},
          &ExponentialRepulsion::V0},
         {{"xi", "number", "1/R",
@@ -53,9 +52,9 @@ struct ExponentialRepulsion {
           {"one", "two"}},
          &ExponentialRepulsion::sides},
         {{"deepest", "number", "R",
-          "how deep a node that a one-sided contact does not push may stand inside: beyond it the impact ends "
-          "tunnelled; "
-          "the longest cell of the projectile's surface unless given. A node that is pushed may not be inside at all",
+          "how deep a node that a one-sided contact does not push may stand inside, beyond which the impact ends "
+          "tunnelled: the longest cell of the projectile's surface unless given. A node that is pushed may not be "
+          "inside at all",
           positive, "", true},
          &ExponentialRepulsion::deepest},
     };

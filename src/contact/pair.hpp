@@ -79,12 +79,13 @@ class Pair {
       if (candidates_[lane][0].empty() && candidates_[lane][1].empty()) continue;
       const double xi = law_[lane]->xi;
       int node = -1;
-      double on_node = 0;
+      double on_node = 0, light = 0;
       energy[lane] = each(lane, bodies, [&](const Push& push) {
         const double repulsion = xi * push.energy;
         on_node = push.node == node ? on_node + repulsion : repulsion;
+        light = push.node == node ? std::min(light, lightest(push)) : lightest(push);
         node = push.node;  // cells of a node stand together
-        const double stiffness = xi * on_node / lightest(push);
+        const double stiffness = xi * on_node / light;
         if (stiffness > stiffest_[lane]) {
           stiffest_[lane] = stiffness;
           stiffest_node_[lane] = {body_[push.side], push.node};
