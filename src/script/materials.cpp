@@ -34,7 +34,7 @@ int member(lua_State* L) {
   throw unknown_name(L, "a material", name, names);
 }
 
-void make_types(lua_State* L) {
+void make_material_type(lua_State* L) {
   make_type(L, "ricochet.material", collect_object<MaterialObject>);
   luaL_getmetatable(L, "ricochet.material");
   lua_pushcfunction(L, guarded<member>);
@@ -56,7 +56,7 @@ Group material_functions() {
                      .returns = "material",
                      .example = "ricochet.material { E = 117e9, nu = 0.35, density = 8930, source = \"...\" }",
                      .call = guarded<material>}},
-      .add = make_types};
+      .add = make_material_type};
 }
 
 }  // namespace ricochet

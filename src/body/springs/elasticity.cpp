@@ -15,7 +15,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 constexpr double strain = 1e-3;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t entry(int i) { return static_cast<std::size_t>(i); }
 
 // Slope of the least-squares line of v against u.
 double slope(const std::vector<double>& u, const std::vector<double>& v) {
@@ -58,20 +58,20 @@ struct Grips {
 
 Grips grip(const Solid& band, const Extent& extent) {
   const double grip = std::sqrt(extent.width() * extent.height() / band.nodes());  // one spacing
-  Grips g{std::vector<int>(at(band.coordinates()), -1), std::vector<double>(at(band.coordinates()), 0.0),
-          std::vector<bool>(at(band.nodes()), false)};
+  Grips g{std::vector<int>(entry(band.coordinates()), -1), std::vector<double>(entry(band.coordinates()), 0.0),
+          std::vector<bool>(entry(band.nodes()), false)};
   int gripped = 0;
   for (int i = 0; i < band.nodes(); ++i) {
-    const double y = band.points[at(i)].y();
+    const double y = band.points[entry(i)].y();
     const bool in_lower = y < extent.low.y() + grip / 2;
     const bool in_upper = y > extent.high.y() - grip / 2;
-    g.upper[at(i)] = in_upper;
+    g.upper[entry(i)] = in_upper;
     if (in_lower || in_upper) {
-      g.held[at(2 * i + 1)] = strain * (y - extent.low.y());
-      if (gripped++ > 0) g.column[at(2 * i)] = g.unknowns++;  // the first gripped node is the one held along x
+      g.held[entry(2 * i + 1)] = strain * (y - extent.low.y());
+      if (gripped++ > 0) g.column[entry(2 * i)] = g.unknowns++;  // the first gripped node is the one held along x
     } else {
-      g.column[at(2 * i)] = g.unknowns++;
-      g.column[at(2 * i + 1)] = g.unknowns++;
+      g.column[entry(2 * i)] = g.unknowns++;
+      g.column[entry(2 * i + 1)] = g.unknowns++;
     }
   }
   return g;
@@ -87,12 +87,12 @@ std::vector<double> equilibrium(const Solid& band, const Springs& springs, doubl
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b < 4; ++b) {
         const double value = (a / 2 == b / 2 ? 1 : -1) * k(a % 2, b % 2);
-        const int row = g.column[at(dof[a])], column = g.column[at(dof[b])];
+        const int row = g.column[entry(dof[a])], column = g.column[entry(dof[b])];
         if (row < 0) continue;
         if (column >= 0)
           entries.emplace_back(row, column, value);
         else
-          load[row] -= value * g.held[at(dof[b])];
+          load[row] -= value * g.held[entry(dof[b])];
       }
   });
   Matrix system(g.unknowns, g.unknowns);
@@ -125,17 +125,17 @@ Elasticity stretch_band(const Solid& band, const Springs& springs, double stiffn
   const Extent extent = extent_of(band.points);
   const Grips g = grip(band, extent);
   const std::vector<double> u = equilibrium(band, springs, stiffness, g);
-  const auto displacement = [&](int i) { return Vec2(u[at(2 * i)], u[at(2 * i + 1)]); };
+  const auto displacement = [&](int i) { return Vec2(u[entry(2 * i)], u[entry(2 * i + 1)]); };
   double force = 0;
   each_spring(springs, band.nodes(), [&](int i, int, const Spring& spring) {
     const int j = spring.other;
     const double pull = (stiffness * tangent_block(band, springs, spring) * (displacement(j) - displacement(i))).y();
-    if (g.upper[at(i)]) force -= pull;
-    if (g.upper[at(j)]) force += pull;
+    if (g.upper[entry(i)]) force -= pull;
+    if (g.upper[entry(j)]) force += pull;
   });
   std::vector<double> x, y, ux, uy;
   for (int i = 0; i < band.nodes(); ++i) {
-    const Vec2& p = band.points[at(i)];
+    const Vec2& p = band.points[entry(i)];
     if (std::abs(p.y() - (extent.low.y() + extent.high.y()) / 2) > extent.height() / 4) continue;
     x.push_back(p.x());
     y.push_back(p.y());

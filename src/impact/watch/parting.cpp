@@ -10,7 +10,7 @@
 namespace ricochet {
 namespace {
 
-constexpr int most_advances = 1000;
+constexpr int most_parting_advances = 1000;
 
 /// A body's surface about its centre, turning as a rigid body does.
 class Turning {
@@ -48,7 +48,7 @@ bool stays_clear(const PlacedSurface& one, const PlacedSurface& other, const Rel
       below(other_turns ? other.points() : Points{}, flight.other_centre, flight.other_turning);
   const double most_rise = other_turns ? other_height + below.radius() : 0, turning = above.fastest() + below.fastest();
   double time = 0;
-  for (int advance = 0; advance < most_advances; ++advance) {
+  for (int advance = 0; advance < most_parting_advances; ++advance) {
     const double height = n.dot(flight.centre) + speed * time - level;
     if (height > above.radius() + most_rise) return true;
     const double rise = other_turns ? other_height - below.lowest(-n, time) : 0;
