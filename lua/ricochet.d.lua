@@ -295,7 +295,7 @@ function ricochet.scene(t) end
 
 ---@class ricochet.contact_fields
 ---@field V0? number energy of a rim node that touches a segment; unless given, a length R of rim has 1000 times the impact's energy, and a node its share [m0 c^2]
----@field xi? number inverse range of the repulsion; unless given, 1/xi is a fiftieth of the indentation to be expected [1/R]
+---@field xi? number inverse range of the repulsion; unless given, 1/xi is a 200th of the indentation to be expected [1/R]
 ---@field reach? number segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an impact is so slow that what is left out would show; 30/xi unless given [R]
 ---@field sides? "one"|"two" two: nodes of either body are pushed off segments of the other; one: the projectile's alone (the paper), between which a tip of the target may stand inside (default two)
 ---@field deepest? number how deep a node that a one-sided contact does not push may stand inside, beyond which the impact ends tunnelled: the longest cell of the projectile's surface unless given. A node that is pushed may not be inside at all [R]
@@ -591,7 +591,7 @@ function ricochet.lammps(t) end
 ---@field lattice_samples? integer lattices of each size (default 16)
 ---@field repeats? integer runs of each step; the least wall time counts (default 3)
 ---@field name? string file name without extension (default accuracy)
---- What accuracy costs: runs a scene by many methods and steps against two runs of order 6 at short steps, prints errors, force evaluations, wall times, energy drifts and fitted orders, and leaves NAME.csv and work-precision plots NAME.png, NAME.svg. With `lattices` it also shows what the size of the lattice changes, in a panel of its own. Returns a table with the rows (each with its `error` by column), the `reference`, its `floor`, and `cheapest(wanted)`: the row with the fewest force evaluations within that error.
+--- What accuracy costs: runs a scene by many methods and steps against two runs of order 6 at short steps, prints errors, force evaluations, wall times, energy drifts and fitted orders, and leaves NAME.csv and work-precision plots NAME.png, NAME.svg. With `lattices` it also shows what the size of the lattice changes, in a panel of its own. Where the program chose the contact, its softness is told beside. Returns a table with the rows (each with its `error` by column), the `reference`, its `floor`, `softness` (false, or xi and an error by column), and `cheapest(wanted)`: the row with the fewest force evaluations within that error.
 ---@param t ricochet.accuracy_fields
 ---@return table
 function ricochet.accuracy(t) end
@@ -608,13 +608,13 @@ function ricochet.relevance(t) end
 
 ---@class ricochet.plan_fields
 ---@field sweep ricochet.sweep with one name in `over` that counts samples
----@field standard_error number wanted at every point: root of the sum of the squares of the three errors
+---@field standard_error number wanted at every point: root of the sum of the squares of the four errors
 ---@field of? string the outcome it is about (default e)
 ---@field samples? string the name in `over` that counts samples (default sample)
 ---@field pilot? integer samples of the pilot at every point and size (default 8)
 ---@field sizes? number[] factors of the number of nodes that the pilot tries; 0.25, 0.5 and 1 unless given, larger ones where a body would have fewer than 100 nodes, which no plan chooses
 ---@field continuum? boolean count as error what an infinitely fine lattice would change; else only what other lattices than the scene's own change (default false)
---- The error budget of a sweep (time step, lattice size, samples: which one dominates), from a pilot, and the cheapest method, step, nodes and samples that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the sweep's folder, and says how long it took. The lattice's error is extrapolated in the spacing of its nodes, and what the pilot leaves unknown of it counts as error too; the samples are planned with a deviation that nine pilots of ten do not underrate.
+--- The error budget of a sweep (time step, lattice size, contact, samples: which one dominates), from a pilot, and the cheapest method, step, nodes and samples that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the sweep's folder, and says how long it took. The lattice's error is extrapolated in the spacing of its nodes, and what the pilot leaves unknown of it counts as error too; so does the softness of a contact that the program chose. The samples are planned with a deviation that nine pilots of ten do not underrate.
 ---@param t ricochet.plan_fields
 ---@return ricochet.plan
 function ricochet.plan(t) end

@@ -56,7 +56,30 @@ local function reference(scene, columns)
     end
     value[column], floor[column] = first, math.abs(first - second)
   end
-  return value, floor, shorter
+  return value, floor, shorter, runs[1]
+end
+
+-- What the softness of a contact that the program chose does: 2 |x(xi) - x(2 xi)| by the reference's method. False
+-- where the scene gives xi, which is of its model then.
+local function softness_of(scene, columns, soft)
+  local t = core.given(scene)
+  local contact = {}
+  for name, value in pairs(t.contact or {}) do contact[name] = value end
+  if contact.xi then return false end
+  contact.xi = 2 * soft.xi
+  t.contact, t.accuracy, t.step, t.theta, t.method = contact, nil, nil, nil, nil
+  local harder, spec = core.functions.scene(t), { method = soft.method, theta = soft.theta }
+  local hard
+  repeat
+    spec.theta = spec.theta / 2
+    hard = core.accuracy_runs(harder, { spec }, 1)[1]
+  until hard.status ~= "unstable" or spec.theta < soft.theta / 64
+  if hard.status ~= "finished" then
+    core.fail(("with a contact twice as hard the reference run ended %s: %s"):format(hard.status, hard.reason), "scene")
+  end
+  local error = {}
+  for _, column in ipairs(columns) do error[column] = 2 * math.abs(hard[column] - soft[column]) end
+  return { xi = soft.xi, error = error }
 end
 
 -- Slope and its standard error of log error against log step, over points well above the floor.
@@ -294,6 +317,10 @@ local function print_table(study)
       or ("%-20s fewer than three steps are above ten times the floor: no order to be seen"):format(method))
   end
   if study.lattice then print_lattice(study.lattice, column) end
+  if study.softness then
+    print(("error of %s from the softness of the contact: about %.2g (xi = %.4g, chosen by the program, and twice as "
+      .. "hard)"):format(column, study.softness.error[column], study.softness.xi))
+  end
   print(("floor %.2g: the difference of two references; below ten times that no error is told"):format(
     study.floor[column]))
 end
@@ -398,7 +425,7 @@ local function accuracy(given)
   outcomes.check(t.of, "of")
   check_lattices(t.lattices)
   if core.is_check() then return nil end
-  local exact, floor, shorter = reference(t.scene, t.of)
+  local exact, floor, shorter, soft = reference(t.scene, t.of)
   if shorter > 1 then runs = runs_of(t, methods, shorter) end
   local rows = core.accuracy_runs(t.scene, runs, t.repeats)
   local study = {
@@ -406,6 +433,7 @@ local function accuracy(given)
     caption = caption_of(t), lattice_samples = t.lattice_samples,
   }
   study.lattice = t.lattices and lattice_study(t.scene, t.lattices, t.lattice_samples, t.of[1]) or false
+  study.softness = softness_of(t.scene, t.of, soft)
   for i, method in ipairs(methods) do
     study.methods[i] = method.name
     study.by_method[method.name] = {}

@@ -1,5 +1,5 @@
--- ricochet.plan: the error budget of a sweep (time step, lattice size, samples), and the cheapest way to a wanted
--- standard error.
+-- ricochet.plan: the error budget of a sweep (time step, lattice size, contact, samples), and the cheapest way to a
+-- wanted standard error.
 local core = require "ricochet.core"
 local outcomes = require "ricochet.outcomes"
 local sweeps = require "ricochet.sweep"
@@ -148,10 +148,12 @@ local function print_line(...) print((...):format(select(2, ...))) end
 
 local function print_budget(plan)
   print_line("error budget of the sweep as it is: %d samples a point", plan.samples_now)
-  print_line("%-20s %9s %9s %18s %10s  %s", "point", plan.of, "sampling", "lattice size", "time step", "dominates")
+  print_line("%-20s %9s %9s %18s %10s %8s  %s", "point", plan.of, "sampling", "lattice size", "time step", "contact",
+    "dominates")
   for _, p in ipairs(plan.points) do
     local lattice = ("%+.2g +- %.2g"):format(-p.slope, p.slope_se)
-    print_line("%-20s %9.4f %9.2g %18s %10.2g  %s", p.name, p.mean, p.sampling, lattice, p.step, p.dominates)
+    print_line("%-20s %9.4f %9.2g %18s %10.2g %8.2g  %s", p.name, p.mean, p.sampling, lattice, p.step, p.softness,
+      p.dominates)
   end
   print_line("  lattice size: what an infinitely fine lattice would change, extrapolated in the spacing, "
     .. "and what the pilot leaves unknown of it")
@@ -174,7 +176,8 @@ local function print_cheapest(plan)
     print_line "  of the lattice's own error one size tells nothing: the nodes stay as they are"
   end
   print_line("  leaves %.2g from samples (less nine times of ten), %.2g from the lattice's size, "
-    .. "%.2g from the time step", plan.budget.sampling, plan.budget.lattice, plan.budget.step)
+    .. "%.2g from the time step, %.2g from the contact's softness", plan.budget.sampling, plan.budget.lattice,
+    plan.budget.step, plan.budget.softness)
 end
 
 local function print_plan(plan)
@@ -185,9 +188,10 @@ local function print_plan(plan)
   if plan.samples then
     print_cheapest(plan)
   else
-    print_line("no plan: with %.2g from the lattice's size alone, %g is out of reach of %.3g times the nodes "
-      .. "and %.0g samples; raise 'pilot' or 'sizes', ask for less, or leave 'continuum' out", plan.budget.lattice,
-      plan.standard_error, #plan.sizes > 1 and factors[#factors] or plan.sizes[1].factor, most_samples)
+    print_line("no plan: with %.2g from the lattice's size and %.2g from the contact's softness, %g is out of reach of "
+      .. "%.3g times the nodes and %.0g samples; raise 'pilot' or 'sizes', give a greater contact.xi, ask for less, or "
+      .. "leave 'continuum' out", plan.budget.lattice, plan.budget.softness, plan.standard_error,
+      #plan.sizes > 1 and factors[#factors] or plan.sizes[1].factor, most_samples)
   end
 end
 
@@ -301,7 +305,16 @@ local function step_errors(sweep, t, points)
   return errors
 end
 
--- The three errors of the sweep as it is at point k, whose time step's is known.
+-- The mean of what the trials said of the contact's softness; 0 where the scenes give xi, and it is of the model.
+local function softness_of(rows)
+  local sum, count = 0, 0
+  for _, row in ipairs(rows) do
+    if row.error_contact == row.error_contact then sum, count = sum + row.error_contact, count + 1 end
+  end
+  return count > 0 and sum / count or 0
+end
+
+-- The four errors of the sweep as it is at point k, whose time step's is known.
 local function budget_of_point(name, sizes, k, samples_now, step)
   local sd, sd_cautious = deviation(sizes, k)
   -- What the lattice's size changes, per unit of the spacing over the scene's own: as seen, and together with what is
@@ -316,9 +329,13 @@ local function budget_of_point(name, sizes, k, samples_now, step)
     name = name, mean = nearest_size(sizes, 1)[k].mean, sd = sd, sd_cautious = sd_cautious,
     sampling = sd / math.sqrt(samples_now), slope = slope, slope_se = slope_se,
     lattice = math.sqrt(slope ^ 2 + slope_se ^ 2), step = step,
+    softness = softness_of(nearest_size(sizes, 1).rows[k]),
   }
-  p.dominates = p.lattice >= p.step and "lattice size" or "time step"
-  if p.sampling >= p.lattice and p.sampling >= p.step then p.dominates = "samples" end
+  local greatest = -1
+  for _, part in ipairs { { "samples", p.sampling }, { "lattice size", p.lattice }, { "time step", p.step },
+    { "contact", p.softness } } do
+    if part[2] > greatest then p.dominates, greatest = part[1], part[2] end
+  end
   return p
 end
 
@@ -326,12 +343,13 @@ end
 local function needed_samples(t, points, factor)
   local strayed = math.abs(factor ^ -0.5 - (t.continuum and 0 or 1))
   local step_error = step_share * t.standard_error
-  local samples, budget = 2, { sampling = 0, lattice = 0, step = step_error }
+  local samples, budget = 2, { sampling = 0, lattice = 0, step = step_error, softness = 0 }
   for _, p in ipairs(points) do
-    local left = t.standard_error ^ 2 - step_error ^ 2 - (p.lattice * strayed) ^ 2
+    local left = t.standard_error ^ 2 - step_error ^ 2 - (p.lattice * strayed) ^ 2 - p.softness ^ 2
     samples = left > 0 and math.max(samples, math.ceil(p.sd_cautious ^ 2 / left)) or math.huge
     budget.sampling = math.max(budget.sampling, p.sd_cautious)
     budget.lattice = math.max(budget.lattice, p.lattice * strayed)
+    budget.softness = math.max(budget.softness, p.softness)
   end
   budget.sampling = budget.sampling / math.sqrt(samples)
   return samples, budget

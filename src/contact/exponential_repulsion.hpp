@@ -33,7 +33,7 @@ struct ExponentialRepulsion {
           positive, "", true},
          &ExponentialRepulsion::V0},
         {{"xi", "number", "1/R",
-          "inverse range of the repulsion; unless given, 1/xi is a fiftieth of the indentation to be expected",
+          "inverse range of the repulsion; unless given, 1/xi is a 200th of the indentation to be expected",
           positive, "", true},
          &ExponentialRepulsion::xi},
         {{"reach", "number", "R",

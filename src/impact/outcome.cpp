@@ -192,6 +192,11 @@ const Columns& of_run() {
         "estimated error of the scene's accuracy_of from the softness of the contact, 2 |e(xi) - e(2 xi)| of trial "
         "scenes; undefined where the scene gives xi, which is part of the model then, or asks for no accuracy"},
        [](O o) { return o.error_contact; }},
+      {{"error_contact_time", "number", "R/c",
+        "by how much contact_time may exceed that of a hard contact, 2 ln(1000)/(xi v): the force counts that long "
+        "before "
+        "the outlines meet and after; undefined where the scene gives xi"},
+       [](O o) { return o.error_contact_time; }},
       {{"over_yield", "number", "",
         "1 if the greatest pressure that ricochet.estimate gives passes 1.67 times the yield stress of a body's "
         "material, 0 if not: nothing yields here; undefined without a yield stress, or a law"},

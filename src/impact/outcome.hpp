@@ -70,7 +70,8 @@ struct Outcome {
   double inertia = undefined, inertia_target = undefined;
   double xi = undefined, V0 = undefined;
   double certified = 0, time = undefined, step = undefined, theta = undefined, theta_most = undefined, steps = 0;
-  double momentum_residual = undefined, error_step = undefined, error_contact = undefined, over_yield = undefined;
+  double momentum_residual = undefined, error_step = undefined, error_contact = undefined;
+  double error_contact_time = undefined, over_yield = undefined;
   double last_vn = undefined, last_vt = undefined, last_omega = undefined, last_energy = undefined;
 
   /// By kind of effect, NaN for those that the scene does not name; empty if it names none. Energy lost to it, or

@@ -4,6 +4,7 @@
 
 #include "impact/axes.hpp"
 #include "impact/estimate.hpp"
+#include "impact/launch/launch.hpp"
 #include "impact/roles.hpp"
 
 namespace ricochet {
@@ -63,13 +64,13 @@ Relative relative(const Vec3& velocity, const Vec3& spin, const Vec3& target_vel
   return {velocity - target_velocity, about(spin), about(target_spin)};
 }
 
-// The projectile at the first touch: where gravity acts from the start, it has gone on falling since the rims came
-// within reach.
-Placement at_touch(const Run& run) { return flown(run.start.bodies[role::projectile], run.clock().begin()); }
+// A body at the first touch: gravity has acted on it since the rims came within reach.
+Placement at_touch(const Run& run, const Solids& solids, std::size_t body) {
+  return in_flight(*run.scene, solids, run.start, body, run.clock().begin());
+}
 
-Relative before(const Run& run) {
-  const Placement projectile = at_touch(run);
-  const Placement& target = run.start.bodies[role::target];
+Relative before(const Run& run, const Solids& solids) {
+  const Placement projectile = at_touch(run, solids, role::projectile), target = at_touch(run, solids, role::target);
   return relative(projectile.velocity, projectile.spin, target.velocity, target.spin);
 }
 
@@ -88,8 +89,7 @@ ContactPoint under_centre(const Run& run, const Relative& motion) {
           normal(motion.velocity)};
 }
 
-void report_velocities(const Run& run, const Relative& after, Outcome& o) {
-  const Relative start = before(run);
+void report_velocities(const Run& run, const Relative& start, const Relative& after, Outcome& o) {
   const ContactPoint first = under_centre(run, start), later = under_centre(run, after);
   o.vn = normal(after.velocity);
   o.vt = tangential(after.velocity);
@@ -105,7 +105,7 @@ void report_velocities(const Run& run, const Relative& after, Outcome& o) {
 
 // J acts on the projectile: its own change of momentum.
 Vec3 impulse(const Run& run, const Solids& solids, const Flying& after) {
-  return solids[role::projectile]->total_mass() * (after.velocity - at_touch(run).velocity);
+  return solids[role::projectile]->total_mass() * (after.velocity - at_touch(run, solids, role::projectile).velocity);
 }
 
 void report_impulse(const Run& run, const Solids& solids, const Flying& after, const Flying& target_after, Outcome& o) {
@@ -117,11 +117,12 @@ void report_impulse(const Run& run, const Solids& solids, const Flying& after, c
   o.target_vt = tangential(target_after.velocity);
   o.target_omega = about(target_after.spin);
   if (solids[role::target]->anchored()) return;
-  const Placement& target = run.start.bodies[role::target];
+  const Vec3 target_before = at_touch(run, solids, role::target).velocity;
   const Vec2 residual =
-      in_plane(j) + solids[role::target]->total_mass() * in_plane(target_after.velocity - target.velocity);
-  o.momentum_residual = residual.norm() / (solids[role::projectile]->total_mass() *
-                                           in_plane(at_touch(run).velocity - target.velocity).norm());
+      in_plane(j) + solids[role::target]->total_mass() * in_plane(target_after.velocity - target_before);
+  o.momentum_residual =
+      residual.norm() / (solids[role::projectile]->total_mass() *
+                         in_plane(at_touch(run, solids, role::projectile).velocity - target_before).norm());
 }
 
 void report_first_parting(const Run& run, const Solids& solids, Outcome& o) {
@@ -129,7 +130,7 @@ void report_first_parting(const Run& run, const Solids& solids, Outcome& o) {
   if (!run.first_parting) return;
   const auto& [projectile, target] = *run.first_parting;
   const Vec3 j = impulse(run, solids, projectile);
-  o.e_first = ratio(-normal(after(projectile, target).velocity), normal(before(run).velocity));
+  o.e_first = ratio(-normal(after(projectile, target).velocity), normal(before(run, solids).velocity));
   o.mu_first = ratio(std::abs(tangential(j)), normal(j));
 }
 
@@ -161,19 +162,27 @@ ContactPoint at_arms(const Relative& motion, const Arms& arms, const Vec2& n, co
           n.dot(v) + (motion.spin * arms.t - motion.target_spin * arms.target_t)};
 }
 
+// By how much a soft contact may outlast a hard one: the force that counts as one begins ln(1/share)/xi before the
+// outlines meet, and ends as far behind. [here]
+double contact_time_error(const Run& run, double arrives, double leaves) {
+  if (!std::isnan(run.scene->contact.xi)) return Outcome::undefined;
+  return -std::log(run.scene->ending.force) / run.start.contact.xi * (1 / std::abs(arrives) + 1 / std::abs(leaves));
+}
+
 // Where the contact's normal is not y, what the paper defines along y has no meaning.
 constexpr double most_tilted = 0.1;
 // Of the normal speed: below it what moves along the surface is that of the rim's own polygon.
 constexpr double least_slip = 1e-3;
 
-void report_along_normal(const Run& run, const Relative& after, const Vec2& j, Outcome& o) {
+void report_along_normal(const Run& run, const Relative& start, const Relative& after, const Vec2& j, Outcome& o) {
   if (!(run.frame.load > 0)) return;
   const Vec2 n = run.frame.normal.normalized(), t(normal(n), -tangential(n));
   o.normal_x = tangential(n);
   o.normal_y = normal(n);
   const Arms arms = arms_of(run, n, t);
-  const ContactPoint first = at_arms(before(run), arms, n, t), later = at_arms(after, arms, n, t);
+  const ContactPoint first = at_arms(start, arms, n, t), later = at_arms(after, arms, n, t);
   o.e_n = ratio(-later.n, first.n);
+  o.error_contact_time = contact_time_error(run, first.n, later.n);
   if (std::abs(first.t) > least_slip * std::abs(first.n)) o.beta_n = -later.t / first.t;
   o.mu_n = ratio(std::abs(t.dot(j)), n.dot(j));
   if (std::abs(tangential(n)) <= most_tilted) return;
@@ -205,13 +214,13 @@ Outcome report(const Run& run, const Ending& ending, const Solids& solids, const
   o.inertia_target = inertia_ratio(*solids[role::target]);
   if (o.status != Status::finished) return o;
   const Flying &projectile = facts.bodies[role::projectile], &target = facts.bodies[role::target];
-  const Relative later = after(projectile, target);
+  const Relative start = before(run, solids), later = after(projectile, target);
   report_energy(run, facts, o);
   report_contact(run, o);
-  report_velocities(run, later, o);
+  report_velocities(run, start, later, o);
   report_impulse(run, solids, projectile, target, o);
   report_first_parting(run, solids, o);
-  report_along_normal(run, later, in_plane(impulse(run, solids, projectile)), o);
+  report_along_normal(run, start, later, in_plane(impulse(run, solids, projectile)), o);
   return o;
 }
 

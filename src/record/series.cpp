@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "impact/axes.hpp"
+#include "impact/launch/launch.hpp"
 #include "impact/roles.hpp"
 
 namespace ricochet {
@@ -135,10 +136,7 @@ Sampler::Sampler(const Scene& scene, const Solids& solids, const Start& start)
 // Between the centres, after a flight in which nothing but gravity has acted.
 double Sampler::height_at(double first_touch) const {
   const auto of = [&](std::size_t body) {
-    Placement placement = start_.bodies[body];
-    const int count = static_cast<int>(solids_.size());
-    if (!solids_[body]->anchored()) placement.acceleration = fall_of(scene_.effects, static_cast<int>(body), count);
-    return normal(flown(placement, first_touch).centre);
+    return normal(in_flight(scene_, solids_, start_, body, first_touch).centre);
   };
   return of(role::projectile) - of(role::target);
 }

@@ -178,8 +178,10 @@ Function accuracy_function() {
           "prints errors, force evaluations, wall times, "
           "energy drifts and fitted orders, and leaves NAME.csv and work-precision plots NAME.png, NAME.svg. With "
           "`lattices` it also shows what the size of the lattice "
-          "changes, in a panel of its own. Returns a table with the rows (each with its "
-          "`error` by column), the `reference`, its `floor`, and `cheapest(wanted)`: the row with the fewest force "
+          "changes, in a panel of its own. Where the program chose the contact, its softness is told beside. Returns a "
+          "table with the rows (each with its `error` by column), the `reference`, its `floor`, `softness` (false, or "
+          "xi "
+          "and an error by column), and `cheapest(wanted)`: the row with the fewest force "
           "evaluations within that error.",
       .fields = std::vector<Field>{scene_field()} + own,
       .returns = "table",
@@ -206,16 +208,18 @@ Function plan_function() {
   return {
       .name = "plan",
       .doc =
-          "The error budget of a sweep (time step, lattice size, samples: which one dominates), from a pilot, and "
+          "The error budget of a sweep (time step, lattice size, contact, samples: which one dominates), from a pilot, "
+          "and "
           "the cheapest method, step, nodes and samples "
           "that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the "
           "sweep's folder, and says how long it took. "
           "The lattice's error is extrapolated in the spacing of its nodes, and what the pilot leaves unknown of it "
-          "counts as error too; the samples are planned with a "
+          "counts as error too; so does the softness of a contact that the program chose. The samples are planned with "
+          "a "
           "deviation that nine pilots of ten do not underrate.",
       .fields = {{"sweep", "sweep", "", "with one name in `over` that counts samples"},
                  {"standard_error", "number", "",
-                  "wanted at every point: root of the sum of the squares of the three errors", positive},
+                  "wanted at every point: root of the sum of the squares of the four errors", positive},
                  {"of", "string", "", "the outcome it is about", any_number, "e"},
                  {"samples", "string", "", "the name in `over` that counts samples", any_number, "sample"},
                  {"pilot", "integer", "", "samples of the pilot at every point and size", {2, 100000}, "8"},

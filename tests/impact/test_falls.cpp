@@ -55,6 +55,20 @@ TEST_CASE("from a given height a body falls freely until its surface is within r
   }
 }
 
+TEST_CASE("e under gravity is of the speeds at the touch, from a height or not") {
+  const auto e = [](double gravity, double height) {
+    Scene scene = falling(height, std::isnan(height) ? 0.05 : 0);
+    scene.effects = {Gravity{gravity, "projectile"}};
+    if (gravity == 0) scene.effects.clear();
+    const Outcome o = run_scene(BuiltSolids(scene), scene, go_on);
+    REQUIRE(o.status == Status::finished);
+    return o.e;
+  };
+  const double strong = 0.05, height = 0.05 * 0.05 / (2 * strong);
+  CHECK(e(1e-4, not_given) == Catch::Detail::Approx(e(0, not_given)).margin(1e-3));
+  CHECK(e(strong, not_given) == Catch::Detail::Approx(e(strong, height)).margin(0.02));
+}
+
 TEST_CASE("a body thrown along the surface from a height lands where it was aimed") {
   Scene scene = falling(0.5, not_given);
   scene.launch.normal_speed = 0;

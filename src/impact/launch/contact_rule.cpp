@@ -13,11 +13,11 @@
 namespace ricochet {
 namespace {
 
-constexpr double softness = 0.02;     // 1/xi over the expected indentation
+constexpr double softness = 0.005;    // 1/xi over the expected indentation
 constexpr double held = 0.005;        // F/xi over the energy of the impact, where springs yield
 constexpr double strength = 1000;     // V0 R over the energy of the impact
 constexpr double ranges = 30;         // xi reach
-constexpr double most_ranges = 700;   // beyond it there is nothing
+constexpr double most_ranges = 699;   // beyond it there is nothing
 constexpr double on_asperity = 0.25;  // of the force, on one node of a rough rim
 constexpr double least_slope = 0.1;   // the normal speed counts as no less of the speed: a rough rim meets asperities
 

@@ -145,4 +145,11 @@ Start launch(const Scene& described, const Solids& solids) {
   return start;
 }
 
+Placement in_flight(const Scene& scene, const Solids& solids, const Start& start, std::size_t body, double time) {
+  Placement placement = start.bodies[body];
+  const int count = static_cast<int>(solids.size());
+  if (!solids[body]->anchored()) placement.acceleration = fall_of(scene.effects, static_cast<int>(body), count);
+  return flown(placement, time);
+}
+
 }  // namespace ricochet

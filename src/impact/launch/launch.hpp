@@ -12,4 +12,7 @@ namespace ricochet {
 /// contact.
 Start launch(const Scene& scene, const Solids& solids);
 
+/// A body at this time of the run, if nothing but gravity has acted on it since its start.
+Placement in_flight(const Scene& scene, const Solids& solids, const Start& start, std::size_t body, double time);
+
 }  // namespace ricochet
