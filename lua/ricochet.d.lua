@@ -806,7 +806,7 @@ function ricochet.theory.disk_mode_table(t) end
 ---@field nu number Poisson's ratio
 ---@field speed number normal speed over c_P; above 0.1 the linear theory is formal, the disk is pressed in by 0.16 R at 0.1 and by 0.39 R at 0.3
 ---@field alpha? number R over the distance in which the wall's force falls by e (default 1000)
----@field omega_most? number all modes with omega R/c_P below it (default 40)
+---@field omega_most? number all modes with omega R/c_P below it; 40 takes some 0.2 s, 80 some 2 s (default 40)
 ---@class ricochet.theory_modal_disk_result
 ---@field e number restitution coefficient
 ---@field contact_time number t_c c_P/R, while the wall holds more than 1e-6 of the incident energy

@@ -4,11 +4,11 @@
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
-  nu         = { { 0.1, 0.25, 0.33, 0.45 }, min = 0, max = 0.5, doc = "Poisson's ratios" },
+  nu         = { { 0.1, 0.33, 0.45 }, min = 0, max = 0.5, doc = "Poisson's ratios" },
   speed      = { { 0.005, 0.2 }, unit = "c", min = 1e-4, max = 0.3, doc = "from and to" },
   samples    = { 20, int = true, min = 2, doc = "speeds for each nu" },
-  omega_most = { 50, unit = "c/R", min = 10, max = 160, doc = "all modes below it; the time grows as its cube" },
-  depth      = { 50, min = 1, doc = "alpha times speed, at least: how many times softer the disk is than the wall" },
+  omega_most = { 50, unit = "c/R", min = 10, max = 160, doc = "all modes below it" },
+  hardness   = { 500, min = 20, doc = "of the wall: alpha R is this over the square root of the speed" },
 }
 
 local theory = ricochet.theory
@@ -36,7 +36,7 @@ for i, nu in ipairs(p.nu) do
   local name = ("ν = %g"):format(nu)
   e_lines[i], t_lines[i] = { name = name, points = {} }, { name = name, points = {} }
   for _, v in ipairs(speeds()) do
-    local impact = theory.modal_disk { nu = nu, speed = v, alpha = math.max(1000, p.depth / v),
+    local impact = theory.modal_disk { nu = nu, speed = v, alpha = p.hardness / math.sqrt(v),
       omega_most = p.omega_most }
     table.insert(e_lines[i].points, { v, impact.e })
     table.insert(t_lines[i].points, { v, impact.contact_time })
@@ -59,6 +59,6 @@ ricochet.plot {
   xlabel = "v / c_P", ylabel = { e = "e", t_c = "t_c c_P / R" },
   theory = { e = e_lines, t_c = t_lines },
   title = "Smooth elastic disk on a hard wall, head on, by its modes",
-  caption = ("All modes with ωR/c_P < %g, wall exp(−αy) with αR = max(1000, %g c_P/v). Theory only."):format(
-    p.omega_most, p.depth),
+  caption = ("All modes with ωR/c_P < %g, wall exp(−αy) with αR = %g sqrt(c_P/v). Theory only."):format(p.omega_most,
+    p.hardness),
 }

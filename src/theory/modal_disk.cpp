@@ -21,7 +21,13 @@ Arguments<ModalDisk> ModalDisk::fields() {
            &S::speed},
           {{"alpha", "number", "", "R over the distance in which the wall's force falls by e", {50, 1e6}, "1000"},
            &S::alpha},
-          {{"omega_most", "number", "", "all modes with omega R/c_P below it", {1, 160}, "40"}, &S::omega_most}};
+          {{"omega_most",
+            "number",
+            "",
+            "all modes with omega R/c_P below it; 40 takes some 0.2 s, 80 some 2 s",
+            {1, 160},
+            "40"},
+           &S::omega_most}};
 }
 
 Arguments<ModalRebound> ModalRebound::fields() {
@@ -53,9 +59,9 @@ std::vector<DiskMode> excited(double nu, double omega_most) {
   return modes;
 }
 
-// From one crest of the highest wave to the next a round rim rises by (pi/n)^2/8. Where that is some 30 times 1/alpha
-// single crests strike the wall one after another, and the cut, not the wall, makes e.
-constexpr double crests_apart = 25;
+// alpha of at most 4 n^2: from one crest of the highest wave to the next a round rim rises by (pi/n)^2/8, 5/alpha
+// there. On a harder wall single crests strike one after another, and the cut, not the wall, makes e.
+constexpr double crests_apart = 4;
 
 void check_wall(const ModalDisk& impact, const std::vector<DiskMode>& modes) {
   if (modes.empty())
@@ -67,17 +73,23 @@ void check_wall(const ModalDisk& impact, const std::vector<DiskMode>& modes) {
                                           1 / impact.speed, impact.alpha));
   const double n_most = modes.back().n, hardest = crests_apart * n_most * n_most;
   if (impact.alpha > hardest)
-    throw FieldError(
-        "omega_most",
-        fmt::format("is too small for alpha = {:g}: waves of up to {} crests round the rim take an alpha "
-                    "of at most {:g}. Take at least {:.2g}, or a softer wall",
-                    impact.alpha, n_most, hardest, 1.1 * impact.omega_most * std::sqrt(impact.alpha / hardest)));
+    throw FieldError("omega_most",
+                     fmt::format("is too small for alpha = {:g}: waves of up to {} crests round the rim take an alpha "
+                                 "of at most {:g}. Take at least {:.0f}, or a softer wall",
+                                 impact.alpha, n_most, hardest,
+                                 std::ceil(1.1 * impact.omega_most * std::sqrt(impact.alpha / hardest))));
 }
 
-double restitution(const std::vector<DiskMode>& modes, double speed, double alpha, double longer) {
-  ModalImpact impact(modes, speed, alpha, longer);
-  impact.run();
-  return impact.restitution();
+// The impact by a step of `longer` times the chosen one, halved until it keeps the energy to 1e-6.
+ModalImpact kept_energy(const std::vector<DiskMode>& modes, const ModalDisk& given, double alpha, double& longer) {
+  for (; longer > 0.01; longer /= 2) {
+    ModalImpact impact(modes, given.speed, alpha, longer);
+    impact.run();
+    if (std::abs(impact.ledger()) <= 1e-6) return impact;
+  }
+  throw FieldError("omega_most", fmt::format("is too small for alpha = {:g}: the rim chatters on the wall faster than "
+                                             "any step can follow. Raise it, or take a softer wall",
+                                             given.alpha));
 }
 
 }  // namespace
@@ -86,24 +98,24 @@ ModalRebound modal_disk(const ModalDisk& given) {
   checked(given);
   const std::vector<DiskMode> modes = excited(given.nu, given.omega_most);
   check_wall(given, modes);
-  ModalImpact impact(modes, given.speed, given.alpha);
-  impact.run();
+  double step = 2, half = 1, soft = 1;
+  const double coarse = kept_energy(modes, given, given.alpha, step).restitution();
+  step /= 2;
+  const ModalImpact impact = kept_energy(modes, given, given.alpha, step);
   const double e = impact.restitution();
-  const auto change = [&](const std::vector<DiskMode>& with, double alpha, double longer) {
-    return std::abs(e - restitution(with, given.speed, alpha, longer));
-  };
+  const double fewer = kept_energy(excited(given.nu, given.omega_most / 2), given, given.alpha, half).restitution();
+  const double softer = kept_energy(modes, given, given.alpha / 2, soft).restitution();
   ModalRebound rebound{.e = e,
                        .contact_time = impact.contact_time(),
-                       .error_modes = change(excited(given.nu, given.omega_most / 2), given.alpha, 1),
-                       .error_alpha = change(modes, given.alpha / 2, 1),
-                       .error_step = change(modes, given.alpha, 2),
-                       .ledger = e * e + impact.wall_energy() - 1,
+                       .error_modes = std::abs(e - fewer),
+                       .error_alpha = std::abs(e - softer),
+                       .error_step = std::abs(e - coarse),
+                       .ledger = impact.ledger(),
                        .steps = static_cast<double>(impact.steps()),
                        .n = {},
                        .l = {},
                        .omega = {},
                        .energy = impact.mode_energies()};
-  for (const double energy : rebound.energy) rebound.ledger += energy;
   for (const DiskMode& mode : modes) {
     rebound.n.push_back(mode.n);
     rebound.l.push_back(mode.l);

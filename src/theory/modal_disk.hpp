@@ -22,7 +22,8 @@ struct ModalRebound {
 /// The impact, and three more that tell how far it is converged. With modes up to omega_most e is off by about
 /// 0.07/omega_most, so that half of omega_most doubles the error and the difference of the two is the error itself; of
 /// a method of second order the step's is a third of the difference from twice the step. Half of alpha is a wall twice
-/// as soft. Throws FieldError where alpha is too hard for the modes or too soft for the speed.
+/// as soft. Where a step does not keep the energy to 1e-6 (the rim chatters), it is halved. Throws FieldError where
+/// alpha is too hard for the modes or too soft for the speed.
 ModalRebound modal_disk(const ModalDisk& impact);
 
 }  // namespace ricochet::theory

@@ -129,7 +129,8 @@ void ModalImpact::watch(double before) {
 
 void ModalImpact::run() {
   const double clear = 1 + 0.3 * speed_;
-  while (!(wall_energy() < parted && rise_ > 0 && height_ > clear)) {
+  const auto sound = [&] { return std::abs(rise_) < 2 * speed_; };
+  while (sound() && !(wall_energy() < parted && rise_ > 0 && height_ > clear)) {
     const double before = wall_energy();
     step();
     watch(before);
@@ -147,6 +148,12 @@ Numbers ModalImpact::mode_energies() const {
   Numbers energies;
   for (const Oscillator& mode : modes_) energies.push_back((mode.x * mode.x + mode.v * mode.v) / (speed_ * speed_));
   return energies;
+}
+
+double ModalImpact::ledger() const {
+  double sum = restitution() * restitution() + wall_energy() - 1;
+  for (const double energy : mode_energies()) sum += energy;
+  return sum;
 }
 
 }  // namespace ricochet::theory

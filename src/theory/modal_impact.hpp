@@ -23,7 +23,8 @@ class ModalImpact {
   /// Kick, rotate, kick: every oscillator is turned exactly, so that none limits the step.
   void step();
 
-  /// Until the disk is off the wall: V below 1e-12, the centre rising and above where it touched.
+  /// Until the disk is off the wall: V below 1e-12, the centre rising and above where it touched. Too long a step for
+  /// the wall ends it too, by more energy than there is: see ledger().
   void run();
 
   /// Every velocity turned about: the steps that follow retrace those before.
@@ -32,7 +33,8 @@ class ModalImpact {
   double restitution() const { return rise_ / speed_; }
   double height() const { return height_; }
   double wall_energy() const;
-  Numbers mode_energies() const;                                      ///< in the order of `modes`
+  Numbers mode_energies() const;  ///< in the order of `modes`
+  double ledger() const;          ///< all energy less that of the incident disk: 0 but for what the step loses
   double contact_time() const { return last_touch_ - first_touch_; }  ///< while V > 1e-6, the soft wall's tail included
   long steps() const { return steps_; }
 

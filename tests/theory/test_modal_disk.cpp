@@ -294,6 +294,7 @@ TEST_CASE("what the disk loses its modes have, and half the step changes e by le
     const ModalImpact impact = finished(nu, speed, 1000, 40);
     const double e = impact.restitution();
     CHECK_THAT(e * e + sum(impact.mode_energies()) + impact.wall_energy(), WithinAbs(1, 1e-6));
+    CHECK_THAT(impact.ledger(), WithinAbs(0, 1e-6));
     CHECK_THAT(e_of(nu, speed, 1000, 40, 0.5), WithinAbs(e, 1e-5));
   }
 }
@@ -332,6 +333,15 @@ TEST_CASE("at 0.1 c the disk's energy is left to the waves of two, three and fou
   CHECK_THAT(rebound.error_alpha, WithinAbs(e_of(0.33, 0.1, 500, 40) - rebound.e, 1e-15));
 }
 
+TEST_CASE("where the rim chatters on the wall the step is halved until the energy is kept") {
+  const ModalDisk impact{0, 0.1, 3800, 20};  // twice the chosen step loses it
+  REQUIRE(std::abs(finished(impact.nu, impact.speed, impact.alpha, impact.omega_most, 2).ledger()) > 1e-6);
+  const ModalRebound rebound = modal_disk(impact);
+  CHECK_THAT(rebound.ledger, WithinAbs(0, 1e-6));
+  CHECK_THAT(rebound.e * rebound.e + sum(rebound.energy), WithinAbs(1, 1e-6));
+  CHECK_THAT(rebound.e, WithinAbs(e_of(impact.nu, impact.speed, impact.alpha, impact.omega_most, 0.125), 2e-3));
+}
+
 TEST_CASE("an impact turned about runs back to where it began") {
   ModalImpact impact(symmetric_modes(0.33, 20), 0.1, 1000);
   const double start = impact.height();
@@ -361,7 +371,7 @@ TEST_CASE("within its ranges the modal disk keeps its energy, or names the field
   int computed = 0;
   for (int trial = 0; trial < 100; ++trial) {
     const ModalDisk impact{uniform(-0.5, 0.5), std::exp(uniform(std::log(1e-4), std::log(0.3))),
-                           std::exp(uniform(std::log(50), std::log(3e4))), uniform(1, 15)};
+                           std::exp(uniform(std::log(50), std::log(3000))), uniform(1, 15)};
     INFO("nu = " << impact.nu << ", speed = " << impact.speed << ", alpha = " << impact.alpha
                  << ", omega_most = " << impact.omega_most);
     try {
