@@ -806,13 +806,13 @@ function ricochet.theory.disk_mode_table(t) end
 ---@field nu number Poisson's ratio
 ---@field speed number normal speed over c_P; above 0.1 the linear theory is formal, the disk is pressed in by 0.16 R at 0.1 and by 0.39 R at 0.3
 ---@field alpha? number R over the distance in which the wall's force falls by e (default 1000)
----@field omega_most? number all modes with omega R/c_P below it; 40 takes some 0.2 s, 80 some 2 s (default 40)
+---@field omega_most? number all modes with omega R/c_P below it; 40 takes some 0.2 s, 80 some 2 s, a hard wall more (default 40)
 ---@class ricochet.theory_modal_disk_result
 ---@field e number restitution coefficient
 ---@field contact_time number t_c c_P/R, while the wall holds more than 1e-6 of the incident energy
 ---@field error_modes number change of e from modes below omega_most/2: about its error by those left out
 ---@field error_alpha number change of e from alpha/2: how far it is from that of a hard wall
----@field error_step number change of e from twice the step: three times its error by the step
+---@field error_step number change of e from twice the step: three times its error by the step; where the rim chatters (speed above 0.1, alpha near omega_most^2 and above) that error may be as large as error_modes
 ---@field ledger number e^2 + the sum of `energy` - 1: energy that the method lost or made
 ---@field steps number steps of the impact
 ---@field n number[] nodal diameters of every mode

@@ -24,7 +24,7 @@ Arguments<ModalDisk> ModalDisk::fields() {
           {{"omega_most",
             "number",
             "",
-            "all modes with omega R/c_P below it; 40 takes some 0.2 s, 80 some 2 s",
+            "all modes with omega R/c_P below it; 40 takes some 0.2 s, 80 some 2 s, a hard wall more",
             {1, 160},
             "40"},
            &S::omega_most}};
@@ -40,7 +40,9 @@ Arguments<ModalRebound> ModalRebound::fields() {
        &S::error_modes},
       {{"error_alpha", "number", "", "change of e from alpha/2: how far it is from that of a hard wall"},
        &S::error_alpha},
-      {{"error_step", "number", "", "change of e from twice the step: three times its error by the step"},
+      {{"error_step", "number", "",
+        "change of e from twice the step: three times its error by the step; where the rim chatters (speed "
+        "above 0.1, alpha near omega_most^2 and above) that error may be as large as error_modes"},
        &S::error_step},
       {{"ledger", "number", "", "e^2 + the sum of `energy` - 1: energy that the method lost or made"}, &S::ledger},
       {{"steps", "number", "", "steps of the impact"}, &S::steps},
