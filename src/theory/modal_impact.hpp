@@ -39,8 +39,8 @@ class ModalImpact {
   long steps() const { return steps_; }
 
  private:
-  // Of a mode: omega Q, dQ/dt and how they turn in a step; Q adds lower/omega Q to wave `below` of the rim's height and
-  // upper/omega Q to wave `above`.
+  // Of a mode: omega Q, dQ/dt and how they turn in a step; Q adds lower Q to wave `below` of the rim's height and upper
+  // Q to wave `above`.
   struct Oscillator {
     double omega, x, v, cosine, sine, lower, upper;
     std::size_t below, above;
