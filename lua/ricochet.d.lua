@@ -787,6 +787,43 @@ function ricochet.theory.disk_impact(t) end
 ---@return number[]
 function ricochet.theory.disk_modes(t) end
 
+---@class ricochet.theory_disk_mode_table_fields
+---@field nu number Poisson's ratio
+---@field omega_most? number all modes with omega R/c_P below it (default 10)
+---@class ricochet.theory_disk_mode_table_result
+---@field n number[] nodal diameters
+---@field l number[] place among those of the same n, from 1
+---@field omega number[] Omega = omega R/c_P
+---@field U number[] radial amplitude at the rim, of a mode of the disk's mass
+---@field V number[] tangential amplitude there
+---@field torsion number[] Omega of the modes of torsion, for which U = 0 and V = 1
+--- Every in-plane mode of the free disk below a frequency: u_r = U cos(n theta), u_theta = V sin(n theta) at the rim, its mass that of the disk; (U^2 + V^2 - (1 - nu^2)(U + nV)^2/Omega^2)/2 = 1, for n = 0 without the half. Valid: plane stress; plane strain as disk_modes; a mode with n > 0 has a twin turned by a quarter of a wave. Source: love1927; gerl1999; normalisation here. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_disk_mode_table_fields
+---@return ricochet.theory_disk_mode_table_result
+function ricochet.theory.disk_mode_table(t) end
+
+---@class ricochet.theory_modal_disk_fields
+---@field nu number Poisson's ratio
+---@field speed number normal speed over c_P; above 0.1 the linear theory is formal, the disk is pressed in by 0.16 R at 0.1 and by 0.39 R at 0.3
+---@field alpha? number R over the distance in which the wall's force falls by e (default 1000)
+---@field omega_most? number all modes with omega R/c_P below it; 40 takes some 0.2 s, 80 some 2 s, a hard wall more (default 40)
+---@class ricochet.theory_modal_disk_result
+---@field e number restitution coefficient
+---@field contact_time number t_c c_P/R, while the wall holds more than 1e-6 of the incident energy
+---@field error_modes number change of e from modes below omega_most/2: about its error by those left out
+---@field error_alpha number change of e from alpha/2: how far it is from that of a hard wall
+---@field error_step number change of e from twice the step: three times its error by the step; where the rim chatters (speed above 0.1, alpha near omega_most^2 and above) that error may be as large as error_modes
+---@field ledger number e^2 + the sum of `energy` - 1: energy that the method lost or made
+---@field steps number steps of the impact
+---@field n number[] nodal diameters of every mode
+---@field l number[] its place among those of its n, from 1
+---@field omega number[] its omega R/c_P
+---@field energy number[] its energy after the impact over the kinetic energy before
+--- Head-on impact of an elastic disk on a smooth wall with the energy exp(-alpha y) along the rim: all the disk's modes below omega_most, each turned exactly, and the energy that each keeps. Valid: linear elasticity, plane stress: speed up to 0.1, formal above; a hard wall is omega_most and alpha raised together, until error_modes and error_alpha are small. Source: gerl1999. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_modal_disk_fields
+---@return ricochet.theory_modal_disk_result
+function ricochet.theory.modal_disk(t) end
+
 ---@class ricochet.theory_rods_fields
 ---@field L number length of the rod that moves [L]
 ---@field L2 number length of the rod at rest [L]

@@ -9,6 +9,7 @@
 #include "theory/fit.hpp"
 #include "theory/kuwabara_kono.hpp"
 #include "theory/maw.hpp"
+#include "theory/modal_disk.hpp"
 #include "theory/oblique.hpp"
 #include "theory/plastic.hpp"
 #include "theory/radiation.hpp"
@@ -119,6 +120,21 @@ void add_normal(std::vector<Theory>& list) {
       "disk_modes", "Omega = omega R sqrt(rho (1 - nu^2)/E) of the free disk's in-plane modes, plane stress.",
       "any nu; plane strain by nu -> nu/(1 - nu), E -> E/(1 - nu^2)", "love1927; gerl1999",
       "ricochet.theory.disk_modes { nu = 0.3, n = 2 }[1]", disk_modes, {"value", "numbers", "", "the lowest modes"}));
+  list.push_back(made(
+      "disk_mode_table",
+      "Every in-plane mode of the free disk below a frequency: u_r = U cos(n theta), u_theta = V sin(n theta) at the "
+      "rim, its mass that of the disk; (U^2 + V^2 - (1 - nu^2)(U + nV)^2/Omega^2)/2 = 1, for n = 0 without the "
+      "half.",
+      "plane stress; plane strain as disk_modes; a mode with n > 0 has a twin turned by a quarter of a wave",
+      "love1927; gerl1999; normalisation here", "ricochet.theory.disk_mode_table { nu = 0.3, omega_most = 5 }.U",
+      disk_mode_table));
+  list.push_back(made(
+      "modal_disk",
+      "Head-on impact of an elastic disk on a smooth wall with the energy exp(-alpha y) along the rim: all the disk's "
+      "modes below omega_most, each turned exactly, and the energy that each keeps.",
+      "linear elasticity, plane stress: speed up to 0.1, formal above; a hard wall is omega_most and alpha raised "
+      "together, until error_modes and error_alpha are small",
+      "gerl1999", "ricochet.theory.modal_disk { nu = 0.3, speed = 0.1, omega_most = 20 }.e", modal_disk));
   list.push_back(made("rods", "Coaxial rods of one material and cross-section: e = L_short/L_long, t_c = 2 L_short/c.",
                       "thin rods, v << c", "saintvenant1867; goldsmith1960; hayakawa2003, section II A",
                       "ricochet.theory.rods { L = 1, L2 = 2, c = 5000, v = 1 }.e", rods));

@@ -1,8 +1,6 @@
 #include "theory/disk_modes.hpp"
 
-#include <boost/math/special_functions/bessel.hpp>
-#include <boost/math/special_functions/bessel_prime.hpp>
-#include <cmath>
+#include "theory/free_disk.hpp"
 
 namespace ricochet::theory {
 
@@ -12,36 +10,47 @@ Arguments<FreeDisk> FreeDisk::fields() {
           {{"count", "integer", "", "how many, from the lowest up", {1, 100}, "3"}, &FreeDisk::count}};
 }
 
-namespace {
-
-// u = grad phi + curl psi with phi = A J_n(h r) cos(n theta), psi = B J_n(k r) sin(n theta), h = Omega, k = Omega
-// sqrt(2/(1 - nu)), R = 1. Where the rim is free, sigma_rr = sigma_rtheta = 0 [here, by J'' = -J'/x - (1 - n^2/x^2) J]:
-//   A [(n^2 - k^2/2) J(h) - h J'(h)] + B n [k J'(k) - J(k)] = 0
-//   A n [J(h) - h J'(h)] + B [k J'(k) + (k^2/2 - n^2) J(k)] = 0
-// For n = 0 the first alone: x J0(x) = (1 - nu) J1(x).
-double free_rim(double omega, int n, double nu) {
-  const double h = omega, k = omega * std::sqrt(2 / (1 - nu));
-  const double Jh = boost::math::cyl_bessel_j(n, h), dh = h * boost::math::cyl_bessel_j_prime(n, h);
-  const double radial = (n * n - k * k / 2) * Jh - dh;
-  if (n == 0) return radial;
-  const double Jk = boost::math::cyl_bessel_j(n, k), dk = k * boost::math::cyl_bessel_j_prime(n, k);
-  // Divided by what both products fall with for omega << n, so that the sign does not drown in rounding.
-  return (radial * (dk + (k * k / 2 - n * n) * Jk) - n * n * (dk - Jk) * (Jh - dh)) / (Jh * Jh + dh * dh / (n * n));
-}
-
-}  // namespace
-
 Numbers disk_modes(const FreeDisk& disk) {
   checked(disk);
-  const int n = static_cast<int>(disk.n);
+  const auto count = static_cast<std::size_t>(disk.count);
   Numbers found;
-  // Modes of one n are at least some tenths apart; for nu >= -0.9 there is none below 0.2 (n = 1 has a rigid motion at
-  // 0). As nu -> -1 the lowest falls to 0.
-  constexpr double step = 0.02;
-  for (double low = 0.2; found.size() < static_cast<std::size_t>(disk.count); low += step)
-    if ((free_rim(low, n, disk.nu) > 0) != (free_rim(low + step, n, disk.nu) > 0))
-      found.push_back(root_between([&](double omega) { return free_rim(omega, n, disk.nu); }, low, low + step));
+  for (double below = disk.n + 4; found.size() < count; below *= 1.5)
+    found = frequencies({.n = static_cast<int>(disk.n)}, disk.nu, below);
+  found.resize(count);
   return found;
+}
+
+Arguments<DiskSpectrum> DiskSpectrum::fields() {
+  return {
+      {{"nu", "number", "", "Poisson's ratio", {-0.5, 0.5}}, &DiskSpectrum::nu},
+      {{"omega_most", "number", "", "all modes with omega R/c_P below it", {1, 160}, "10"}, &DiskSpectrum::omega_most}};
+}
+
+Arguments<DiskModeTable> DiskModeTable::fields() {
+  using S = DiskModeTable;
+  return {{{"n", "numbers", "", "nodal diameters"}, &S::n},
+          {{"l", "numbers", "", "place among those of the same n, from 1"}, &S::l},
+          {{"omega", "numbers", "", "Omega = omega R/c_P"}, &S::omega},
+          {{"U", "numbers", "", "radial amplitude at the rim, of a mode of the disk's mass"}, &S::U},
+          {{"V", "numbers", "", "tangential amplitude there"}, &S::V},
+          {{"torsion", "numbers", "", "Omega of the modes of torsion, for which U = 0 and V = 1"}, &S::torsion}};
+}
+
+DiskModeTable disk_mode_table(const DiskSpectrum& spectrum) {
+  checked(spectrum);
+  DiskModeTable table;
+  for (const DiskMode& mode : free_disk_modes(spectrum.nu, spectrum.omega_most)) {
+    if (mode.torsion) {
+      table.torsion.push_back(mode.omega);
+      continue;
+    }
+    table.n.push_back(mode.n);
+    table.l.push_back(mode.l);
+    table.omega.push_back(mode.omega);
+    table.U.push_back(mode.U);
+    table.V.push_back(mode.V);
+  }
+  return table;
 }
 
 }  // namespace ricochet::theory

@@ -264,6 +264,7 @@ TEST_CASE("scripts and examples of the project run short") {
                                     "scripts/normal_speed.lua samples=2 nodes=60 speed=0.05,0.1",
                                     "scripts/materials.lua samples=1 nodes=400",
                                     "scripts/radiation.lua",
+                                    "scripts/modal_disk.lua samples=2 omega_most=20 hardness=100",
                                     "scripts/hertz_benchmarks.lua",
                                     "scripts/walton.lua --check samples=1",
                                     "scripts/normal_speed.lua --check samples=1",
