@@ -189,6 +189,13 @@ void report_along_normal(const Run& run, const Relative& start, const Relative& 
   for (double* of_y : {&o.e, &o.beta, &o.mu, &o.psi1, &o.psi2, &o.e_first, &o.mu_first}) *of_y = Outcome::undefined;
 }
 
+// What is defined by the bodies' parting, where the scene's time ends their impact before.
+void leave_out_parting(Outcome& o) {
+  for (double* of_parting :
+       {&o.e, &o.beta, &o.mu, &o.psi2, &o.e_alpha, &o.e_n, &o.beta_n, &o.mu_n, &o.error_contact_time})
+    *of_parting = Outcome::undefined;
+}
+
 void report_energy(const Run& run, const LastFacts& facts, Outcome& o) {
   o.after = facts.ledger;
   o.effect_energy = facts.effect_energy;
@@ -221,6 +228,7 @@ Outcome report(const Run& run, const Ending& ending, const Solids& solids, const
   report_impulse(run, solids, projectile, target, o);
   report_first_parting(run, solids, o);
   report_along_normal(run, start, later, in_plane(impulse(run, solids, projectile)), o);
+  if (run.clock().touching()) leave_out_parting(o);
   return o;
 }
 

@@ -248,6 +248,13 @@ TEST_CASE("an impact may be over at its first parting, at a gap, or at a time") 
   CHECK(std::abs(timed.time - 12.345) <= timed.step * 0.51);
   scene.ending.time = 0.1;
   CHECK(outcome_of(scene).status == Status::no_contact);
+  scene.ending.time = whole.time_first - 0.2;
+  const Outcome touching = outcome_of(scene);
+  REQUIRE(touching.status == Status::finished);
+  CHECK_THAT(touching.reason, Catch::Matchers::Contains("the bodies still touch"));
+  for (const double of_parting : {touching.e, touching.beta, touching.mu, touching.e_n, touching.contact_time})
+    CHECK(std::isnan(of_parting));
+  CHECK(std::isfinite(touching.vn));
 }
 
 TEST_CASE("endings that contradict themselves are refused") {

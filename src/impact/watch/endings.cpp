@@ -11,7 +11,12 @@ std::string described(const BodyNode& node) {
   return fmt::format("node {} of the {}", node.node, body_name(static_cast<std::size_t>(node.body)));
 }
 
-std::string text(const ending::Finished&, const Run&) { return ""; }
+std::string text(const ending::Finished& e, const Run& run) {
+  if (!e.touching) return "";
+  return fmt::format(
+      "at ending.time = {:g} the bodies still touch: what their parting defines, e and mu among it, is undefined",
+      run.end_time);
+}
 
 std::string text(const ending::PassedBy&, const Run&) { return "the projectile passes by the target"; }
 

@@ -11,7 +11,9 @@
 namespace ricochet {
 
 namespace ending {
-struct Finished {};
+struct Finished {
+  bool touching = false;  ///< ended by time, while the bodies touched
+};
 struct PassedBy {};
 struct NotTouched {};
 struct BrokenNode {
@@ -46,7 +48,7 @@ using Ending = std::variant<ending::Finished, ending::PassedBy, ending::NotTouch
 
 Status status_of(const Ending& ending);
 
-/// Why the run ended so and what to do about it; empty if it finished.
+/// Why the run ended so and what to do about it; empty if it finished apart.
 std::string sentence_of(const Ending& ending, const Run& run);
 
 }  // namespace ricochet

@@ -243,7 +243,7 @@ class Watch {
     if (!in_time && !first) return std::nullopt;
     if (auto ending = keep_ledger(lane, now)) return ending;
     if (!run.clock().touched()) return ending::NotTouched{};
-    return ending::Finished{};
+    return ending::Finished{run.clock().touching()};
   }
 
   void keep_approach(int lane, const Look& now) {
