@@ -18,11 +18,22 @@ namespace {
 // A touch that lasts longer is no bounce. [R/c]
 constexpr double longest_touch = 100;
 
+double relative_fall(const Scene& scene, const Solids& solids) {
+  const auto fall = [&](std::size_t body) {
+    const int count = static_cast<int>(solids.size());
+    return solids[body]->anchored() ? 0 : normal(fall_of(scene.effects, static_cast<int>(body), count));
+  };
+  return fall(role::projectile) - fall(role::target);
+}
+
 /// Follows one run from touch to touch.
 class Follower {
  public:
   Follower(const Solids& solids, const Scene& scene, const Start& start, const std::atomic<bool>& stop)
-      : engine_(solids, scene.method(), scene.effects), start_(start), stop_(stop) {
+      : engine_(solids, scene.method(), scene.effects),
+        start_(start),
+        fall_(relative_fall(scene, solids)),
+        stop_(stop) {
     engine_.begin(0, scene, 0, start);
     see();
   }
@@ -46,6 +57,10 @@ class Follower {
         reason = fmt::format("the bodies had not parted {:g} R/c after their touch", longest_touch);
     };
     if (!advance([&] { return parted_.has_value(); }, watch_touch)) return std::nullopt;
+    // It has fallen on since the first load was seen: the touch began a little later.
+    const double began = touch().last_begin();
+    bounce.speed -= fall_ * (began - bounce.time);
+    bounce.time = began;
     bounce.e = *parted_ / bounce.speed;
     const auto watch_rise = [&] { bounce.height = std::max(bounce.height, height_ - touched_at); };
     if (!advance([&] { return speed_ <= 0; }, watch_rise)) return std::nullopt;
@@ -101,6 +116,7 @@ class Follower {
 
   Engine<1> engine_;
   Start start_;
+  double fall_;  // the acceleration of the projectile that the target sees, along the normal [c^2/R]
   const std::atomic<bool>& stop_;
   std::int64_t steps_ = 0;
   double height_ = 0, speed_ = 0;  // of the projectile's centre over the target's, when last seen [R, c]

@@ -122,7 +122,7 @@ TEST_CASE("each bounce rises as high as its speed takes it, and falls back as fa
   const Bounces bounces = follow_bounces(solids, scene, 4, not_given, go_on);
   CHECK(bounces.reason == "");
   REQUIRE(bounces.list.size() == 4);
-  CHECK(bounces.list[0].e == Approx(run_scene(solids, scene, go_on).e).margin(3e-3));
+  CHECK(bounces.list[0].e == Approx(run_scene(solids, scene, go_on).e).margin(1e-5));
   for (std::size_t k = 0; k < 4; ++k) {
     const Bounce& bounce = bounces.list[k];
     INFO("bounce " << k + 1 << ": e = " << bounce.e << ", height " << bounce.height);

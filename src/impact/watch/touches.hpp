@@ -44,6 +44,8 @@ class TouchClock {
   int count() const;
   /// When the first that counts began. Undefined before.
   double begin() const;
+  /// When the last touch began, once it has ended.
+  double last_begin() const { return touches_.back().rise.front().time; }
   /// When the first that counts ended. Undefined before.
   double first_end() const;
   /// When the last that counts ended. Undefined while one lasts.
