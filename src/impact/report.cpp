@@ -169,8 +169,26 @@ double contact_time_error(const Run& run, double arrives, double leaves) {
   return -std::log(run.scene->ending.force) / run.start.contact.xi * (1 / std::abs(arrives) + 1 / std::abs(leaves));
 }
 
+// Where touches follow each other far apart, the contact has no one place: what the normal speed of the contact points
+// is uncertain by, the change of spin times the touches' deviation along t from their mean. None of a round body, whose
+// touch is at its foot.
+double uncertain_speed(const Run& run, const Relative& start, const Relative& after, const Vec2& t) {
+  const ContactFrame& frame = run.frame;
+  const std::array<double, 2> turned{after.spin - start.spin, after.target_spin - start.target_spin};
+  double speed = 0;
+  for (const std::size_t b : {role::projectile, role::target}) {
+    if (frame.round[b]) continue;
+    const double mean = t.dot(frame.arm[b]) / frame.load;
+    const double square = t.dot(frame.arms2[b] * t) / frame.load - mean * mean;
+    speed += std::abs(turned[b]) * std::sqrt(std::max(0.0, square));
+  }
+  return speed;
+}
+
 // Where the contact's normal is not y, what the paper defines along y has no meaning.
 constexpr double most_tilted = 0.1;
+// Of the normal speed, that the contact points' may be uncertain by.
+constexpr double most_uncertain = 0.1;
 // Of the normal speed: below it what moves along the surface is that of the rim's own polygon.
 constexpr double least_slip = 1e-3;
 
@@ -181,9 +199,10 @@ void report_along_normal(const Run& run, const Relative& start, const Relative& 
   o.normal_y = normal(n);
   const Arms arms = arms_of(run, n, t);
   const ContactPoint first = at_arms(start, arms, n, t), later = at_arms(after, arms, n, t);
-  o.e_n = ratio(-later.n, first.n);
+  const bool one_place = uncertain_speed(run, start, after, t) <= most_uncertain * std::abs(first.n);
+  if (one_place) o.e_n = ratio(-later.n, first.n);
   o.error_contact_time = contact_time_error(run, first.n, later.n);
-  if (std::abs(first.t) > least_slip * std::abs(first.n)) o.beta_n = -later.t / first.t;
+  if (one_place && std::abs(first.t) > least_slip * std::abs(first.n)) o.beta_n = -later.t / first.t;
   o.mu_n = ratio(std::abs(t.dot(j)), n.dot(j));
   if (std::abs(tangential(n)) <= most_tilted) return;
   for (double* of_y : {&o.e, &o.beta, &o.mu, &o.psi1, &o.psi2, &o.e_first, &o.mu_first}) *of_y = Outcome::undefined;

@@ -109,15 +109,17 @@ namespace {
 
 }  // namespace
 
-void check_progress(const Scene& scene, const Start& start, double fastest, double size) {
-  constexpr double rounding = std::numeric_limits<double>::epsilon();
+double least_step(double fastest, double size) {
+  return fastest > 0 ? 1e3 * std::numeric_limits<double>::epsilon() * size / fastest : 0;
+}
+
+void check_progress(const Scene& scene, const Start& start, double fastest) {
   const Integration& wanted = scene.integration;
   const char* given = given_step(wanted);
   const char* speed = speed_field(scene);
   if (start.time_limit + start.step == start.time_limit) refuse_lost_step(scene, start, given, speed);
-  // The last digits of what a step adds to a place are lost; few enough that the impact does not notice.
-  const double least = 1e3 * rounding * size;
-  if (!(fastest > 0 && start.step * fastest < least)) return;
+  if (!(start.step < start.least_step)) return;
+  const double least = start.least_step * fastest;
   const std::string remedy = !given ? fmt::format("a speed of {:.2g} c", least / start.step)
                              : given[0] == 's'
                                  ? fmt::format("a step of {:.2g}", least / fastest)

@@ -26,7 +26,11 @@ void check_contact_is_seen(const Scene& scene, double step, double fastest, doub
 /// it is faster [c]; `radius`: of the projectile.
 void check_patience(const Scene& scene, const Start& start, double fastest, double radius);
 
-/// Time and places must move on in numbers of 53 bits. `size`: of the places [R].
-void check_progress(const Scene& scene, const Start& start, double fastest, double size);
+/// Time and places must move on in numbers of 53 bits.
+void check_progress(const Scene& scene, const Start& start, double fastest);
+
+/// In a shorter step what a node moves by is lost in rounding, but for so few digits that the impact does not notice.
+/// `fastest`: no node of the projectile is faster [c]; `size`: of the places [R]. [R/c]
+double least_step(double fastest, double size);
 
 }  // namespace ricochet

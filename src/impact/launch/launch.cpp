@@ -128,7 +128,8 @@ Start launch(const Scene& described, const Solids& solids) {
       !std::isnan(scene.integration.time_limit) ? scene.integration.time_limit : 100 + 2 / std::max(normal_speed, 1e-9);
   if (scene.ending.at == "time") start.time_limit = std::max(start.time_limit, scene.ending.time);
   const Vec2 centre = projectile.centre();
-  check_progress(scene, start, fastest, std::max(centre.norm(), flight.radius()));
+  start.least_step = least_step(fastest, std::max(centre.norm(), flight.radius()));
+  check_progress(scene, start, fastest);
   check_patience(scene, start, meeting, flight.radius());
   check_contact_is_seen(scene, step, meeting, flight.radius());
   take_energy(start, arrives, scene, solids);

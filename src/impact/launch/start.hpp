@@ -21,6 +21,7 @@ struct Start {
   std::vector<Placement> bodies;  ///< by index
   std::vector<double> stiffness;  ///< by index: of the interior [m0 c^2/R^2]
   double step = 0, theta = 0, time_limit = 0;
+  double least_step = 0;           ///< a shorter one is lost in rounding [R/c]
   double energy = 0;               ///< kinetic energy in the frame of the target's centre [m0 c^2]
   ExponentialRepulsion contact{};  ///< the scene's, its reach widened for a slow impact
   bool certified = false;          ///< energy below V0, all nodes pushed: none can come inside

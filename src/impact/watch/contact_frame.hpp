@@ -54,14 +54,21 @@ void add_to_frame(const Pair<W>& pair, int lane, const Motions<W>& bodies,
     const Vec2 place = bodies[static_cast<std::size_t>(pair.body(push.side))].q.at(push.node, lane);
     now.load += push.energy;
     now.normal += push.energy * normal_between(facing[0], facing[1]);
-    for (int side : {0, 1}) now.arm[side] += push.energy * (place - pose[side].centre);
+    for (int side : {0, 1}) {
+      const Vec2 arm = place - pose[side].centre;
+      now.arm[side] += push.energy * arm;
+      now.arms2[side] += push.energy * arm * arm.transpose();
+    }
   });
   if (!(now.load > 0)) return;
   ContactFrame& frame = run.frame;
   frame.heaviest = std::max(frame.heaviest, now.load);
   frame.load += now.load;
   frame.normal += now.normal;
-  for (int side : {0, 1}) frame.arm[side] += now.arm[side];
+  for (int side : {0, 1}) {
+    frame.arm[side] += now.arm[side];
+    frame.arms2[side] += now.arms2[side];
+  }
   const Vec2 came_from = run.approach.place + (run.clock().begin() - run.approach.time) * run.approach.velocity;
   const double overlap = now.normal.normalized().dot(came_from - (pose[0].centre - pose[1].centre));
   if (!(frame.overlap >= overlap)) frame.overlap = overlap;

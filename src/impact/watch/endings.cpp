@@ -41,10 +41,17 @@ std::string text(const ending::EnergyBeyondNumbers&, const Run& run) {
 }
 
 std::string text(const ending::EnergyDrift& e, const Run& run) {
+  const double advised = std::clamp(e.shorter, 0.125, 0.5) * run.start.step;
+  if (advised < run.start.least_step)
+    return fmt::format(
+        "the total energy had strayed by {:.3g} at t = {:.6g} with the time step {:.3g} R/c, and shorter steps are "
+        "lost "
+        "in rounding: give a higher speed, or a larger energy_tolerance",
+        run.drift, run.time(), run.start.step);
   return fmt::format(
       "the total energy had strayed by {:.3g} at t = {:.6g} with the time step {:.3g} R/c; give a step of {:.2g} or "
       "less",
-      run.drift, run.time(), run.start.step, std::clamp(e.shorter, 0.125, 0.5) * run.start.step);
+      run.drift, run.time(), run.start.step, advised);
 }
 
 std::string text(const ending::Unstable& e, const Run& run) {

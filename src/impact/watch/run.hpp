@@ -23,8 +23,9 @@ struct ContactFrame {
   double heaviest = 0;                                  ///< weight in the touch that lasts, or lasted last
   Vec2 normal = Vec2::Zero();                           ///< from the target to the projectile
   std::array<Vec2, 2> arm{Vec2::Zero(), Vec2::Zero()};  ///< from the centres, projectile and target, to the contact [R]
-  std::array<bool, 2> round{false, false};              ///< the bodies are circles
-  double overlap = Outcome::undefined;                  ///< greatest, since the first touch began [R]
+  std::array<Eigen::Matrix2d, 2> arms2{Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Zero()};  ///< their squares, dyadic
+  std::array<bool, 2> round{false, false};                                                 ///< the bodies are circles
+  double overlap = Outcome::undefined;  ///< greatest, since the first touch began [R]
 };
 
 /// The projectile's centre relative to the target's in its flight before the first touch.
