@@ -15,7 +15,7 @@ struct SmallStrain {
     const Number xx = F.xx - 1.0, yy = F.yy - 1.0, xy = 0.5 * (F.xy + F.yx), trace = xx + yy;
     return 0.5 * lambda * trace * trace + mu * (xx * xx + yy * yy + 2.0 * xy * xy);
   }
-  Tensor<Number> stress(const Tensor<Number>& F) const {
+  [[gnu::always_inline]] Tensor<Number> stress(const Tensor<Number>& F) const {
     const Number xx = F.xx - 1.0, yy = F.yy - 1.0, shear = mu * (F.xy + F.yx);
     return of(xx, yy, shear);
   }
@@ -24,7 +24,7 @@ struct SmallStrain {
   }
 
  private:
-  Tensor<Number> of(const Number& xx, const Number& yy, const Number& shear) const {
+  [[gnu::always_inline]] Tensor<Number> of(const Number& xx, const Number& yy, const Number& shear) const {
     const Number pressure = lambda * (xx + yy), twice = 2.0 * mu;
     return {pressure + twice * xx, shear, shear, pressure + twice * yy};
   }

@@ -16,7 +16,9 @@ struct StVenantKirchhoff {
     const Number trace = E.xx + E.yy;
     return 0.5 * lambda * trace * trace + mu * (E.xx * E.xx + E.yy * E.yy + 2.0 * E.xy * E.xy);
   }
-  Tensor<Number> stress(const Tensor<Number>& F) const { return times(F, second_stress(strain(F))); }
+  [[gnu::always_inline]] Tensor<Number> stress(const Tensor<Number>& F) const {
+    return times(F, second_stress(strain(F)));
+  }
   Tensor<Number> tangent(const Tensor<Number>& F, const Tensor<Number>& dF) const {
     const Symmetric dE{F.xx * dF.xx + F.yx * dF.yx, F.xy * dF.xy + F.yy * dF.yy,
                        0.5 * (F.xx * dF.xy + F.xy * dF.xx + F.yx * dF.yy + F.yy * dF.yx)};
@@ -28,15 +30,15 @@ struct StVenantKirchhoff {
   struct Symmetric {
     Number xx, yy, xy;
   };
-  static Symmetric strain(const Tensor<Number>& F) {
+  [[gnu::always_inline]] static Symmetric strain(const Tensor<Number>& F) {
     return {0.5 * (F.xx * F.xx + F.yx * F.yx - 1.0), 0.5 * (F.xy * F.xy + F.yy * F.yy - 1.0),
             0.5 * (F.xx * F.xy + F.yx * F.yy)};
   }
-  Symmetric second_stress(const Symmetric& E) const {
+  [[gnu::always_inline]] Symmetric second_stress(const Symmetric& E) const {
     const Number pressure = lambda * (E.xx + E.yy), twice = 2.0 * mu;
     return {pressure + twice * E.xx, pressure + twice * E.yy, twice * E.xy};
   }
-  static Tensor<Number> times(const Tensor<Number>& F, const Symmetric& S) {
+  [[gnu::always_inline]] static Tensor<Number> times(const Tensor<Number>& F, const Symmetric& S) {
     return {F.xx * S.xx + F.xy * S.xy, F.xx * S.xy + F.xy * S.yy, F.yx * S.xx + F.yy * S.xy, F.yx * S.xy + F.yy * S.yy};
   }
 };

@@ -103,6 +103,30 @@ TEST_CASE("the polynomial law is linear in uniaxial strain and finite where a tr
   CHECK(std::isfinite(law.energy({0, 0, 0, 0})));
 }
 
+TEST_CASE("the pulls that the polynomial law finds by the edges alone are those of its stress") {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-1.5, 1.5);
+  const Polynomial<double> law{0.7, 0.4};
+  for (int k = 0; k < 100; ++k) {
+    const F2 D(number(random), number(random), number(random), number(random)),
+        D0(1 + 0.5 * number(random), 0.3 * number(random), 0.3 * number(random), 1 + 0.4 * number(random));
+    const double area = determinant(D0), weight = 1.3 * std::abs(area) / 2;
+    const F2 inverse(D0.yy / area, -D0.xy / area, -D0.yx / area, D0.xx / area);
+    const F2 P = law.stress({D.xx * inverse.xx + D.xy * inverse.yx, D.xx * inverse.xy + D.xy * inverse.yy,
+                             D.yx * inverse.xx + D.yy * inverse.yx, D.yx * inverse.xy + D.yy * inverse.yy});
+    const auto of = [&](double a, double b, double c, double d) { return weight * (a * b + c * d); };
+    const EdgeMetric metric{of(inverse.xx, inverse.xx, inverse.xy, inverse.xy),
+                            of(inverse.xx, inverse.yx, inverse.xy, inverse.yy),
+                            of(inverse.yx, inverse.yx, inverse.yy, inverse.yy), 1 / area, weight / area};
+    const F2 H = law.edge_pulls(D, metric);
+    const double margin = 1e-11 * weight * size(P) * size(inverse);
+    CHECK(std::abs(H.xx - of(P.xx, inverse.xx, P.xy, inverse.xy)) < margin);
+    CHECK(std::abs(H.xy - of(P.xx, inverse.yx, P.xy, inverse.yy)) < margin);
+    CHECK(std::abs(H.yx - of(P.yx, inverse.xx, P.yy, inverse.xy)) < margin);
+    CHECK(std::abs(H.yy - of(P.yx, inverse.yx, P.yy, inverse.yy)) < margin);
+  }
+}
+
 TEST_CASE("a solid law's numbers choose it, and read back as they were written") {
   const SolidLawNumbers given = solid_law("st_venant_kirchhoff", {0.25, 0.5}), read = solid_law_of(numbers_of(given));
   CHECK(read.law == given.law);
