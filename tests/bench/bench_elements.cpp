@@ -1,5 +1,5 @@
 // What the sweep over elements costs beside that over springs of the same nodes, in four lanes and alone. `./workbench
-// bench elements` runs it. Every time is per item (spring or triangle) and lane: a triangle may take as much as two
+// bench` runs it. Every time is per item (spring or triangle) and lane: a triangle may take as much as two
 // springs, of which a node has three and of triangles two.
 
 #include <benchmark/benchmark.h>
