@@ -8,6 +8,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -111,9 +112,15 @@ void smooth(const Rim& rim, Points& inner, const SizeField& size) {
   std::copy(points.begin() + static_cast<std::ptrdiff_t>(rim.points.size()), points.end(), inner.begin());
 }
 
-}  // namespace
+// Whether a triangle is bad hangs on its last digits. Rounded to this share of the smallest side, those of a body in
+// other units are the same, and so is its mesh.
+double rounded(double value) {
+  constexpr double digits = 1 << 30;
+  return std::round(value * digits) / digits;
+}
 
-Points mesh_interior(const Rim& rim, const SizeField& size) {
+// Of a rim in units of size.least, from size.fine_at; so is what is returned.
+Points mesh_of(const Rim& rim, const SizeField& size) {
   MeshTriangulation triangulation;
   std::vector<MeshTriangulation::Vertex_handle> of_rim;
   for (const Vec2& p : rim.points) of_rim.push_back(triangulation.insert(MeshPoint(p.x(), p.y())));
@@ -129,6 +136,20 @@ Points mesh_interior(const Rim& rim, const SizeField& size) {
   std::sort(inner.begin(), inner.end(),
             [](const Vec2& a, const Vec2& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); });
   smooth(rim, inner, size);
+  return inner;
+}
+
+}  // namespace
+
+Points mesh_interior(const Rim& rim, const SizeField& size) {
+  const double unit = size.least;
+  Rim scaled = rim;
+  for (Vec2& p : scaled.points) {
+    p = (p - size.fine_at) / unit;
+    p = {rounded(p.x()), rounded(p.y())};
+  }
+  Points inner = mesh_of(scaled, {1, rounded(size.most / unit), size.grade, Vec2(0, 0)});
+  for (Vec2& p : inner) p = size.fine_at + unit * p;
   return inner;
 }
 

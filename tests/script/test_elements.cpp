@@ -62,6 +62,25 @@ assert(m.shortest < 0.02 and m.longest > 0.1 and m.longest < 0.25)
   CHECK(ended.status == 0);
 }
 
+TEST_CASE("scripts: a meshed body in SI is that of the paper's units, scaled") {
+  const Ended ended = script(R"(
+local steel, R, E, density = ricochet.materials.steel, 0.007, 1e4, 800 / math.pi
+local function wave_speed(modulus, mass) return math.sqrt(modulus / mass / (1 - steel.nu ^ 2)) end
+local function row(t, speed, xi, units)
+  t.interior, t.h_max = "elements", 3 * t.h_min
+  return ricochet.scene { projectile = ricochet.disk(t), target = ricochet.plane {}, units = units,
+    launch = { speed = 0.05 * speed }, contact = { xi = xi } }:run()
+end
+for _, h in ipairs { 0.05, 0.07, 0.11 } do
+  local si = row({ radius = R, material = steel, h_min = h * R }, wave_speed(steel.E, steel.density), 1000 / R, "SI")
+  local plain = row({ E = E, nu = steel.nu, h_min = h }, wave_speed(E, density), 1000)
+  assert(math.abs(si.e - plain.e) < 1e-8, si.e .. " " .. plain.e)
+end
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
+
 TEST_CASE("scripts: E and density of elements may depend on the place, and a scene of them may be refined") {
   const Ended ended = script(R"(
 local disk = ricochet.disk { interior = "elements", h_min = 0.1, nu = 0.3,
