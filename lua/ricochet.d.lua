@@ -60,16 +60,23 @@ function ricochet.material(t) end
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
----@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
----@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
----@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field nu? number of elements: Poisson's ratio
+---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
+---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
 ---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field fine_at? number[] {x, y} where the mesh by h_min is finest, before the body is turned; at the lowest point of the outline unless given [R]
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
---- A random mass-spring lattice in a closed outline, or a rigid body.
+--- A body in a closed outline: a random lattice of springs, a mesh of elements, or rigid.
 ---@param t ricochet.body_fields
 ---@return ricochet.body
 function ricochet.body(t) end
@@ -88,13 +95,20 @@ function ricochet.body(t) end
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
----@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
----@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
----@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field nu? number of elements: Poisson's ratio
+---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
+---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
 ---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field fine_at? number[] {x, y} where the mesh by h_min is finest, before the body is turned; at the lowest point of the outline unless given [R]
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- A disk around the origin.
@@ -117,13 +131,20 @@ function ricochet.disk(t) end
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
----@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
----@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
----@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field nu? number of elements: Poisson's ratio
+---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
+---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
 ---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field fine_at? number[] {x, y} where the mesh by h_min is finest, before the body is turned; at the lowest point of the outline unless given [R]
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- An ellipse around the origin.
@@ -146,13 +167,20 @@ function ricochet.ellipse(t) end
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
----@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
----@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
----@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field nu? number of elements: Poisson's ratio
+---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
+---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
 ---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field fine_at? number[] {x, y} where the mesh by h_min is finest, before the body is turned; at the lowest point of the outline unless given [R]
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- A rectangle around the origin.
@@ -175,13 +203,20 @@ function ricochet.rectangle(t) end
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
----@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
----@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
----@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field nu? number of elements: Poisson's ratio
+---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
+---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
 ---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field fine_at? number[] {x, y} where the mesh by h_min is finest, before the body is turned; at the lowest point of the outline unless given [R]
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- A regular polygon around the origin that stands on a side. From 12 sides on its rim takes the corners for a curve, and may cut them.
@@ -203,13 +238,20 @@ function ricochet.regular_polygon(t) end
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
----@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
----@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
----@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field nu? number of elements: Poisson's ratio
+---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
+---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
 ---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field fine_at? number[] {x, y} where the mesh by h_min is finest, before the body is turned; at the lowest point of the outline unless given [R]
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- A body in a closed outline, such as one from a file; the same as ricochet.body.
@@ -240,12 +282,19 @@ function ricochet.rotated(t) end
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
----@field interior? "springs"|"rigid" what holds it together; rigid: nothing moves inside, for a target (default springs)
----@field material? ricochet.material what it is made of, instead of stiffness, density and mass, for scenes in SI: the spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
----@field state? "plane_stress"|"plane_strain" of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field nu? number of elements: Poisson's ratio
+---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
+---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
 ---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field fine_at? number[] {x, y} where the mesh by h_min is finest, before the body is turned; at the lowest point of the outline unless given [R]
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
 --- A rectangular block whose top is y = 0, held at both sides and at the bottom.
@@ -513,7 +562,7 @@ function ricochet.animate(t) end
 
 ---@class ricochet.show_fields
 ---@field title? string above the picture
----@field material? "none"|"plain"|"energy_density"|"speed"|"velocity_x"|"velocity_y"|"pressure"|"von_mises"|"stretch" what colours the bodies: none (nothing is filled), plain; energy_density: energy of the springs per area at rest [m_0c^2/R^2]; speed: of the nodes [c]; velocity_x: of the nodes [c]; velocity_y: of the nodes [c]; pressure: minus the mean of the principal stresses [m_0c^2/R^2]; von_mises: of the stress in the plane [m_0c^2/R^2]; stretch: mean relative elongation of the springs around (default energy_density)
+---@field material? "none"|"plain"|"energy_density"|"speed"|"velocity_x"|"velocity_y"|"pressure"|"von_mises"|"stretch" what colours the bodies: none (nothing is filled), plain; energy_density: energy of springs or elements per area at rest [m_0c^2/R^2]; speed: of the nodes [c]; velocity_x: of the nodes [c]; velocity_y: of the nodes [c]; pressure: minus the mean of the principal stresses [m_0c^2/R^2]; von_mises: of the stress in the plane [m_0c^2/R^2]; stretch: mean relative elongation of the springs around, or that of elements along their principal axes (default energy_density)
 ---@field springs? "none"|"plain"|"energy"|"tension" how springs are drawn: none, plain (thin and dark), or coloured where the material is none or plain; energy: of each spring [m_0c^2]; tension: of each spring, positive if it pulls [m_0c^2/R] (default plain)
 ---@field rims? boolean outlines of the bodies (default true)
 ---@field anchors? boolean hatching where a rim is held (default true)
@@ -621,10 +670,17 @@ function ricochet.plan(t) end
 
 ---@class ricochet.elasticity_fields
 ---@field body ricochet.body a band longer along y than along x, nowhere anchored
---- Young's modulus E and Poisson's ratio nu of a band, stretched along y by a small strain and solved statically. E is in m0 c^2/R^2, or in Pa if the band is of a material.
+--- Young's modulus E and Poisson's ratio nu of a band, stretched along y by a small strain and solved statically. E is in m0 c^2/R^2, or in Pa if the band is of a material. They are those of its plane, or of elements those they were given.
 ---@param t ricochet.elasticity_fields
 ---@return table
 function ricochet.elasticity(t) end
+
+---@class ricochet.mesh_fields
+---@field body ricochet.body of springs or elements
+--- How the triangles of a body are: how many `nodes` and `triangles`; the `quality` of the worst, 12 sqrt(3) area/perimeter^2, 1 if it is equilateral; the `shortest` and `longest` side, in R, or in m of a body of a material; `mass_error`, by which share their area exceeds that of the outline.
+---@param t ricochet.mesh_fields
+---@return table
+function ricochet.mesh(t) end
 
 --- Writes text into a file below the run's folder: ricochet.file.write(name, text).
 ---@param name string

@@ -16,6 +16,12 @@ std::array<int, 2> nodes_of(const FrameMesh& mesh, int body) {
   return {of.first, of.first + of.nodes};
 }
 
+// The mean of both principal stretches, less 1: (s1 + s2)^2 = |F|^2 + 2 J.
+double mean_stretch(const Tensor<double>& F) {
+  const double squares = F.xx * F.xx + F.xy * F.xy + F.yx * F.yx + F.yy * F.yy, J = F.xx * F.yy - F.xy * F.yx;
+  return std::sqrt(std::max(0.0, squares + 2 * J)) / 2 - 1;
+}
+
 }  // namespace
 
 Motion motion_of(const FrameMesh& mesh, const Frame& frame, int body) {
@@ -134,7 +140,10 @@ double plotted_value(const std::string& name, const FrameMesh& mesh, const Frame
 
 Fields::Fields(const FrameMesh& mesh)
     : mesh_(mesh), shared_by_(mesh.springs.size(), 0.0), rest_area_(mesh.mass.size(), 0.0) {
-  for (const BodyMesh& body : mesh.bodies) laws_.push_back(law_of(body.law));
+  for (const BodyMesh& body : mesh.bodies) {
+    laws_.push_back(law_of(body.law));
+    solid_laws_.push_back(body.solid_law.empty() ? SolidLawNumbers{} : solid_law_of(body.solid_law));
+  }
   const auto key = [](int a, int b) {
     return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b));
   };
@@ -153,6 +162,29 @@ Fields::Fields(const FrameMesh& mesh)
           twice_area(seen(mesh, mesh.rest, t[0]), seen(mesh, mesh.rest, t[1]), seen(mesh, mesh.rest, t[2])) / 2;
     }
     sides_.push_back(sides);
+    for (std::size_t corner = 0; corner < 3 && mesh.springs.empty(); ++corner)
+      mean_length_ += (seen(mesh, mesh.rest, t[corner]) - seen(mesh, mesh.rest, t[(corner + 1) % 3])).norm() /
+                      (3 * static_cast<double>(mesh.triangles.size()));
+  }
+}
+
+// Calls `use(t, law, F, area)` for every triangle that is an element: its deformation gradient and area at rest.
+template <class Use>
+void Fields::each_element(const Frame& frame, Use&& use) const {
+  for (std::size_t t = 0; t < mesh_.modulus.size(); ++t) {
+    if (mesh_.modulus[t] == 0) continue;
+    const auto& [i, j, k] = mesh_.triangles[t];
+    const auto edges = [&](const auto& places) {
+      const Vec2 from = seen(mesh_, places, i);
+      Eigen::Matrix2d d;
+      d.col(0) = seen(mesh_, places, j) - from;
+      d.col(1) = seen(mesh_, places, k) - from;
+      return d;
+    };
+    const Eigen::Matrix2d rest = edges(mesh_.rest), F = edges(frame.position) * rest.inverse();
+    with_solid_law(solid_laws_[static_cast<std::size_t>(mesh_.body_of(i))], mesh_.modulus[t], [&](const auto& law) {
+      use(t, law, Tensor<double>(F(0, 0), F(0, 1), F(1, 0), F(1, 1)), std::abs(rest.determinant()) / 2);
+    });
   }
 }
 
@@ -176,13 +208,13 @@ std::vector<double> Fields::of_springs(const std::string& name, const Frame& fra
 
 std::vector<double> Fields::stress(const Frame& frame, bool pressure) const {
   const std::vector<double> tension = of_springs("tension", frame);
-  struct Tensor {
+  struct Stress {
     double xx = 0, xy = 0, yy = 0, area = 0;
   };
-  std::vector<Tensor> sums(mesh_.mass.size());
+  std::vector<Stress> sums(mesh_.mass.size());
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     const auto& corners = mesh_.triangles[t];
-    Tensor tensor;
+    Stress tensor;
     for (const int s : sides_[t]) {
       if (s < 0 || std::isnan(tension[s])) continue;
       const Vec2 r =
@@ -202,8 +234,16 @@ std::vector<double> Fields::stress(const Frame& frame, bool pressure) const {
       sums[i].area += tensor.area;
     }
   }
+  each_element(frame, [&](std::size_t t, const auto& law, const Tensor<double>& F, double area) {
+    const Tensor<double> P = law.stress(F);
+    for (const int i : mesh_.triangles[t]) {
+      sums[i].xx += area * (P.xx * F.xx + P.xy * F.xy);
+      sums[i].xy += area * (P.xx * F.yx + P.xy * F.yy);
+      sums[i].yy += area * (P.yx * F.yx + P.yy * F.yy);
+    }
+  });
   std::vector<double> values;
-  for (const Tensor& s : sums) {
+  for (const Stress& s : sums) {
     const double xx = s.xx / s.area, yy = s.yy / s.area, xy = s.xy / s.area;
     values.push_back(s.area == 0 ? 0
                      : pressure  ? -(xx + yy) / 2
@@ -227,6 +267,12 @@ std::vector<double> Fields::of_material(const std::string& name, const Frame& fr
           weight[i] += 1;
         }
       }
+    each_element(frame, [&](std::size_t t, const auto& law, const Tensor<double>& F, double area) {
+      for (const int i : mesh_.triangles[t]) {
+        values[i] += energy ? area * law.energy(F) : mean_stretch(F);
+        weight[i] += 1;
+      }
+    });
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double over = energy ? rest_area_[i] : weight[i];
       if (over > 0) values[i] /= over;

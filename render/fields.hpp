@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/frame.hpp"
+#include "material/solid_law.hpp"
 #include "material/spring_law.hpp"
 
 namespace ricochet::render {
@@ -47,21 +48,24 @@ class Fields {
 
   /// A quantity of material_quantities() at every node: the mean over the triangles around it. [node]
   /// Stress of a triangle of area A: (1/A) sum over its springs of T r n n / (how many triangles share the spring), r
-  /// the spring's length and n its direction.   [here: the virial theorem]
+  /// the spring's length and n its direction.   [here: the virial theorem] That of an element is P F^T/J.
   std::vector<double> of_material(const std::string& name, const Frame& frame) const;
   /// A quantity of spring_quantities(); NaN for broken springs. [spring]
   std::vector<double> of_springs(const std::string& name, const Frame& frame) const;
 
   /// The spring opposite to each corner of a triangle, -1 if there is none. [triangle]
   const std::vector<std::array<int, 3>>& sides() const { return sides_; }
-  double mean_spring_length() const { return mean_length_; }
+  double mean_side_length() const { return mean_length_; }  ///< of triangles, or springs
 
  private:
   double elongation(const Frame& frame, std::size_t spring, double distance) const;
   std::vector<double> stress(const Frame& frame, bool pressure) const;
+  template <class Use>
+  void each_element(const Frame& frame, Use&& use) const;
 
   const FrameMesh& mesh_;
-  std::vector<SpringLawNumbers> laws_;  // [body]
+  std::vector<SpringLawNumbers> laws_;       // [body]
+  std::vector<SolidLawNumbers> solid_laws_;  // [body]
   std::vector<std::array<int, 3>> sides_;
   std::vector<double> shared_by_;  // [spring] how many triangles have it
   std::vector<double> rest_area_;  // [node] of the triangles around

@@ -31,13 +31,15 @@ const Quantity* named(std::span<const Quantity> quantities, const std::string& n
 
 std::span<const Quantity> material_quantities() {
   static const std::vector<Quantity> list{
-      {"energy_density", "strain energy density", "m_0c^2/R^2", "energy of the springs per area at rest", false},
+      {"energy_density", "strain energy density", "m_0c^2/R^2", "energy of springs or elements per area at rest",
+       false},
       {"speed", "speed", "c", "of the nodes", false},
       {"velocity_x", "velocity along x", "c", "of the nodes", true},
       {"velocity_y", "velocity along y", "c", "of the nodes", true},
       {"pressure", "pressure", "m_0c^2/R^2", "minus the mean of the principal stresses", true},
       {"von_mises", "von Mises stress", "m_0c^2/R^2", "of the stress in the plane", false},
-      {"stretch", "stretch", "", "mean relative elongation of the springs around", true},
+      {"stretch", "stretch", "",
+       "mean relative elongation of the springs around, or that of elements along their principal axes", true},
   };
   return list;
 }

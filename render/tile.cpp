@@ -233,7 +233,7 @@ Panel draw_tile(const Brush& brush, Font& font, const Tile& tile, const View& vi
     draw_bare_springs(above, brush, tile, pixels, colours);
   }
   // Where springs would cover everything they are paler.
-  const double spacing = view.scale * tile.subject->fields.mean_spring_length();
+  const double spacing = view.scale * tile.subject->fields.mean_side_length();
   panel.half_width = show.springs == "none" ? 0 : (show.springs == "plain" ? 0.45 : 0.8) * brush.unit;
   panel.ink[3] = static_cast<std::uint8_t>(90 * std::min(1.0, std::pow(spacing / (7 * brush.unit), 2)));
   if (show.anchors) draw_anchors(above, brush, mesh, pixels, cut);

@@ -56,6 +56,19 @@ inline BodyNumbers numbers(int nodes, double stiffness, double roughness, int se
   return n;
 }
 
+/// Of elements, of the usual density.
+inline BodyNumbers element_numbers(int nodes, double E, double nu, const std::string& law = "polynomial",
+                                   const char* placement = "poisson_disk") {
+  BodyNumbers n;
+  n.interior = "elements";
+  n.nodes = nodes;
+  n.stiffness = E;
+  n.nu = nu;
+  n.law = law;
+  n.placement = placement;
+  return n;
+}
+
 inline std::shared_ptr<const Body> disk(int nodes, double stiffness, double roughness, int seed) {
   return std::make_shared<Body>(Body{circle(), numbers(nodes, stiffness, roughness, seed), {}, {}});
 }

@@ -7,12 +7,15 @@ local function refined_body(body, factor, shift)
   local t = core.check("body", given, true)
   if t.points then
     if factor ~= 1 then core.fail_here "nodes that were given one by one cannot be made finer; give other points" end
+  elseif t.h_min then
+    given.h_min = t.h_min / math.sqrt(factor)
+    if t.h_max then given.h_max = t.h_max / math.sqrt(factor) end
   else
     given.nodes = math.floor(factor * t.nodes + 0.5)
   end
   -- Outline, total mass and stiffness stay: the modulus of a network does not depend on its spacing, while a spring's
   -- stretch at a given strain does, as the spacing.
-  if t.interior ~= "rigid" and (given.quartic or not t.material) then given.quartic = t.quartic * factor end
+  if t.interior == "springs" and (given.quartic or not t.material) then given.quartic = t.quartic * factor end
   if t.mass then given.mass = t.mass / factor end
   if t.rim_spacing then given.rim_spacing = t.rim_spacing / math.sqrt(factor) end
   given.seed = t.seed + shift

@@ -4,14 +4,14 @@ local core = require "ricochet.core"
 local shapes = {}
 
 -- The fields of ricochet.body among those given of a shape: all but its own. Those that were not given stay so, but for
--- the number of nodes, which a shape knows; nodes given one by one have none.
+-- the number of nodes, which a shape knows; nodes given one by one, and meshes, have none.
 local function body_fields(t, given, ...)
   for _, own in ipairs { ... } do
     if given.material and given[own] == nil then
       core.fail(("'%s' has no usual value for a body of a material; give it in metres"):format(own), own)
     end
   end
-  local body = { nodes = not t.points and t.nodes or nil }
+  local body = { nodes = not t.points and not t.h_min and t.nodes or nil }
   for name, value in pairs(given) do body[name] = value end
   for _, own in ipairs { ... } do body[own] = nil end
   return body
@@ -28,11 +28,13 @@ local function curve(a, b, corners)
 end
 
 -- Eight corners a rim node, of which there are `rim`: the points lie on a circle to within its sagitta,
--- (pi / corners)^2 / 2. A finer rim has more, but no more than the body has nodes: a longer one is refused anyway.
+-- (pi / corners)^2 / 2. A finer rim has more, but no more than the body has nodes: a longer one is refused anyway. That
+-- of a mesh is as fine everywhere as where the mesh is finest, up to a sagitta of 1e-9.
 local function corners(t, rim, perimeter)
   local nodes = math.max(t.nodes, t.points and #t.points or 0)
-  return 8 * math.ceil(math.min(math.max(rim * math.sqrt(nodes), perimeter / (t.rim_spacing or math.huge)),
-    math.max(nodes, 100)))
+  local finest = t.h_min or t.rim_spacing or math.huge
+  return 8 * math.ceil(math.min(math.max(rim * math.sqrt(nodes), perimeter / finest),
+    t.h_min and 8000 or math.max(nodes, 100)))
 end
 
 function shapes.disk(given)
@@ -89,6 +91,7 @@ function shapes.wall(given)
   local t, own = core.check("wall", given)
   local body = body_fields(t, own, "width", "depth")
   local half, depth = t.width / 2, t.depth
+  if t.h_min and not t.fine_at then body.fine_at = { 0, 0 } end
   body.outline = { { -half, -depth }, { half, -depth }, { half, 0 }, { -half, 0 } }
   local rounding = 1e-9 * t.width
   body.anchored = function(x, y) return y < -depth + rounding or math.abs(x) > half - rounding end

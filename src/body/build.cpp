@@ -1,9 +1,10 @@
 // From a description to a solid. Apart from solid.cpp, so that a program that makes its solids itself needs no CGAL.
 
-#include "body/springs/build.hpp"
+#include "body/elements/build.hpp"
 
 #include "body/plan.hpp"
 #include "body/solid.hpp"
+#include "body/springs/build.hpp"
 #include "shape/triangulate.hpp"
 
 namespace ricochet {
@@ -36,8 +37,14 @@ std::shared_ptr<const Solid> build_rigid(const NodePlan& plan) {
 std::shared_ptr<const Solid> build_solid(const Body& body) {
   if (body.plane) return build_plane(*body.plane);
   const NodePlan plan = plan_nodes(body, body.anchored), placed = turned(plan, body.numbers.angle);
+  if (body.rigid()) return build_rigid(placed);
   // Triangles of the plan as it was: a turned body is the same lattice.
-  return body.rigid() ? build_rigid(placed) : build_lattice(body, placed, triangulate(plan.points, plan.rim_cells));
+  JoinedNodes joined = join_nodes(body, placed, triangulate(plan.points, plan.rim_cells));
+  if (body.numbers.of_elements())
+    joined.solid->interior = build_elements(body, joined);
+  else
+    joined.solid->interior = build_springs(body, placed, joined);
+  return joined.solid;
 }
 
 }  // namespace ricochet

@@ -6,14 +6,22 @@
 #include <cmath>
 
 #include "core/hash.hpp"
+#include "material/solid_law.hpp"
 
 namespace ricochet {
 namespace {
 
-// A member of what BodyNumbers inherits is a member of it.
-template <class Value>
-Value BodyNumbers::*inherited(Value SpringLawNumbers::*where) {
-  return where;
+// Members of what BodyNumbers inherits are members of it.
+template <class Base>
+std::vector<Member<BodyNumbers>> inherited() {
+  std::vector<Member<BodyNumbers>> members;
+  for (const Member<Base>& member : Base::fields())
+    std::visit(
+        [&]<class Value>(Value Base::*where) {
+          members.push_back({member.field, static_cast<Value BodyNumbers::*>(where)});
+        },
+        member.place);
+  return members;
 }
 
 // The first number always; what laws came to know later only where it says something, so that older texts stay.
@@ -30,6 +38,41 @@ std::string text_of_law(const SpringLawNumbers& law) {
 }
 
 }  // namespace
+
+const std::vector<Member<ElementNumbers>>& ElementNumbers::fields() {
+  static const std::vector<Member<ElementNumbers>> list{
+      {{"E", "number", "m0 c^2/R^2", "of elements: Young's modulus, a force per length in the plane", positive, "",
+        true},
+       &ElementNumbers::E},
+      {{"nu", "number", "", "of elements: Poisson's ratio", {-1, 0.5, true, true}, "", true}, &ElementNumbers::nu},
+      {{"state",
+        "string",
+        "",
+        "of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long "
+        "cylinder",
+        any_number,
+        "plane_stress",
+        false,
+        {"plane_stress", "plane_strain"}},
+       &ElementNumbers::state},
+      {{"law", "string", "",
+        "of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a "
+        "strain; st_venant_kirchhoff, which softens in compression",
+        any_number, "polynomial", false, solid_law_names()},
+       &ElementNumbers::law},
+      {{"h_min", "number", "R",
+        "of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten "
+        "of them from fine_at, and coarser farther away",
+        positive, "", true},
+       &ElementNumbers::h_min},
+      {{"h_max", "number", "R", "the side of the largest triangles of such a mesh; 8 h_min unless given", positive, "",
+        true},
+       &ElementNumbers::h_max},
+      {{"grade", "number", "", "by how much the sides of such a mesh grow for every unit of length", {0, 1}, "0.15"},
+       &ElementNumbers::grade},
+  };
+  return list;
+}
 
 const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
   static const std::vector<Member<BodyNumbers>> list = [] {
@@ -84,19 +127,20 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
         {{"interior",
           "string",
           "",
-          "what holds it together; rigid: nothing moves inside, for a target",
+          "what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: "
+          "nothing moves inside, for a target",
           any_number,
           "springs",
           false,
-          {"springs", "rigid"}},
+          {"springs", "elements", "rigid"}},
          &BodyNumbers::interior},
     };
     const auto after_stiffness =
         std::find_if(of_body.begin(), of_body.end(), [](const auto& member) { return member.field.name == "density"; });
-    std::vector<Member<BodyNumbers>> of_law;
-    for (const auto& member : SpringLawNumbers::fields())
-      std::visit([&](auto where) { of_law.push_back({member.field, inherited(where)}); }, member.place);
+    const std::vector<Member<BodyNumbers>> of_law = inherited<SpringLawNumbers>(),
+                                           of_elements = inherited<ElementNumbers>();
     of_body.insert(after_stiffness, of_law.begin(), of_law.end());
+    of_body.insert(of_body.end(), of_elements.begin(), of_elements.end());
     return of_body;
   }();
   return list;
@@ -120,6 +164,11 @@ std::string text_of_shape(const Body& body) {
   for (const std::string& file : body.files) text += " file " + file;
   if (n.rim_spacing == n.rim_spacing) text += fmt::format(" rim_spacing {}", n.rim_spacing);
   if (n.margin != 0) text += fmt::format(" margin {}", n.margin);
+  if (n.meshed()) {
+    const SizeField size = body.size_field();
+    text +=
+        fmt::format(" mesh {} {} {} at {} {}", size.least, size.most, size.grade, size.fine_at.x(), size.fine_at.y());
+  }
   if (n.angle != 0) text += fmt::format(" angle {}", n.angle);
   return text;
 }
@@ -133,6 +182,13 @@ std::string body_name(std::size_t body) {
 
 double BodyNumbers::area_density() const {
   return !std::isnan(mass) ? not_given : std::isnan(density) ? usual_density : density;
+}
+
+SizeField Body::size_field() const {
+  const auto lowest =
+      std::min_element(outline.begin(), outline.end(), [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  const double least = numbers.h_min, most = std::isnan(numbers.h_max) ? 8 * least : numbers.h_max;
+  return {least, std::max(least, most), numbers.grade, fine_at.value_or(*lowest)};
 }
 
 std::string Body::geometry_text() const {
@@ -149,6 +205,12 @@ std::string Body::geometry_text() const {
   const std::string weight = !std::isnan(numbers.mass) ? fmt::format("mass {}", numbers.mass)
                              : node_density.empty()    ? fmt::format("density {}", numbers.area_density())
                                                        : fmt::format("densities {}", hash_text(density_text));
+  if (numbers.of_elements())
+    return fmt::format(
+        "elements nu {} state {} law {} outline {} anchored {} E {} nodes {} placement {} seed {} "
+        "roughness {} {}{}",
+        numbers.nu, numbers.state, numbers.law, hash_text(outline_text), hash_text(anchor_text),
+        hash_text(stiffness_text), numbers.nodes, numbers.placement, numbers.seed, numbers.roughness, weight, shape);
   return fmt::format(
       "outline {} anchored {} stiffness {} nodes {} placement {} seed {} roughness {}{} {} prestress {}{}",
       hash_text(outline_text), hash_text(anchor_text), hash_text(stiffness_text), numbers.nodes, numbers.placement,

@@ -11,6 +11,7 @@
 #include "core/vec2.hpp"
 #include "material/material.hpp"
 #include "material/spring_law.hpp"
+#include "shape/size_field.hpp"
 #include "shape/surface.hpp"
 
 namespace ricochet {
@@ -18,12 +19,25 @@ namespace ricochet {
 /// The paper's: 800 nodes of m0 in a disk of radius R. [m0/R^2]
 inline constexpr double usual_density = 800 / std::numbers::pi;
 
+/// What describes a body of elements beside its outline. Units: R, m0, c.
+struct ElementNumbers {
+  double E = not_given;   ///< Young's modulus, times the thickness; as `stiffness` of the body, once it is read
+  double nu = not_given;  ///< Poisson's ratio
+  std::string state = "plane_stress";
+  std::string law = "polynomial";
+  double h_min = not_given;  ///< of a mesh that is fine where it matters; without it nodes are placed as in a lattice
+  double h_max = not_given;
+  double grade = 0.15;
+
+  static const std::vector<Member<ElementNumbers>>& fields();
+};
+
 /// The numbers that describe a body in a closed outline. Units: R, m0, c.
-struct BodyNumbers : SpringLawNumbers {
+struct BodyNumbers : SpringLawNumbers, ElementNumbers {
   int nodes = 800;
   std::string placement = "poisson_disk";
   std::int64_t seed = 1;
-  double stiffness = 1e4;
+  double stiffness = 1e4;      ///< what scales the interior: ka of springs, E of elements
   double density = not_given;  ///< of the area; `usual_density` where neither it nor `mass` is given
   double mass = not_given;     ///< of every node
   double roughness = 0;
@@ -35,6 +49,8 @@ struct BodyNumbers : SpringLawNumbers {
 
   static const std::vector<Member<BodyNumbers>>& fields();
   bool rigid() const { return interior == "rigid"; }
+  bool of_elements() const { return interior == "elements"; }
+  bool meshed() const { return h_min == h_min; }  ///< by h_min, h_max and grade
   /// Of the area; NaN if every node has a mass of its own accord.
   double area_density() const;
 };
@@ -45,7 +61,7 @@ struct Body {
   Points outline;  ///< simple, counter-clockwise
   BodyNumbers numbers;
   std::vector<bool> anchored;          ///< [plan node]
-  std::vector<double> node_stiffness;  ///< [plan node], in m0 c^2 / R^2
+  std::vector<double> node_stiffness;  ///< [plan node] of springs, or E of elements, in m0 c^2 / R^2
   std::vector<double> node_density{};  ///< [plan node], in m0 / R^2
   std::optional<Plane> plane{};        ///< a rigid half-space instead of all this
   std::vector<Points> holes{};         ///< simple, clockwise, inside the outline and outside of each other
@@ -53,9 +69,12 @@ struct Body {
   std::vector<std::string> files{};    ///< hashes of the files that points were read from
   Vec2 velocity = Vec2::Zero();        ///< a target's own, before the impact [c]
   double spin = 0;                     ///< the same [c/R]
+  std::optional<Vec2> fine_at{};       ///< where a mesh is finest; at the lowest point of the outline unless given
   /// What its stiffness and mass were made from; nothing if they were given. [m0 c^2/R^2, m0/R^2]
   std::optional<PlaneMaterial> material{};
 
+  /// How large the triangles of a meshed body are.
+  SizeField size_field() const;
   bool rigid() const { return plane || numbers.rigid(); }
   int moving_nodes() const { return rigid() ? 0 : numbers.nodes; }  ///< about as many as are computed
 

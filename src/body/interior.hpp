@@ -1,28 +1,37 @@
 #pragma once
-// What holds a body together, seen from outside: springs, or nothing inside that moves. A further interior is one more
-// type in Interior (body/solid.hpp) and one more answer to each of these questions. The choice is made once a sweep.
+// What holds a body together, seen from outside: springs, elements, or nothing inside that moves. A further interior is
+// one more type in Interior (body/solid.hpp) and one more answer to each of these questions. The choice is made once a
+// sweep.
 
+#include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "body/elements/bound.hpp"
+#include "body/elements/sweep.hpp"
 #include "body/motion.hpp"
 #include "body/springs/bound.hpp"
 #include "body/springs/sweep.hpp"
 
 namespace ricochet {
 
-static_assert(std::variant_size_v<Interior> == 2, "a further interior must answer every question of this file");
+static_assert(std::variant_size_v<Interior> == 3, "a further interior must answer every question of this file");
 
 /// v += kick F/m, x += drift v of all that moves; F: of the interior, and what `f` holds, which this empties.
 template <int W>
 void kick_and_drift(Motion<W>& body, const Lane<W>& kick, const Lane<W>& drift) {
-  if (const Springs* springs = body.solid->springs()) kick_and_drift<2>(body, *springs, kick, drift);
+  if (const Springs* springs = body.solid->springs())
+    kick_and_drift<2>(body, *springs, kick, drift);
+  else if (const Elements* elements = body.solid->elements())
+    kick_and_drift(body, *elements, kick, drift);
 }
 
 /// Potential energy of the interior, above that at rest. [m0 c^2]
 template <int W>
 Lane<W> interior_energy(const Motion<W>& body) {
-  const Springs* springs = body.solid->springs();
-  return springs ? spring_energy<2>(body, *springs) : Lane<W>(Lane<W>::Zero());
+  if (const Springs* springs = body.solid->springs()) return spring_energy<2>(body, *springs);
+  if (const Elements* elements = body.solid->elements()) return element_energy(body, *elements);
+  return Lane<W>::Zero();
 }
 
 /// Energy that the interior holds at rest, by prestress. [R^2, per unit of the body's stiffness]
@@ -30,19 +39,23 @@ inline double rest_energy(const Solid& solid) { return solid.springs() ? solid.s
 
 /// No vibration of the body at rest is faster.
 inline FrequencyBound frequency_bound(const Solid& solid, double stiffness) {
-  return solid.springs() ? frequency_bound(solid, *solid.springs(), stiffness) : FrequencyBound{};
+  if (const Springs* springs = solid.springs()) return frequency_bound(solid, *springs, stiffness);
+  if (const Elements* elements = solid.elements()) return frequency_bound(solid, *elements, stiffness);
+  return {};
 }
 
 /// The same as the body is deformed now, in W lanes. rest(s, x): what is left of spring s at a stretch x.
 template <int W, class Rest>
 SquaredBounds<W> squared_frequency_bound(const Motion<W>& body, Rest&& rest) {
-  const Springs* springs = body.solid->springs();
-  return springs ? squared_frequency_bound(body, *springs, rest) : SquaredBounds<W>{};
+  if (const Springs* springs = body.solid->springs()) return squared_frequency_bound(body, *springs, rest);
+  if (const Elements* elements = body.solid->elements()) return squared_frequency_bound(body, *elements);
+  return {};
 }
 template <int W>
 SquaredBounds<W> squared_frequency_bound(const Motion<W>& body) {
-  const Springs* springs = body.solid->springs();
-  return springs ? squared_frequency_bound(body, *springs) : SquaredBounds<W>{};
+  if (const Springs* springs = body.solid->springs()) return squared_frequency_bound(body, *springs);
+  if (const Elements* elements = body.solid->elements()) return squared_frequency_bound(body, *elements);
+  return {};
 }
 
 /// Forces of the interior alone. [m0 c^2/R]
@@ -50,7 +63,10 @@ template <int W>
 Coordinates<W> interior_forces(const Motion<W>& body) {
   Coordinates<W> force;
   force.resize(body.solid->coordinates());
-  if (const Springs* springs = body.solid->springs()) add_spring_forces<2>(body, *springs, force);
+  if (const Springs* springs = body.solid->springs())
+    add_spring_forces<2>(body, *springs, force);
+  else if (const Elements* elements = body.solid->elements())
+    add_element_forces(body, *elements, force);
   return force;
 }
 
@@ -59,12 +75,24 @@ template <int W>
 Coordinates<W> stiffness_times(const Motion<W>& body, const Coordinates<W>& w) {
   Coordinates<W> product;
   product.resize(body.solid->coordinates());
-  if (const Springs* springs = body.solid->springs()) add_stiffness_times<2>(body, *springs, w, product);
+  if (const Springs* springs = body.solid->springs())
+    add_stiffness_times<2>(body, *springs, w, product);
+  else if (const Elements* elements = body.solid->elements())
+    add_stiffness_times(body, *elements, w, product);
   return product;
 }
 
-/// Mean stiffness of what a node hangs on, relative to the body's stiffness; infinite in a rigid body.
+/// Mean stiffness of what a node hangs on, relative to the body's stiffness; infinite in a rigid body. Elements count
+/// as the springs of a triangular lattice of their modulus, k = sqrt(3)/2 E.
 inline double mean_stiffness(const Solid& solid) {
+  if (const Elements* elements = solid.elements()) {
+    double area = 0;
+    for (const auto& [i, j, k] : elements->nodes) {
+      const auto rest = [&](int node) { return solid.points[static_cast<std::size_t>(node)]; };
+      area += std::abs(cross(Vec2(rest(j) - rest(i)), Vec2(rest(k) - rest(i)))) / 2;
+    }
+    return std::sqrt(0.75) * std::accumulate(elements->weight.begin(), elements->weight.end(), 0.0) / area;
+  }
   const Springs* springs = solid.springs();
   if (!springs) return std::numeric_limits<double>::infinity();
   double mean = 0;
@@ -73,8 +101,9 @@ inline double mean_stiffness(const Solid& solid) {
   return mean;
 }
 
-/// How many evaluations of single springs (or whatever the interior is made of) a sweep takes.
+/// How many evaluations of single springs a sweep takes as much time as; an element takes that of two.
 inline double work_of_sweep(const Solid& solid) {
+  if (const Elements* elements = solid.elements()) return 2.0 * elements->size();
   return solid.springs() ? static_cast<double>(solid.springs()->list.size()) : 0;
 }
 
@@ -83,6 +112,8 @@ template <class Use>
 void each_joint(const Solid& solid, Use&& use) {
   if (const Springs* springs = solid.springs())
     each_spring(*springs, solid.free, [&](int i, int, const Spring& spring) { use(i, spring.other); });
+  if (const Elements* elements = solid.elements())
+    for (const auto& [i, j] : elements->edge) use(i, j);
 }
 
 /// Pushes a node of one lane: f += J^T F, which for nodes is the force itself.

@@ -13,7 +13,7 @@ template <int W>
 struct Motion {
   const Solid* solid = nullptr;
   Coordinates<W> q, v, f;               ///< places [R], velocities [c], forces [m0 c^2/R]
-  Lane<W> stiffness = Lane<W>::Zero();  ///< of each lane: ka of springs [m0 c^2/R^2]
+  Lane<W> stiffness = Lane<W>::Zero();  ///< of each lane: ka of springs, E of elements [m0 c^2/R^2]
   /// Sum of the free coordinates' velocities at the last kick: finite as long as they all are.
   Lane<W> pulse = Lane<W>::Zero();
 };

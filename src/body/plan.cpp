@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/rng.hpp"
 #include "core/turn.hpp"
+#include "shape/mesh.hpp"
 #include "shape/outline.hpp"
 #include "shape/placement.hpp"
 
@@ -104,6 +105,27 @@ bool follows(const Rim& rim) {
   return is_simple(CellTree(rim.points, rim.cells));
 }
 
+// Beyond it a mesh is refused before it is made.
+constexpr double most_meshed = 1e6;
+
+void check_mesh(const Body& body) {
+  if (!body.points.empty())
+    throw FieldError("points", "are nodes given by hand, and a mesh places its own; leave them out, or h_min");
+  const SizeField size = body.size_field();
+  if (body.numbers.h_max < size.least)
+    throw FieldError("h_max", fmt::format("{:g} is below h_min = {:g}; raise it", body.numbers.h_max, size.least));
+  double radius = 0;
+  for (const Vec2& p : body.outline) radius = std::max(radius, (p - size.fine_at).norm());
+  if (const double nodes = nodes_within(size, radius); !(nodes <= most_meshed))
+    throw FieldError("h_min", fmt::format("{:g} would take up to {:.3g} nodes, more than {:g}; raise it, or h_max or "
+                                          "grade",
+                                          size.least, nodes, most_meshed));
+  for (const Points& chain : outlines_of(body))
+    if (const double length = perimeter(chain); 4 * size.least > length)
+      throw FieldError(
+          "h_min", fmt::format("{:g} is too long to follow an outline of length {:.4g}; lower it", size.least, length));
+}
+
 // What would take more nodes than a body can have, or too few to follow a chain, before it is laid.
 void check_spacing(const Body& body, double spacing) {
   const double wanted = length_of(body) / spacing;
@@ -123,7 +145,17 @@ void check_spacing(const Body& body, double spacing) {
                                                   spacing, length));
 }
 
+Rim lay_graded_rim(const Body& body) {
+  check_mesh(body);
+  Rim rim;
+  for (const Points& chain : outlines_of(body)) rim.add(resample(chain, body.size_field()));
+  if (!follows(rim))
+    throw FieldError("h_max", "is too long to follow this outline without crossing it; lower it, or h_min");
+  return rim;
+}
+
 Rim lay_rim(const Body& body, const GivenNodes& nodes) {
+  if (body.numbers.meshed()) return lay_graded_rim(body);
   const double spacing = rim_spacing_of(body, nodes);
   check_spacing(body, spacing);
   Rim rim;
@@ -170,6 +202,7 @@ std::vector<int> corners_of(const Body& body, const Rim& rim) {
 }
 
 Points plan_interior(const Body& body, const Rim& rim, const GivenNodes& nodes) {
+  if (body.numbers.meshed()) return mesh_interior(rim, body.size_field());
   if (!body.points.empty()) return nodes.inside;
   const BodyNumbers& numbers = body.numbers;
   const int count = numbers.nodes - static_cast<int>(rim.points.size());

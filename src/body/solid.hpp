@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "body/description.hpp"
+#include "body/elements/elements.hpp"
 #include "body/springs/springs.hpp"
 #include "shape/surface.hpp"
 
@@ -19,7 +20,7 @@ using Triangle = std::array<int, 3>;  ///< node numbers, counter-clockwise
 struct Rigid {};
 
 /// What holds a body together. Who visits it: body/interior.hpp.
-using Interior = std::variant<Springs, Rigid>;
+using Interior = std::variant<Springs, Elements, Rigid>;
 
 /// Of the nodes. [m0]
 class Masses {
@@ -68,6 +69,7 @@ struct Solid {
     return momentum / inertia();
   }
   const Springs* springs() const { return std::get_if<Springs>(&interior); }
+  const Elements* elements() const { return std::get_if<Elements>(&interior); }
 };
 
 /// Rest places of the surface's nodes, in their order.

@@ -19,9 +19,10 @@ struct MeshChain {
 
 /// A body's part of a mesh.
 struct BodyMesh {
-  int first = 0, nodes = 0;        ///< its nodes: first ... first + nodes - 1
-  std::vector<double> law;         ///< numbers of its springs' law, as material/spring_law.hpp lists them
-  std::vector<MeshChain> surface;  ///< a plane is an open chain of two held nodes, far apart
+  int first = 0, nodes = 0;         ///< its nodes: first ... first + nodes - 1
+  std::vector<double> law;          ///< numbers of its springs' law, as material/spring_law.hpp lists them
+  std::vector<MeshChain> surface;   ///< a plane is an open chain of two held nodes, far apart
+  std::vector<double> solid_law{};  ///< numbers of its elements' law, as material/solid_law.hpp lists them
 };
 
 /// What stays the same over a sequence. Nodes are those of the bodies, one after another; vectors by node lie flat:
@@ -37,6 +38,7 @@ struct FrameMesh {
   std::vector<std::array<int, 2>> springs;  ///< [spring] its ends
   std::vector<double> length, stiffness;    ///< [spring] rest length [R], ka [m0 c^2/R^2]
   std::vector<std::array<int, 3>> triangles;
+  std::vector<double> modulus;  ///< [triangle] E of an element, 0 of any other; empty without elements [m0 c^2/R^2]
 
   int nodes() const { return static_cast<int>(mass.size()); }
   int body_of(int node) const {

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <optional>
 
-#include "body/springs/elasticity.hpp"
+#include "body/elasticity.hpp"
 #include "impact/axes.hpp"
 #include "shape/curvature.hpp"
 #include "shape/outline.hpp"
@@ -40,7 +40,7 @@ double density_of(const Body& body) {
 
 Elastic elastic_of(const Body& body) {
   if (body.rigid()) return {};
-  const LatticeModuli moduli = usual_moduli(body.numbers.placement);
+  const PlaneModuli moduli = usual_moduli(body.numbers);
   const double by_place = body.node_stiffness.empty() ? 1 : mean(body.node_stiffness);
   return {moduli.per_stiffness * body.numbers.stiffness * by_place, moduli.poisson_ratio, density_of(body),
           std::find(body.anchored.begin(), body.anchored.end(), true) != body.anchored.end()};
@@ -129,7 +129,9 @@ std::string why_no_law(const Side& one, const Side& other, const LinePair& pair)
 double spacing_of(const Scene& scene) {
   double spacing = 0;
   for (const Body* body : scene.bodies())
-    if (!body->rigid()) spacing = std::max(spacing, std::sqrt(signed_area(body->outline) / body->numbers.nodes));
+    if (!body->rigid())
+      spacing = std::max(spacing, body->numbers.meshed() ? body->numbers.h_min
+                                                         : std::sqrt(signed_area(body->outline) / body->numbers.nodes));
   return spacing;
 }
 
@@ -164,7 +166,7 @@ void add_doubts(const Scene& scene, Estimate& e) {
                     "nodes",
                     sagitta / e.impact.approach, sagitta / (0.1 * e.impact.approach)));
   for (const Body* body : scene.bodies()) {
-    if (body->rigid()) continue;
+    if (body->rigid() || body->numbers.of_elements()) continue;  // elements resist being turned over
     const double share = e.normal_speed / elastic_of(*body).wave_speed(), most = folding_speed(body->numbers.placement);
     if (share > most)
       add("folding",

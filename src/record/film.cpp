@@ -106,6 +106,23 @@ std::vector<MeshChain> chains_in_mesh(const Solid& solid, int first) {
   return chains;
 }
 
+// [cell] E of its element over the body's; 0 of cells that never strain, which are no elements.
+std::vector<double> relative_moduli(const Solid& solid, const Elements& elements) {
+  std::vector<double> moduli;
+  for (Triangle t : solid.cells) {
+    std::sort(t.begin(), t.end());
+    const auto found = std::lower_bound(elements.nodes.begin(), elements.nodes.end(), t);
+    if (found == elements.nodes.end() || *found != t) {
+      moduli.push_back(0);
+      continue;
+    }
+    const auto rest = [&](int corner) { return solid.points[static_cast<std::size_t>(t[corner])]; };
+    const double area = std::abs(cross(Vec2(rest(1) - rest(0)), Vec2(rest(2) - rest(0)))) / 2;
+    moduli.push_back(elements.weight[static_cast<std::size_t>(found - elements.nodes.begin())] / area);
+  }
+  return moduli;
+}
+
 // A body's part of a mesh whose nodes so far are others'.
 void add_body(FrameMesh& mesh, const Scene& scene, const Solid& solid, double stiffness) {
   const Plane* plane = std::get_if<Plane>(&solid.surface);
@@ -124,8 +141,14 @@ void add_body(FrameMesh& mesh, const Scene& scene, const Solid& solid, double st
       mesh.stiffness.push_back(spring.stiffness * stiffness);
     });
   }
+  if (const Elements* elements = solid.elements()) {
+    body.solid_law = numbers_of(elements->law);
+    mesh.modulus.resize(mesh.triangles.size(), 0.0);
+    for (const double relative : relative_moduli(solid, *elements)) mesh.modulus.push_back(stiffness * relative);
+  }
   for (const Triangle& t : solid.cells)
     mesh.triangles.push_back({t[0] + body.first, t[1] + body.first, t[2] + body.first});
+  if (!mesh.modulus.empty()) mesh.modulus.resize(mesh.triangles.size(), 0.0);
   body.surface = chains_in_mesh(solid, body.first);
   mesh.bodies.push_back(body);
 }

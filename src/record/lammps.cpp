@@ -121,9 +121,11 @@ LammpsFiles lammps_files(const Scene& scene, const Solids& solids, const std::st
   if (!scene.effects.empty())
     throw FieldError("effects", "LAMMPS files hold springs and repulsion only; leave the effects out");
   const Solid &projectile = *solids[role::projectile], &target = *solids[role::target];
-  if (!target.springs())
-    throw FieldError("target",
-                     "LAMMPS files hold bodies of springs only, and this one is rigid; take a wall of springs");
+  for (const std::size_t b : {role::projectile, role::target})
+    if (!solids[b]->springs())
+      throw FieldError(body_name(b), fmt::format("LAMMPS files hold bodies of springs only, and this one is {}; take "
+                                                 "one of springs",
+                                                 solids[b]->elements() ? "of elements" : "rigid"));
   const Start start = launch(scene, solids);
   if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to export");
   Sections sections;

@@ -37,17 +37,18 @@ int plane(lua_State* L) {
 // Numbers of a body, of which stiffness and density may depend on the place.
 std::vector<Field> number_fields(const BodyNumbers& defaults = {}) {
   std::vector<Field> fields = fields_of(defaults);
-  const auto stiffness =
-      std::find_if(fields.begin(), fields.end(), [](const Field& f) { return f.name == "stiffness"; });
-  stiffness->type = "number|function";
-  stiffness->doc += "; a function (x, y) gives that of a node, a spring takes the mean of its ends";
-  const auto density = std::find_if(fields.begin(), fields.end(), [](const Field& f) { return f.name == "density"; });
-  density->type = "number|function";
-  density->doc += "; a function (x, y) gives that at a node";
+  const auto by_place = [&](const char* name, const char* doc) {
+    const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
+    field->type = "number|function";
+    field->doc += doc;
+  };
+  by_place("stiffness", "; a function (x, y) gives that of a node, a spring takes the mean of its ends");
+  by_place("density", "; a function (x, y) gives that at a node");
+  by_place("E", "; a function (x, y) gives that of a node, an element takes the mean of its corners");
   const std::vector<Field> material{
       {"material", "material", "",
-       "what it is made of, instead of stiffness, density and mass, for scenes in SI: the "
-       "spring constant is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 "
+       "what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have "
+       "its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 "
        "(uniform) times the thickness, E2 the modulus in the plane; springs are linear "
        "unless quartic is given; nu is the lattice's",
        any_number, "", true}};
@@ -70,6 +71,10 @@ std::vector<Field> common_fields() {
       {"points", "points", "R",
        "its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of "
        "its rim there; an outline without any is divided as usual",
+       any_number, "", true},
+      {"fine_at", "numbers", "R",
+       "{x, y} where the mesh by h_min is finest, before the body is turned; at the lowest point of the outline unless "
+       "given",
        any_number, "", true},
       {"velocity", "numbers", "c", "{vx, vy} before the impact, in space as launch.speed is; of a free target",
        any_number, "", true},
@@ -143,8 +148,9 @@ Function plane_function() {
 }  // namespace
 
 Group body_functions() {
-  Function of_outline = shape("body", "A random mass-spring lattice in a closed outline, or a rigid body.",
-                              outline_field(), "ricochet.body { outline = { {0, 0}, {2, 0}, {1, 2} }, nodes = 300 }");
+  Function of_outline =
+      shape("body", "A body in a closed outline: a random lattice of springs, a mesh of elements, or rigid.",
+            outline_field(), "ricochet.body { outline = { {0, 0}, {2, 0}, {1, 2} }, nodes = 300 }");
   of_outline.call = guarded<body<false>>;
   const Function polygon = shape(
       "polygon", "A body in a closed outline, such as one from a file; the same as ricochet.body.", outline_field(),

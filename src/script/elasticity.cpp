@@ -1,6 +1,6 @@
 // ricochet.elasticity.
 
-#include "body/springs/elasticity.hpp"
+#include "body/elasticity.hpp"
 
 #include <algorithm>
 
@@ -9,6 +9,12 @@
 
 namespace ricochet {
 namespace {
+
+// What a long cylinder is made of, from its moduli in the plane, E/(1 - nu^2) and nu/(1 - nu).
+Elasticity of_cylinder(const Elasticity& plane) {
+  const double nu = plane.poisson_ratio / (1 + plane.poisson_ratio);
+  return {plane.young_modulus * (1 - nu * nu), nu};
+}
 
 int elasticity(lua_State* L) {
   check_table(L, 1, function_named("elasticity"));
@@ -19,8 +25,9 @@ int elasticity(lua_State* L) {
   Elasticity result{};
   try {
     const auto solid = build_solid(band);
-    if (!solid->springs()) throw FieldError("body", "must be of springs; leave interior out");
-    result = stretch_band(*solid, *solid->springs(), band.numbers.stiffness);
+    if (band.rigid()) throw FieldError("body", "must give way; a rigid one has no modulus");
+    result = stretch_band(*solid, band.numbers.stiffness);
+    if (band.numbers.of_elements() && band.numbers.state == "plane_strain") result = of_cylinder(result);
   } catch (const Error& error) {
     throw_here(L, FieldError("body", error.what()));
   }
@@ -40,7 +47,8 @@ Group elasticity_functions() {
   return {.functions = {
               {.name = "elasticity",
                .doc = "Young's modulus E and Poisson's ratio nu of a band, stretched along y by a small strain and "
-                      "solved statically. E is in m0 c^2/R^2, or in Pa if the band is of a material.",
+                      "solved statically. E is in m0 c^2/R^2, or in Pa if the band is of a material. They are those of "
+                      "its plane, or of elements those they were given.",
                .fields = {{"body", "body", "", "a band longer along y than along x, nowhere anchored"}},
                .returns = "table",
                .example = "ricochet.elasticity { body = band }.E",

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "body/springs/elasticity.hpp"
+#include "body/elasticity.hpp"
 #include "script/fields.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
@@ -37,7 +37,7 @@ double viscous_e(const Scene& scene, const Estimate& e) {
     return nullptr;
   }();
   if (!damping || !scene.target->rigid() || !e.no_law.empty()) return not_given;
-  const LatticeModuli moduli = usual_moduli(scene.projectile->numbers.placement);
+  const PlaneModuli moduli = usual_moduli(scene.projectile->numbers);
   const double stretch_speed = e.wave_speed * std::sqrt(1 - moduli.poisson_ratio * moduli.poisson_ratio);
   try {
     return theory::disk_log_law({.R = e.radius,

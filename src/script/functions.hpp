@@ -48,6 +48,7 @@ Group picture_functions();
 Group record_functions();
 Group accuracy_functions();
 Group elasticity_functions();
+Group mesh_functions();
 Group file_functions();
 Group theory_functions();
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "body/springs/elasticity.hpp"
+#include "body/elasticity.hpp"
 #include "core/hash.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
@@ -73,6 +73,23 @@ void read_nodes(lua_State* L, Body& body) {
       throw FieldError("margin", "is for nodes that are placed; leave it out beside points");
   }
   lua_pop(L, 1);
+}
+
+// Where a mesh is fine.
+void read_mesh(lua_State* L, Body& body) {
+  if (lua_getfield(L, 1, "fine_at") == LUA_TTABLE) {
+    const std::vector<double> at = numbers_at(L, -1);
+    if (at.size() != 2) throw FieldError("fine_at", fmt::format("must be {{x, y}}, has {} numbers", at.size()));
+    body.fine_at = Vec2(at[0], at[1]);
+  }
+  lua_pop(L, 1);
+  if (body.numbers.meshed()) {
+    for (const char* other : {"nodes", "placement", "rim_spacing", "margin"})
+      if (has_field(L, 1, other)) throw FieldError(other, "give h_min or " + std::string(other) + ", not both");
+    return;
+  }
+  for (const char* field : {"h_max", "grade", "fine_at"})
+    if (has_field(L, 1, field)) throw FieldError(field, "is of a mesh; give h_min too");
 }
 
 void read_motion(lua_State* L, Body& body) {
@@ -139,6 +156,9 @@ std::string plan_key(const Body& body, const std::vector<bool>& anchored_rim) {
   const BodyNumbers& n = body.numbers;
   std::string text = fmt::format("{} {} {} {} {} {} {};", n.interior, n.nodes, n.placement, n.seed, n.roughness,
                                  n.rim_spacing, n.margin);
+  if (n.meshed())
+    text += fmt::format("{} {} {} {} {};", n.h_min, n.h_max, n.grade, body.size_field().fine_at.x(),
+                        body.size_field().fine_at.y());
   const auto add = [&](const Points& points) {
     for (const Vec2& p : points) text += fmt::format("{} {};", p.x(), p.y());
     text += '/';
@@ -185,26 +205,46 @@ void check_rigid(const Body& body, bool stiffness_by_place, bool density_by_plac
         member.place);
 }
 
+// Refuses what says nothing of elements, or of anything else.
+void check_interior(lua_State* L, const Body& body) {
+  const auto refuse = [L](const char* field, const char* message) {
+    if (has_field(L, 1, field)) throw FieldError(field, message);
+  };
+  if (!body.numbers.of_elements()) {
+    for (const char* field : {"E", "nu", "law", "h_min", "h_max", "grade", "fine_at"})
+      refuse(field, "is of elements; give interior = \"elements\" too");
+    return;
+  }
+  refuse("stiffness", "is of springs; elements have E and nu, or a material");
+  refuse("mass", "is of springs; nodes of elements weigh their shares of the area: give density");
+  refuse("prestress", "is of springs; elements have none");
+  for (const auto& member : SpringLawNumbers::fields())
+    refuse(member.field.name.c_str(), "is of springs; elements have a law");
+  for (const char* field : {"E", "nu"})
+    if (!has_field(L, 1, field) && !has_field(L, 1, "material"))
+      throw FieldError(field, "is missing: a body of elements needs E and nu, or a material");
+}
+
 // Springs are alike, so what they have of nu is their placement's.
-void warn_of_nu(Session& session, const Material& material, const PlaneMaterial& wanted, const std::string& state,
-                const BodyNumbers& numbers) {
-  const double nu = usual_moduli(numbers.placement).poisson_ratio;
+void warn_of_nu(Session& session, const Material& material, const PlaneMaterial& wanted, const BodyNumbers& numbers) {
+  const double nu = usual_moduli(numbers).poisson_ratio;
   if (std::abs(wanted.nu - nu) <= 0.05) return;
   session.warn(
       fmt::format("a lattice of equal springs ({}) has nu = {:.2f} in its plane; the material of E = {:g} Pa, nu "
                   "= {:g} has {:.2f} in {}, so what depends on nu is that of another material",
-                  numbers.placement, nu, material.E, material.nu, wanted.nu, state));
+                  numbers.placement, nu, material.E, material.nu, wanted.nu, numbers.state));
 }
 
 // Stiffness and mass from the material of the table at index 1, if there is one; in SI.
 void read_material(lua_State* L, Body& made) {
   const auto given = [L](const char* field) { return has_field(L, 1, field); };
   if (!given("material")) {
-    for (const char* field : {"state", "thickness"})
-      if (given(field)) throw FieldError(field, "says how a plane is cut from a material; give material too");
+    if (given("thickness") || (given("state") && !made.numbers.of_elements()))
+      throw FieldError(given("state") ? "state" : "thickness",
+                       "says how a plane is cut from a material; give material too");
     return;
   }
-  for (const char* field : {"stiffness", "density", "mass"})
+  for (const char* field : {"stiffness", "density", "mass", "E", "nu"})
     if (given(field)) throw FieldError(field, "follows from the material; give one of them");
   if (made.rigid())
     throw FieldError("material", "says nothing of a rigid body, inside which nothing moves; leave it out");
@@ -213,11 +253,17 @@ void read_material(lua_State* L, Body& made) {
   lua_getfield(L, 1, "material");
   const Material& material = material_at(L, -1).material;
   BodyNumbers& numbers = made.numbers;
-  made.material = in_plane(material, section.state, section.thickness);
-  numbers.stiffness = made.material->E / usual_moduli(numbers.placement).per_stiffness;
+  made.material = in_plane(material, numbers.state, section.thickness);
   numbers.density = made.material->density;
+  if (numbers.of_elements()) {
+    numbers.nu = material.nu;
+    numbers.stiffness = material.E * section.thickness;
+    lua_pop(L, 1);
+    return;
+  }
+  numbers.stiffness = made.material->E / usual_moduli(numbers).per_stiffness;
   if (!given("quartic")) numbers.quartic = 0;  // Hooke's law is what E tells of
-  warn_of_nu(session_of(L), material, *made.material, section.state, numbers);
+  warn_of_nu(session_of(L), material, *made.material, numbers);
   lua_pop(L, 1);
 }
 
@@ -228,9 +274,13 @@ Body read_body(lua_State* L) {
   read_members(L, 1, made.numbers);
   read_outlines(L, made);
   read_nodes(L, made);
+  read_mesh(L, made);
   read_motion(L, made);
   read_material(L, made);
-  const PlaceFunction anchored(L, "anchored"), stiffness(L, "stiffness"), density(L, "density");
+  check_interior(L, made);
+  if (!std::isnan(made.numbers.E)) made.numbers.stiffness = made.numbers.E;
+  const char* const modulus = made.numbers.of_elements() ? "E" : "stiffness";
+  const PlaceFunction anchored(L, "anchored"), stiffness(L, modulus), density(L, "density");
   if (made.rigid()) check_rigid(made, stiffness.given(), density.given());
   if (!std::isnan(made.numbers.mass) && (density.given() || !std::isnan(made.numbers.density)))
     throw FieldError("mass", "is that of every node, density that of the area: give one of them");
@@ -239,7 +289,7 @@ Body read_body(lua_State* L) {
   if (anchored.given())
     for (const Vec2& p : rim.points) anchored_rim.push_back(anchored.truth_at(p));
   const auto plan = planned(session_of(L), made, anchored_rim);
-  if (!made.points.empty()) made.numbers.nodes = static_cast<int>(plan->points.size());
+  if (!made.points.empty() || made.numbers.meshed()) made.numbers.nodes = static_cast<int>(plan->points.size());
   if (anchored.given()) {
     made.anchored = anchored_rim;
     for (std::size_t i = made.anchored.size(); i < plan->points.size(); ++i)
@@ -248,7 +298,7 @@ Body read_body(lua_State* L) {
       throw FieldError("anchored", "holds every node; nothing could move: give interior = \"rigid\" instead");
   }
   if (stiffness.given()) {
-    for (const Vec2& p : plan->points) made.node_stiffness.push_back(stiffness.positive_number_at(p, "stiffness"));
+    for (const Vec2& p : plan->points) made.node_stiffness.push_back(stiffness.positive_number_at(p, modulus));
     made.numbers.stiffness = 1;  // the factor of what the nodes have by their places
   }
   if (density.given())

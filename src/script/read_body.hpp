@@ -7,22 +7,12 @@
 
 namespace ricochet {
 
-/// How a plane is cut from a material.
+/// How a plane is cut from a material, beside its state.
 struct Section {
-  std::string state = "plane_stress";
   double thickness = 1;
 
   static const std::vector<Member<Section>>& fields() {
     static const std::vector<Member<Section>> list{
-        {{"state",
-          "string",
-          "",
-          "of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder",
-          any_number,
-          "plane_stress",
-          false,
-          {"plane_stress", "plane_strain"}},
-         &Section::state},
         {{"thickness", "number", "m", "of a body of a material, across the plane: a disk is a cylinder of that length",
           positive, "1"},
          &Section::thickness},

@@ -45,6 +45,7 @@ std::shared_ptr<const Body> scaled(const std::shared_ptr<const Body>& given, con
   for (Points& hole : body->holes)
     for (Vec2& p : hole) p /= units.length;
   for (double& density : body->node_density) density /= units.worth("m0/R^2");
+  if (body->fine_at) *body->fine_at /= units.length;
   body->velocity /= units.worth("c");
   body->spin /= units.worth("c/R");
   if (body->plane) body->plane->offset /= units.length;

@@ -122,7 +122,12 @@ std::vector<std::size_t> corners_of(const Points& outline) {
   return corners;
 }
 
-Points resample(const Points& outline, double spacing) {
+namespace {
+
+// Points along an outline, `spacing` apart as nearly as an even division allows, by what length(a, b) says of its
+// edges.
+template <class Length>
+Points divided(const Points& outline, double spacing, Length&& length) {
   const std::size_t n = outline.size();
   std::vector<std::size_t> corners = corners_of(outline);
   const bool smooth = corners.empty();
@@ -134,7 +139,7 @@ Points resample(const Points& outline, double spacing) {
     std::vector<double> arc{0};  // arc length from `first` to each point of this stretch
     for (std::size_t i = first; i < last; ++i)
       // NOLINTNEXTLINE(clang-analyzer-core.DivideZero): an outline has points
-      arc.push_back(arc.back() + (outline[(i + 1) % n] - outline[i % n]).norm());
+      arc.push_back(arc.back() + length(outline[i % n], outline[(i + 1) % n]));
     const int least = smooth ? 3 : 1;
     const int pieces = std::max(least, static_cast<int>(std::lround(arc.back() / spacing)));
     std::size_t edge = 0;
@@ -146,6 +151,32 @@ Points resample(const Points& outline, double spacing) {
     }
   }
   return result;
+}
+
+}  // namespace
+
+Points resample(const Points& outline, double spacing) {
+  return divided(outline, spacing, [](const Vec2& a, const Vec2& b) { return (b - a).norm(); });
+}
+
+Points resample(const Points& outline, const SizeField& size) {
+  const std::size_t n = outline.size();
+  std::size_t begin = 0;
+  const auto from_finest = [&](std::size_t i) { return (outline[i] - size.fine_at).squaredNorm(); };
+  for (std::size_t i = 0; i < n && corners_of(outline).empty(); ++i)
+    if (from_finest(i) < from_finest(begin)) begin = i;
+  Points fine;  // so finely that the size hardly changes along an edge
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 &a = outline[(begin + i) % n], &b = outline[(begin + i + 1) % n];
+    const double length = (b - a).norm();
+    for (double s = 0; s < length;) {
+      const Vec2 place = a + s / length * (b - a);
+      fine.push_back(place);
+      const double step = size(place) / 8;
+      s = s + 1.5 * step < length ? s + step : length;
+    }
+  }
+  return divided(fine, 1, [&](const Vec2& a, const Vec2& b) { return (b - a).norm() / size((a + b) / 2); });
 }
 
 Points outward_normals(const Points& outline) {

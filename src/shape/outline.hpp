@@ -4,6 +4,7 @@
 #include "core/rng.hpp"
 #include "core/vec2.hpp"
 #include "shape/cell_tree.hpp"
+#include "shape/size_field.hpp"
 
 namespace ricochet {
 
@@ -41,6 +42,9 @@ std::vector<std::size_t> corners_of(const Points& outline);
 /// Points along the outline, `spacing` apart as nearly as an even division allows. Corners keep their place; between
 /// corners, and around an outline that has none, the points are evenly spaced by arc length.
 Points resample(const Points& outline, double spacing);
+
+/// The same with a spacing that is that of `size` everywhere. A round outline begins nearest to where it is finest.
+Points resample(const Points& outline, const SizeField& size);
 
 /// Outward unit normal at each point of a counter-clockwise outline: the direction of the mean of both edges' normals.
 Points outward_normals(const Points& outline);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "shape/sides.hpp"
 
 namespace ricochet {
 namespace {
@@ -22,25 +23,6 @@ using Structure = CGAL::Triangulation_data_structure_2<Vertex, Face>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
-
-constexpr int unseen = 0, outside = 1, inside = 2;
-
-// Faces joined to the infinite one without crossing a rim edge lie outside; those behind one edge inside, and so on.
-void mark_sides(Triangulation& triangulation) {
-  std::vector<Triangulation::Face_handle> stack{triangulation.infinite_face()}, beyond;
-  for (int side = outside; !stack.empty(); side = side == outside ? inside : outside) {
-    while (!stack.empty()) {
-      const auto face = stack.back();
-      stack.pop_back();
-      if (face->info() != unseen) continue;
-      face->info() = side;
-      for (int edge = 0; edge < 3; ++edge)
-        if (face->neighbor(edge)->info() == unseen)
-          (face->is_constrained(edge) ? beyond : stack).push_back(face->neighbor(edge));
-    }
-    stack.swap(beyond);
-  }
-}
 
 }  // namespace
 
@@ -61,12 +43,12 @@ std::vector<Triangle> triangulate(const Points& points, const Cells<2>& rim) {
     handles[static_cast<std::size_t>(v->info())] = v;
   for (const auto& [from, to] : rim)
     triangulation.insert_constraint(handles[static_cast<std::size_t>(from)], handles[static_cast<std::size_t>(to)]);
-  for (auto face : triangulation.all_face_handles()) face->info() = unseen;
-  mark_sides(triangulation);
+  for (auto face : triangulation.all_face_handles()) face->info() = side_unseen;
+  mark_sides(triangulation, [](const auto& face) -> int& { return face->info(); });
 
   std::vector<Triangle> triangles;
   for (const auto face : triangulation.finite_face_handles()) {
-    if (face->info() == outside) continue;
+    if (face->info() == side_outside) continue;
     triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
   }
   return triangles;

@@ -62,15 +62,20 @@ std::string energy_doc(const std::string& name) {
                                : "energy of the " + body + "'s vibration";
 }
 
-// Ragged lists, one after another. A body: its first node, how many, how many numbers its law has,
-// these. A chain: its body, 1 if it is closed, how many nodes, these.
+// Ragged lists, one after another. A body: its first node, how many, how many numbers the law of its springs has,
+// these. A law of solids: its body, how many numbers, these. A chain: its body, 1 if it is closed, how many nodes,
+// these.
 void write_bodies(const hdf5::Handle& own, const FrameMesh& mesh) {
-  std::vector<double> bodies, chains;
+  std::vector<double> bodies, chains, solid_laws;
   for (std::size_t b = 0; b < mesh.bodies.size(); ++b) {
     const BodyMesh& body = mesh.bodies[b];
     bodies.insert(bodies.end(), {static_cast<double>(body.first), static_cast<double>(body.nodes),
                                  static_cast<double>(body.law.size())});
     bodies.insert(bodies.end(), body.law.begin(), body.law.end());
+    if (!body.solid_law.empty()) {
+      solid_laws.insert(solid_laws.end(), {static_cast<double>(b), static_cast<double>(body.solid_law.size())});
+      solid_laws.insert(solid_laws.end(), body.solid_law.begin(), body.solid_law.end());
+    }
     for (const MeshChain& chain : body.surface) {
       chains.insert(chains.end(),
                     {static_cast<double>(b), chain.closed ? 1.0 : 0.0, static_cast<double>(chain.node.size())});
@@ -79,6 +84,7 @@ void write_bodies(const hdf5::Handle& own, const FrameMesh& mesh) {
   }
   hdf5::numbers(own, "bodies", bodies);
   hdf5::numbers(own, "chains", chains);
+  if (!solid_laws.empty()) hdf5::numbers(own, "solid_laws", solid_laws);
 }
 
 // What pictures need beyond H5MD.
@@ -93,6 +99,7 @@ void write_drawing(const hdf5::Handle& file, const FrameMesh& mesh, const std::v
   hdf5::numbers(own, "anchored", anchored);
   hdf5::numbers(own, "rest_length", mesh.length);
   hdf5::numbers(own, "stiffness", mesh.stiffness);
+  if (!mesh.modulus.empty()) hdf5::numbers(own, "modulus", mesh.modulus);
   const Shape per_node{frames.size(), mesh.mass.size(), 3};
   hdf5::dataset(own, "contact_force", H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, per_node, Shape{1, mesh.mass.size(), 3},
                 gathered(mesh.dim, frames, &Frame::contact_force).data());

@@ -67,6 +67,13 @@ std::vector<BodyMesh> read_bodies(const hdf5::Handle& own, std::size_t nodes) {
     bodies.push_back(body);
   }
   must_be(known == nodes && bodies.size() >= 2, "the bodies");
+  if (H5Lexists(own, "solid_laws", H5P_DEFAULT) > 0)
+    for (Ragged list(hdf5::read_numbers(own, "solid_laws"), "the laws"); !list.ended();) {
+      std::vector<double>& law = bodies[list.whole(bodies.size() - 1)].solid_law;
+      must_be(list.whole(16) == 3, "the laws");
+      law.push_back(static_cast<double>(list.whole(2)));
+      for (int n = 0; n < 2; ++n) law.push_back(list.number());
+    }
   for (Ragged list(hdf5::read_numbers(own, "chains"), "the chains"); !list.ended();) {
     BodyMesh& body = bodies[list.whole(bodies.size() - 1)];
     MeshChain chain{{}, list.whole(1) == 1};
@@ -103,6 +110,14 @@ FrameMesh read_mesh(const hdf5::Handle& file) {
   must_be(mesh.anchored.size() == nodes && mesh.length.size() == mesh.springs.size() &&
               mesh.stiffness.size() == mesh.springs.size(),
           "nodes and springs");
+  if (H5Lexists(own, "modulus", H5P_DEFAULT) > 0) {
+    mesh.modulus = hdf5::read_numbers(own, "modulus");
+    must_be(mesh.modulus.size() == mesh.triangles.size(), "triangles and their moduli");
+    for (std::size_t t = 0; t < mesh.modulus.size(); ++t)
+      must_be(mesh.modulus[t] == 0 ||
+                  !mesh.bodies[static_cast<std::size_t>(mesh.body_of(mesh.triangles[t][0]))].solid_law.empty(),
+              "triangles and their laws");
+  }
   return mesh;
 }
 

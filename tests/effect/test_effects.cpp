@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "body/elasticity.hpp"
 #include "body/rigid_motion.hpp"
-#include "body/springs/elasticity.hpp"
 #include "body/springs/sweep.hpp"
 #include "body/springs/tangent.hpp"
 #include "body/springs/vibration.hpp"
@@ -617,7 +617,7 @@ TEST_CASE("the absorbing layer lets waves of a bar come back with the share of a
   Body body{
       {{0, 0}, {breadth, 0}, {breadth, length}, {0, length}}, numbers(2400, stiffness, 0, 1, "triangular"), {}, {}};
   const auto unheld = build_solid(body);
-  const Elasticity moduli = stretch_band(*unheld, *unheld->springs(), stiffness);
+  const Elasticity moduli = stretch_band(*unheld, stiffness);
   const double speed = std::sqrt(moduli.young_modulus * length * breadth / unheld->total_mass());
   std::vector<bool> rim;
   for (const Vec2& p : plan_rim(body.outline, body.numbers)) rim.push_back(p.y() > length - 1e-9);

@@ -88,6 +88,22 @@ TEST_CASE("a recording with effects that change springs is drawn as it ran: brok
   CHECK(all_bytes(here, "out/s/frames") == all_bytes(here, "out/s/trajectory_frames"));
 }
 
+TEST_CASE("a recording of elements is drawn as it ran, with their stress") {
+  const Workplace here;
+  const Ended ended = here.script(
+      "local ricochet = require 'ricochet'\n"
+      "local scene = ricochet.scene { projectile = ricochet.disk { interior = 'elements', E = 1e4, nu = 0.2, h_min = "
+      "0.1 "
+      "}, target = ricochet.wall { nodes = 150, width = 4, stiffness = 400 }, launch = { speed = 0.1 } }\n"
+      "ricochet.animate { scene = scene, frames = 3, from = 0, duration = 4, size = { 320, 180 }, show = { material = "
+      "'von_mises' } }\n"
+      "ricochet.record { scene = scene, frames = 3, duration = 4 }\n");
+  INFO(ended.err);
+  REQUIRE(ended.status == 0);
+  REQUIRE(here.shell("ricochet render out/s/trajectory.h5 material=von_mises --size 320x180").status == 0);
+  CHECK(all_bytes(here, "out/s/frames") == all_bytes(here, "out/s/trajectory_frames"));
+}
+
 TEST_CASE("an interrupted sequence goes on with --resume: whole frames are kept, torn and strange ones drawn again") {
   const Workplace here;
   const std::string text = drawing("ricochet.animate { scene = scene(), frames = 8, size = { 320, 180 } }");

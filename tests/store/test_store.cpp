@@ -99,10 +99,10 @@ TEST_CASE("writing replaces a file as a whole and leaves nothing beside it") {
 
 namespace {
 
-// A square of two triangles above another one, two frames.
+// A square of two triangles and springs above another one of two elements, two frames.
 Trajectory small_trajectory() {
   FrameMesh mesh;
-  mesh.bodies = {{0, 4, {0.5}, {{{0, 1, 2, 3}}}}, {4, 4, {}, {{{4, 5}, false}, {{5, 6, 7}}}}};
+  mesh.bodies = {{0, 4, {0.5}, {{{0, 1, 2, 3}}}}, {4, 4, {}, {{{4, 5}, false}, {{5, 6, 7}}}, {2, 0.3, 0.4}}};
   for (const double y : {1.0, -1.0})
     for (const auto& p : {Vec2(0, y), Vec2(1, y), Vec2(1, y + 1), Vec2(0, y + 1)}) {
       append(mesh.rest, p);
@@ -113,6 +113,7 @@ Trajectory small_trajectory() {
   mesh.springs = {{0, 1}, {1, 2}, {2, 3}, {0, 3}, {0, 2}};
   mesh.length.assign(5, 1.0);
   mesh.stiffness.assign(5, 10.0);
+  mesh.modulus = {0, 0, 5, 6};
   Trajectory trajectory(mesh);
   for (int k : {0, 1}) {
     Frame frame;
@@ -141,10 +142,12 @@ TEST_CASE("a trajectory reads back as it was written") {
   CHECK(read.mesh().anchored == written.mesh().anchored);
   CHECK(read.mesh().springs == written.mesh().springs);
   CHECK(read.mesh().triangles == written.mesh().triangles);
+  CHECK(read.mesh().modulus == written.mesh().modulus);
   REQUIRE(read.mesh().bodies.size() == 2);
   for (std::size_t b : {0, 1}) {
     const BodyMesh &back = read.mesh().bodies[b], &body = written.mesh().bodies[b];
     CHECK((back.first == body.first && back.nodes == body.nodes && back.law == body.law));
+    CHECK(back.solid_law == body.solid_law);
     REQUIRE(back.surface.size() == body.surface.size());
     for (std::size_t c = 0; c < body.surface.size(); ++c) {
       CHECK(back.surface[c].node == body.surface[c].node);

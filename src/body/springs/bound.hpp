@@ -1,31 +1,19 @@
 #pragma once
 // Bounds of the highest frequency of a network of springs.
 
-#include <array>
 #include <cmath>
 #include <vector>
 
+#include "body/bound.hpp"
 #include "body/springs/rest.hpp"
 #include "body/springs/sweep.hpp"
 
 namespace ricochet {
 
-struct FrequencyBound {
-  double omega = 0;  ///< no vibration of the body at rest is faster [c/R]
-  int node = 0;      ///< the node that sets it
-};
-
 /// omega^2 <= 2 max_i lambda_max(K_ii) / m with K_ii = sum of k n n^T (prestressed: and |T|/r (1 - n n^T)) over the
 /// springs of node i, by the linear part of their law: for a network whose every spring joins two nodes,
 /// K <= 2 blockdiag(K_ii) as a quadratic form, because k (n.(u_i - u_j))^2 <= 2k (n.u_i)^2 + 2k (n.u_j)^2. [here]
 FrequencyBound frequency_bound(const Solid& solid, const Springs& springs, double stiffness);
-
-/// A bound of the highest frequency in W lanes.
-template <int W>
-struct SquaredBounds {
-  Lane<W> omega2 = Lane<W>::Zero();  ///< [c^2/R^2]
-  std::array<int, W> node{};         ///< the node that sets it
-};
 
 /// A symmetric D x D block of a node: in the plane the three numbers that differ.
 template <int W>
@@ -67,11 +55,7 @@ SquaredBounds<W> squared_frequency_bound(const Motion<W>& body, const Springs& s
   for (int i = 0; i < solid.free; ++i) {
     Lane<W> eigenvalue = blocks[static_cast<std::size_t>(i)].largest_eigenvalue();
     if (!solid.mass.uniform()) eigenvalue *= solid.mass.inverse()[static_cast<std::size_t>(i)];
-    for (int lane = 0; lane < W; ++lane)
-      if (eigenvalue[lane] > largest.omega2[lane]) {
-        largest.omega2[lane] = eigenvalue[lane];
-        largest.node[static_cast<std::size_t>(lane)] = i;
-      }
+    largest.raise(eigenvalue, i);
   }
   const double per_mass = solid.mass.uniform() ? 2 / solid.mass.each() : 2;
   largest.omega2 *= per_mass * body.stiffness;

@@ -1,12 +1,10 @@
 #pragma once
-#include "body/plan.hpp"
-#include "body/solid.hpp"
+#include "body/joined_nodes.hpp"
 
 namespace ricochet {
 
-/// The planned nodes joined along the edges of their triangles, numbered in reverse Cuthill-McKee order, the free ones
-/// before the anchored; prestressed springs are relaxed to where they balance.
-std::shared_ptr<const Solid> build_lattice(const Body& body, const NodePlan& plan,
-                                           const std::vector<Triangle>& triangles);
+/// Springs along the edges of the triangles; prestressed ones are relaxed to where they balance, which moves the
+/// solid's nodes.
+Springs build_springs(const Body& body, const NodePlan& plan, JoinedNodes& joined);
 
 }  // namespace ricochet

@@ -35,6 +35,16 @@ void check_motion(const Scene& scene, const Placement& launched) {
                    "projectile alone, effects = { ricochet.gravity { g = 1e-3 } }, or a speed above 0");
 }
 
+void check_small_turns(const Solids& solids, const Start& start) {
+  for (std::size_t b = 0; b < solids.size(); ++b) {
+    const Elements* elements = solids[b]->elements();
+    if (elements && !turns_freely(elements->law) && start.bodies[b].spin != Vec3::Zero())
+      throw FieldError(b == 0 ? "spin" : body_name(b),
+                       "the linear law takes a rotation for a strain; leave the spin out, or give the body law = "
+                       "\"polynomial\"");
+  }
+}
+
 void check_contact(const ExponentialRepulsion& contact) {
   const double ranges = contact.xi * contact.reach;
   if (ranges < 20)

@@ -12,6 +12,9 @@ void check_bodies(const Solids& solids);
 /// The projectile moves, or falls.
 void check_motion(const Scene& scene, const Placement& launched);
 
+/// No body of the law of small strains turns.
+void check_small_turns(const Solids& solids, const Start& start);
+
 /// The repulsion is cut neither where it shows nor beyond the smallest number.
 void check_contact(const ExponentialRepulsion& contact);
 

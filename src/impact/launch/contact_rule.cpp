@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "body/springs/elasticity.hpp"
+#include "body/elasticity.hpp"
 #include "impact/axes.hpp"
 #include "shape/outline.hpp"
 
@@ -41,7 +41,7 @@ double stiffness_of(const Body& body) {
 
 LineBody line_body(const Body& body, const Solid& solid) {
   if (body.rigid()) return LineBody::rigid_plane();
-  const LatticeModuli moduli = usual_moduli(body.numbers.placement);
+  const PlaneModuli moduli = usual_moduli(body.numbers);
   const double modulus = moduli.per_stiffness * stiffness_of(body);
   if (!solid.anchored()) return LineBody::disk(modulus, std::sqrt(area_of(solid) / std::numbers::pi));
   const Box box = bounding_box(solid.points);

@@ -114,6 +114,7 @@ Start launch(const Scene& described, const Solids& solids) {
   const Flight flight(projectile, target, displacement_at_start(scene.effects), start.bodies[1].spin.z());
   start.bodies[0].acceleration = fall_from_height(scene, solids);
   check_motion(scene, start.bodies[0]);
+  check_small_turns(solids, start);
   const Placement arrives = arriving(scene, seen_by_target(start));
   const Placement met = met_by(target, arrives);
   scene.contact = acting_contact(described, solids, met);

@@ -1,9 +1,10 @@
-#include "body/springs/elasticity.hpp"
+#include "body/elasticity.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "body/elements/stiffness.hpp"
 #include "body/springs/tangent.hpp"
 #include "core/error.hpp"
 #include "shape/placement.hpp"
@@ -77,23 +78,49 @@ Grips grip(const Solid& band, const Extent& extent) {
   return g;
 }
 
+// Calls `use(row, column, value)` for parts of the matrix K of small displacements from rest, whose sums are its
+// entries. [m0 c^2/R^2]
+template <class Use>
+void each_stiffness_entry(const Solid& band, double stiffness, Use&& use) {
+  if (const Springs* springs = band.springs())
+    each_spring(*springs, band.nodes(), [&](int i, int, const Spring& spring) {
+      const Eigen::Matrix2d k = stiffness * tangent_block(band, *springs, spring);
+      const int dof[4] = {2 * i, 2 * i + 1, 2 * spring.other, 2 * spring.other + 1};
+      for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 4; ++b) use(dof[a], dof[b], (a / 2 == b / 2 ? 1 : -1) * k(a % 2, b % 2));
+    });
+  if (const Elements* elements = band.elements()) {
+    Motion<1> body = at_rest<1>(band);
+    body.stiffness = stiffness;
+    AssembledStiffness<1> K;
+    K.assemble(body, *elements);
+    const auto entries = [&](int a, int b, const NodeStiffness<1>& k) {
+      use(2 * a, 2 * b, k.xx[0]);
+      use(2 * a, 2 * b + 1, k.xy[0]);
+      use(2 * a + 1, 2 * b, k.yx[0]);
+      use(2 * a + 1, 2 * b + 1, k.yy[0]);
+    };
+    for (int i = 0; i < band.nodes(); ++i) entries(i, i, K.diagonal[entry(i)]);
+    for (std::size_t s = 0; s < elements->edge.size(); ++s) {
+      const auto& [i, j] = elements->edge[s];
+      const NodeStiffness<1>& k = K.off_diagonal[s];
+      entries(i, j, k);
+      entries(j, i, NodeStiffness<1>(k.xx, k.yx, k.xy, k.yy));
+    }
+  }
+}
+
 /// [coordinate] displacements in equilibrium.
-std::vector<double> equilibrium(const Solid& band, const Springs& springs, double stiffness, const Grips& g) {
+std::vector<double> equilibrium(const Solid& band, double stiffness, const Grips& g) {
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd load = Eigen::VectorXd::Zero(g.unknowns);
-  each_spring(springs, band.nodes(), [&](int i, int, const Spring& spring) {
-    const Eigen::Matrix2d k = stiffness * tangent_block(band, springs, spring);
-    const int dof[4] = {2 * i, 2 * i + 1, 2 * spring.other, 2 * spring.other + 1};
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b < 4; ++b) {
-        const double value = (a / 2 == b / 2 ? 1 : -1) * k(a % 2, b % 2);
-        const int row = g.column[entry(dof[a])], column = g.column[entry(dof[b])];
-        if (row < 0) continue;
-        if (column >= 0)
-          entries.emplace_back(row, column, value);
-        else
-          load[row] -= value * g.held[entry(dof[b])];
-      }
+  each_stiffness_entry(band, stiffness, [&](int of, int by, double value) {
+    const int row = g.column[entry(of)], column = g.column[entry(by)];
+    if (row < 0) return;
+    if (column >= 0)
+      entries.emplace_back(row, column, value);
+    else
+      load[row] -= value * g.held[entry(by)];
   });
   Matrix system(g.unknowns, g.unknowns);
   system.setFromTriplets(entries.begin(), entries.end());
@@ -109,8 +136,12 @@ std::vector<double> equilibrium(const Solid& band, const Springs& springs, doubl
 
 }  // namespace
 
-LatticeModuli usual_moduli(const std::string& placement) {
-  switch (placement_from_name(placement)) {
+PlaneModuli usual_moduli(const BodyNumbers& numbers) {
+  if (numbers.of_elements()) {
+    const PlaneMaterial plane = in_plane(Material{1, numbers.nu, 1}, numbers.state, 1);
+    return {plane.E, plane.nu};
+  }
+  switch (placement_from_name(numbers.placement)) {
     case Placement::triangular:
       return {2 / std::sqrt(3.0), 1.0 / 3};
     case Placement::poisson_disk:
@@ -121,17 +152,14 @@ LatticeModuli usual_moduli(const std::string& placement) {
   return {1.08, 0.26};
 }
 
-Elasticity stretch_band(const Solid& band, const Springs& springs, double stiffness) {
+Elasticity stretch_band(const Solid& band, double stiffness) {
   const Extent extent = extent_of(band.points);
   const Grips g = grip(band, extent);
-  const std::vector<double> u = equilibrium(band, springs, stiffness, g);
+  const std::vector<double> u = equilibrium(band, stiffness, g);
   const auto displacement = [&](int i) { return Vec2(u[entry(2 * i)], u[entry(2 * i + 1)]); };
   double force = 0;
-  each_spring(springs, band.nodes(), [&](int i, int, const Spring& spring) {
-    const int j = spring.other;
-    const double pull = (stiffness * tangent_block(band, springs, spring) * (displacement(j) - displacement(i))).y();
-    if (g.upper[entry(i)]) force -= pull;
-    if (g.upper[entry(j)]) force += pull;
+  each_stiffness_entry(band, stiffness, [&](int of, int by, double value) {
+    if (of % 2 == 1 && g.upper[entry(of / 2)]) force += value * u[entry(by)];
   });
   std::vector<double> x, y, ux, uy;
   for (int i = 0; i < band.nodes(); ++i) {

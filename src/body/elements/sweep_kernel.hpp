@@ -1,0 +1,76 @@
+#pragma once
+// The sweep in which an impact of elements spends its time.
+
+#include "body/elements/sweep.hpp"
+
+namespace ricochet {
+
+/// Whether a law finds what pulls edges back without the deformation gradient.
+template <class Law, int W>
+concept PullsEdges = requires(const Law& law, const Tensor<Lane<W>>& D, const EdgeMetric& metric) {
+  law.edge_pulls(D, metric);
+};
+
+template <int W, class Law>
+[[gnu::always_inline]] inline ElementEdges<W> pulls_by_edges(const Law& law, const ElementEdges<W>& d,
+                                                             const EdgeMetric& metric) {
+  Tensor<Lane<W>> D;
+  D.xx = d.first.at[0];
+  D.xy = d.second.at[0];
+  D.yx = d.first.at[1];
+  D.yy = d.second.at[1];
+  const Tensor<Lane<W>> H = law.edge_pulls(D, metric);
+  return {Place<W, 2>(H.xx, H.yx), Place<W, 2>(H.xy, H.yy)};
+}
+
+/// One force evaluation, kick and drift: v += kick F/m, x += drift v.
+/// An element is held by its lowest node, so F of a node is complete once its own row is done, and no later row needs
+/// its position: kick and drift follow at once, as in the sweep over springs. `f` must hold what else acts on the nodes
+/// (contact).
+template <int W, class Law>
+[[gnu::noinline]] void sweep(Motion<W>& body, const Elements& elements, const Law& given, const Lane<W>& kick,
+                             const Lane<W>& drift) {
+  const std::array<int, 3>* nodes = elements.nodes.data();
+  const ElementShape* shape = elements.shape.data();
+  const EdgeMetric* metric = elements.metric.data();
+  const double* per_mass = body.solid->mass.inverse().data();
+  const int* first = elements.first.data();
+  // What is in local variables is not reloaded after every store.
+  Place<W, 2>*position = body.q.template places<2>(), *velocity = body.v.template places<2>(),
+           *force = body.f.template places<2>();
+  const Law law = given;
+  const Lane<W> kick_ = kick, drift_ = drift;
+  Lane<W> pulse = Lane<W>::Zero();
+  std::size_t e = 0;
+  for (int i = 0, free = body.solid->free; i < free; ++i) {
+    Place<W, 2> at, sum;
+    at = position[i];
+    sum = force[i];
+    for (int n = first[i + 1] - first[i]; n > 0; --n, ++e) {
+      const std::size_t j = static_cast<std::size_t>(nodes[e][1]), k = static_cast<std::size_t>(nodes[e][2]);
+      const ElementEdges<W> d{position[j] - at, position[k] - at};
+      ElementEdges<W> pulls;
+      if constexpr (PullsEdges<Law, W>)
+        pulls = pulls_by_edges<W>(law, d, metric[e]);
+      else
+        pulls = pulls_of<W>(law.stress(gradient_of<W>(d, shape[e])), shape[e]);
+      force[j] -= pulls.first;
+      force[k] -= pulls.second;
+      sum += pulls.first + pulls.second;
+    }
+    const Place<W, 2> v = velocity[i] + Lane<W>(kick_ * per_mass[i]) * sum;
+    velocity[i] = v;
+    position[i] = at + drift_ * v;
+    force[i].set_zero();
+    for (int k = 0; k < 2; ++k) pulse += v.at[k];
+  }
+  body.pulse = pulse;
+}
+
+/// v += kick F/m, x += drift v.
+template <int W>
+void kick_and_drift(Motion<W>& body, const Elements& elements, const Lane<W>& kick, const Lane<W>& drift) {
+  with_solid_law(elements.law, body.stiffness, [&](const auto& law) { sweep(body, elements, law, kick, drift); });
+}
+
+}  // namespace ricochet

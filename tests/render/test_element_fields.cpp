@@ -1,0 +1,51 @@
+// What pictures show of elements: a square of two triangles, sheared and stretched by known amounts.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "render/fields.hpp"
+
+using namespace ricochet;
+using namespace ricochet::render;
+
+namespace {
+
+FrameMesh square(const std::string& law, double E) {
+  FrameMesh mesh;
+  mesh.bodies = {{0, 4, {}, {{{0, 1, 2, 3}}}, numbers_of(solid_law(law, lame_of(0.3, "plane_stress")))}};
+  mesh.rest = {0, 0, 1, 0, 1, 1, 0, 1};
+  mesh.mass.assign(4, 1.0);
+  mesh.anchored.assign(4, false);
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  mesh.modulus = {E, E};
+  return mesh;
+}
+
+Frame placed(const FrameMesh& mesh, double stretch_x, double stretch_y, double angle) {
+  Frame frame;
+  for (int i = 0; i < mesh.nodes(); ++i) {
+    const double x = stretch_x * mesh.rest[2 * i], y = stretch_y * mesh.rest[2 * i + 1];
+    append(frame.position, Vec2(std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y));
+    append(frame.velocity, Vec2(0, 0));
+  }
+  return frame;
+}
+
+}  // namespace
+
+TEST_CASE("pictures show the stress of elements in space, whatever they turned by") {
+  const double E = 50, nu = 0.3, strain = 1e-3;
+  const FrameMesh mesh = square("polynomial", E);
+  const Fields fields(mesh);
+  for (const double angle : {0.0, 0.7}) {
+    const Frame frame = placed(mesh, 1 + strain, 1 - nu * strain, angle);  // uniaxial stress E strain
+    for (const double p : fields.of_material("pressure", frame))
+      CHECK(p == Catch::Detail::Approx(-E * strain / 2).epsilon(3e-3));
+    for (const double s : fields.of_material("von_mises", frame))
+      CHECK(s == Catch::Detail::Approx(E * strain).epsilon(3e-3));
+    for (const double w : fields.of_material("energy_density", frame))
+      CHECK(w == Catch::Detail::Approx(E * strain * strain / 2).epsilon(3e-3));
+    for (const double s : fields.of_material("stretch", frame))
+      CHECK(s == Catch::Detail::Approx((1 - nu) * strain / 2).epsilon(1e-3));
+  }
+}

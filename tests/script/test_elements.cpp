@@ -1,0 +1,133 @@
+// Bodies of elements as scripts describe them.
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+
+#include "script/program.hpp"
+
+using namespace ricochet::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+Ended script(const std::string& text) {
+  const Workplace here;
+  return here.script("local ricochet = require \"ricochet\"\n" + text);
+}
+
+}  // namespace
+
+TEST_CASE("scripts: elasticity of elements returns E and nu, in units of the paper and in SI") {
+  const Ended ended = script(R"(
+local function band(t, size)
+  t.interior, t.outline = "elements", { { 0, 0 }, { size, 0 }, { size, 4 * size }, { 0, 4 * size } }
+  return ricochet.elasticity { body = ricochet.body(t) }
+end
+local function near(a, b) assert(math.abs(a / b - 1) < 1e-10, a .. " " .. b) end
+for _, state in ipairs { "plane_stress", "plane_strain" } do
+  local sheet = band({ nodes = 200, E = 50, nu = 0.3, state = state }, 1)
+  near(sheet.E, 50)
+  near(sheet.nu, 0.3)
+  local steel = ricochet.materials.steel
+  local cut = band({ nodes = 200, material = steel, state = state, thickness = 0.01 }, 0.1)
+  near(cut.E, steel.E)
+  near(cut.nu, steel.nu)
+  near(band({ h_min = 0.05, h_max = 0.2, E = 50, nu = 0.3, state = state }, 1).E, 50)
+end
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
+
+TEST_CASE("scripts: a mesh is fine where it is asked to be, good, and as heavy as its outline") {
+  const Ended ended = script(R"(
+local hole = {}
+for i = 1, 60 do hole[i] = { 0.4 * math.cos(i * math.pi / 30), 0.4 * math.sin(i * math.pi / 30) } end
+for name, body in pairs {
+  disk = ricochet.disk { interior = "elements", E = 1, nu = 0.3, h_min = 0.02 },
+  even = ricochet.disk { interior = "elements", E = 1, nu = 0.3, h_min = 0.1, h_max = 0.1 },
+  ring = ricochet.disk { interior = "elements", E = 1, nu = 0.3, h_min = 0.05, h_max = 0.1, holes = { hole } },
+  wall = ricochet.wall { interior = "elements", E = 1, nu = 0.3, h_min = 0.05, width = 4, depth = 2 },
+} do
+  local m = ricochet.mesh { body = body }
+  print(name, m.nodes, m.triangles, m.quality, m.shortest, m.longest, m.mass_error)
+  assert(m.quality > 0.5, name .. " quality " .. m.quality)
+  assert(math.abs(m.mass_error) < 0.005, name .. " mass " .. m.mass_error)
+end
+local m = ricochet.mesh { body = ricochet.disk { interior = "elements", E = 1, nu = 0.3, h_min = 0.02 } }
+assert(m.shortest < 0.02 and m.longest > 0.1 and m.longest < 0.25)
+)");
+  INFO(ended.out + ended.err);
+  CHECK(ended.status == 0);
+}
+
+TEST_CASE("scripts: a meshed body in SI is that of the paper's units, scaled") {
+  const Ended ended = script(R"(
+local steel, R, E, density = ricochet.materials.steel, 0.007, 1e4, 800 / math.pi
+local function wave_speed(modulus, mass) return math.sqrt(modulus / mass / (1 - steel.nu ^ 2)) end
+local function row(t, speed, xi, units)
+  t.interior, t.h_max = "elements", 3 * t.h_min
+  return ricochet.scene { projectile = ricochet.disk(t), target = ricochet.plane {}, units = units,
+    launch = { speed = 0.05 * speed }, contact = { xi = xi } }:run()
+end
+for _, h in ipairs { 0.05, 0.07, 0.11 } do
+  local si = row({ radius = R, material = steel, h_min = h * R }, wave_speed(steel.E, steel.density), 1000 / R, "SI")
+  local plain = row({ E = E, nu = steel.nu, h_min = h }, wave_speed(E, density), 1000)
+  assert(math.abs(si.e - plain.e) < 1e-8, si.e .. " " .. plain.e)
+end
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
+
+TEST_CASE("scripts: E and density of elements may depend on the place, and a scene of them may be refined") {
+  const Ended ended = script(R"(
+local disk = ricochet.disk { interior = "elements", h_min = 0.1, nu = 0.3,
+  E = function(x, y) return y < 0 and 1e4 or 2e4 end, density = function(x, y) return 200 + x end }
+local scene = ricochet.scene { projectile = disk, target = ricochet.plane {}, launch = { speed = 0.05 } }
+local coarse, fine = scene:run(), ricochet.refined(scene, 4):run()
+assert(coarse.status == "finished" and fine.status == "finished")
+assert(math.abs(coarse.e - fine.e) < 0.01, coarse.e .. " " .. fine.e)
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
+
+TEST_CASE("scripts: what says nothing of elements, or of springs, is refused with a remedy") {
+  const auto refused = [](const std::string& fields) {
+    const Ended ended = script("ricochet.disk { " + fields + " }");
+    CHECK(ended.status != 0);
+    return ended.err;
+  };
+  const std::string of_elements = "interior = 'elements', E = 1, nu = 0.3, ";
+  CHECK_THAT(refused("E = 1"), Contains("'E': is of elements; give interior = \"elements\" too"));
+  CHECK_THAT(refused("h_min = 0.1"), Contains("'h_min': is of elements"));
+  CHECK_THAT(refused("interior = 'rigid', nu = 0.1"), Contains("'nu': is of elements"));
+  CHECK_THAT(refused("interior = 'elements', nu = 0.3"), Contains("'E': is missing"));
+  CHECK_THAT(refused("interior = 'elements', E = 1"), Contains("'nu': is missing"));
+  CHECK_THAT(refused(of_elements + "stiffness = 3"), Contains("'stiffness': is of springs; elements have E and nu"));
+  CHECK_THAT(refused(of_elements + "mass = 3"), Contains("give density"));
+  CHECK_THAT(refused(of_elements + "quartic = 0"), Contains("elements have a law"));
+  CHECK_THAT(refused(of_elements + "prestress = 0.1"), Contains("'prestress': is of springs"));
+  CHECK_THAT(refused("interior = 'elements', E = 1, nu = 0.5"), Contains("nu"));
+  CHECK_THAT(refused(of_elements + "law = 'hooke'"), Contains("polynomial"));
+  CHECK_THAT(refused(of_elements + "h_max = 0.1"), Contains("'h_max': is of a mesh; give h_min too"));
+  CHECK_THAT(refused(of_elements + "h_min = 0.1, h_max = 0.05"), Contains("is below h_min = 0.1"));
+  CHECK_THAT(refused(of_elements + "h_min = 0.1, nodes = 60"), Contains("give h_min or nodes, not both"));
+  CHECK_THAT(refused(of_elements + "h_min = 1e-6, h_max = 1e-5"), Contains("raise it, or h_max or grade"));
+  CHECK_THAT(refused(of_elements + "h_min = 3"), Contains("too long to follow"));
+  CHECK_THAT(refused(of_elements + "h_min = 0.1, points = { {0, 0}, {0.5, 0}, {0, 0.5} }"),
+             Contains("are nodes given by hand, and a mesh places its own"));
+  CHECK_THAT(refused("material = ricochet.materials.steel, radius = 0.01, " + of_elements),
+             Contains("follows from the material"));
+}
+
+TEST_CASE("scripts: LAMMPS files refuse elements by name") {
+  const Ended ended = script(R"(
+ricochet.lammps { scene = ricochet.scene { target = ricochet.wall { nodes = 100 },
+  projectile = ricochet.disk { interior = "elements", E = 1e4, nu = 0.3, nodes = 60 } } })");
+  CHECK(ended.status != 0);
+  CHECK_THAT(ended.err,
+             Contains("'projectile': LAMMPS files hold bodies of springs only, and this one is of elements"));
+}
