@@ -464,7 +464,7 @@ Plan.run = core.wrap(function(plan)
     local scene = core.given(refine.refined(sweep.scene(at), self.nodes, 0))
     local chosen = choices[name_of(at, sweep.names, self.sample)] or self
     scene.method, scene.theta, scene.step, scene.accuracy = chosen.method, chosen.theta, nil, nil
-    return core.functions.scene(scene)
+    return core.with_chosen_step(core.functions.scene(scene), self.budget.step)
   end }
   local began = core.clock()
   local rows = planned:run()

@@ -37,7 +37,8 @@ const Columns& of_normal() {
         "restitution of the contact points along the contact's normal, -v_cn' / v_cn, with spin and the target's "
         "motion; a round body touches below its centre of mass: on a flat wall its e_n is e. Undefined, and beta_n "
         "too, "
-        "where touches at several places of a body that is not round leave v_cn uncertain by more than a tenth"},
+        "where touches at several places of a body that is not round, or a normal that turns meanwhile, leave v_cn "
+        "uncertain by more than a tenth"},
        [](O o) { return o.e_n; }},
       {{"beta_n", "number", "", "the same across the normal, -v_ct' / v_ct; undefined if v_ct is below 1e-3 of v_cn"},
        [](O o) { return o.beta_n; }},

@@ -169,13 +169,15 @@ double contact_time_error(const Run& run, double arrives, double leaves) {
   return -std::log(run.scene->ending.force) / run.start.contact.xi * (1 / std::abs(arrives) + 1 / std::abs(leaves));
 }
 
-// Where touches follow each other far apart, the contact has no one place: what the normal speed of the contact points
-// is uncertain by, the change of spin times the touches' deviation along t from their mean. None of a round body, whose
-// touch is at its foot.
-double uncertain_speed(const Run& run, const Relative& start, const Relative& after, const Vec2& t) {
+// What the normal speed of the contact points is uncertain by. Where touches follow each other far apart, the contact
+// has no one place: the change of spin times the touches' deviation along t from their mean; none of a round body,
+// whose touch is at its foot. Where the normal turns meanwhile, it has no one direction: its deviation times the speed
+// along t.
+double uncertain_speed(const Run& run, const Relative& start, const Relative& after, const Vec2& t, double sliding) {
   const ContactFrame& frame = run.frame;
   const std::array<double, 2> turned{after.spin - start.spin, after.target_spin - start.target_spin};
-  double speed = 0;
+  const double one_way = frame.normal.norm() / frame.load;
+  double speed = sliding * std::sqrt(std::max(0.0, 1 - one_way * one_way));
   for (const std::size_t b : {role::projectile, role::target}) {
     if (frame.round[b]) continue;
     const double mean = t.dot(frame.arm[b]) / frame.load;
@@ -199,7 +201,8 @@ void report_along_normal(const Run& run, const Relative& start, const Relative& 
   o.normal_y = normal(n);
   const Arms arms = arms_of(run, n, t);
   const ContactPoint first = at_arms(start, arms, n, t), later = at_arms(after, arms, n, t);
-  const bool one_place = uncertain_speed(run, start, after, t) <= most_uncertain * std::abs(first.n);
+  const double sliding = std::max(std::abs(first.t), std::abs(later.t));
+  const bool one_place = uncertain_speed(run, start, after, t, sliding) <= most_uncertain * std::abs(first.n);
   if (one_place) o.e_n = ratio(-later.n, first.n);
   o.error_contact_time = contact_time_error(run, first.n, later.n);
   if (one_place && std::abs(first.t) > least_slip * std::abs(first.n)) o.beta_n = -later.t / first.t;

@@ -113,6 +113,14 @@ std::vector<Scene> scenes_at(lua_State* L, int list) {
   throw_at(session_of(L), object.site, FieldError(error.field, object.scene.units.explained(error.what()) + where));
 }
 
+// with_chosen_step(scene, error): the scene, whose step trials have chosen: where it fails by it, it takes a shorter
+// one.
+int with_chosen_step(lua_State* L) {
+  scene_at(L, 1).scene.error_step = luaL_checknumber(L, 2);
+  lua_settop(L, 1);
+  return 1;
+}
+
 // pilot(scenes): a row for each, and the wall seconds that all of them took on the run's threads, steps chosen for an
 // accuracy and lattices planned before. Nothing is stored.
 int pilot(lua_State* L) {
@@ -310,6 +318,7 @@ Group sweep_functions() {
       .natives = {{"run_sweep", guarded<run_sweep_from_lua>},
                   {"columns", columns},
                   {"pilot", guarded<pilot>},
+                  {"with_chosen_step", guarded<with_chosen_step>},
                   {"clock", clock_seconds}}};
 }
 
