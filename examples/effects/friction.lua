@@ -9,16 +9,17 @@ local figures = require "ricochet.figures"
 local p = ricochet.parameters {
   psi1    = { { 0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4, 6 }, min = 0.01, doc = "tangents of the incident angle, rising" },
   mu      = { 0.3, min = 0, doc = "coefficient of friction" },
-  samples = { 8, int = true, min = 1, doc = "lattices" },
-  nodes   = { 800, int = true, min = 30, doc = "of the disk; the wall has four times as many" },
+  samples = { 4, int = true, min = 1, doc = "lattices" },
+  nodes   = { 1600, int = true, min = 30, doc = "of the disk; the wall has four times as many" },
 }
 
 local rows = ricochet.sweep {
   name = "friction",
   over = { sample = ricochet.range(p.samples), psi1 = p.psi1, rims = { "frictionless", "with friction" } },
   scene = function(at)
+    local disk = ricochet.disk { nodes = p.nodes, placement = "poisson_disk", seed = at.sample }
     return ricochet.scene {
-      projectile = ricochet.disk { nodes = p.nodes, placement = "poisson_disk", seed = at.sample },
+      projectile = ricochet.rotated { body = disk, angle = 137.508 * at.sample },  -- no two meet with the same nodes
       target = ricochet.wall { width = 6, depth = 2, nodes = 4 * p.nodes, stiffness = 1e4, placement = "poisson_disk",
         seed = at.sample },
       launch = { normal_speed = 0.02, psi1 = at.psi1 }, contact = { xi = 4000 }, method = "verlet", theta = 0.2,
