@@ -1,8 +1,9 @@
 -- Friction of a smooth disk on a smooth wall. Without friction or roughness no tangential impulse passes: beta = -1
--- (line at the bottom). With it beta leaves -1: where the disk slides all along, by the theory of Maw, Barber & Fawcett,
--- Walton's beta = -1 + mu (1 + e) (1 + M R^2 / I) / psi1, with the disk's own e and moment of inertia I. The law is that
--- of small contacts: the impact is slow, 0.01 R deep. A node slides once its tangential spring pulls mu times the load;
--- springs as hard as the contact is let it do so at once, and a contact this soft keeps the nodes from bouncing.
+-- (line at the bottom). With it beta leaves -1. Where the disk slides all along, by the theory of Maw, Barber &
+-- Fawcett, it is Walton's beta = -1 + mu (1 + e) (1 + M R^2 / I) / psi1, with the disk's own e and moment of inertia I.
+-- The law is that of small contacts: the impact is slow, and 0.01 R deep. A node slides once its tangential spring
+-- pulls mu times the load; springs as hard as the contact is let it do so at once, and a contact this soft keeps the
+-- nodes from bouncing off it.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 
@@ -43,19 +44,18 @@ figures.compare(rough, "psi1", "beta", "Walton, sliding all along,", function(ps
   return e_of[psi1] == e_of[psi1] and slides(psi1, e_of[psi1]) and sliding(psi1, e_of[psi1]) or nil
 end)
 for _, line in ipairs(summary) do
-  local slid = line.e.count > 1 and slides(line.psi1, line.e.mean)
-  print(("psi1 = %g: beta %+.4f%s"):format(line.psi1, line.beta.mean, slid and (", line %+.4f: %+.1f standard errors off")
-    :format(sliding(line.psi1, line.e.mean), (line.beta.mean - sliding(line.psi1, line.e.mean)) / line.beta.se) or
-    " (sticks at times)"))
+  local beta, line_at = line.beta, sliding(line.psi1, line.e.mean)
+  if beta.count > 1 and slides(line.psi1, line.e.mean) then
+    print(("psi1 = %g: beta %+.4f, line %+.4f: %+.1f standard errors"):format(line.psi1, beta.mean, line_at,
+      (beta.mean - line_at) / beta.se))
+  end
 end
 
-local e = figures.columns(rough, { "e" }).e
-local mean = 0
-for _, value in ipairs(e) do mean = mean + value / #e end
-local points = {}
+local e, points = 0, {}
+for _, line in ipairs(summary) do e = e + line.e.mean / #summary end
 for k = 0, 100 do
   local psi1 = p.psi1[1] + (p.psi1[#p.psi1] - p.psi1[1]) * k / 100
-  if slides(psi1, mean) then points[#points + 1] = { psi1, sliding(psi1, mean) } end
+  if slides(psi1, e) then points[#points + 1] = { psi1, sliding(psi1, e) } end
 end
 ricochet.plot {
   rows = rows, x = "psi1", y = { "beta", "mu" }, by = "rims", name = "friction",
