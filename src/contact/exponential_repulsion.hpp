@@ -33,8 +33,8 @@ struct ExponentialRepulsion {
           positive, "", true},
          &ExponentialRepulsion::V0},
         {{"xi", "number", "1/R",
-          "inverse range of the repulsion; unless given, 1/xi is a 200th of the indentation to be expected",
-          positive, "", true},
+          "inverse range of the repulsion; unless given, 1/xi is a 200th of the indentation to be expected", positive,
+          "", true},
          &ExponentialRepulsion::xi},
         {{"reach", "number", "R",
           "segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an "
@@ -53,8 +53,9 @@ struct ExponentialRepulsion {
          &ExponentialRepulsion::sides},
         {{"deepest", "number", "R",
           "how deep a node that a one-sided contact does not push may stand inside, beyond which the impact ends "
-          "tunnelled: the longest cell of the projectile's surface unless given. A node that is pushed may not be "
-          "inside at all",
+          "tunnelled: the longest cell of the projectile's surface unless given. The paper's rough scenes finish from "
+          "0.86 of the mean cell on: 0.053 R of 800 nodes, 0.076 R of 400. A node that is pushed may not be inside at "
+          "all",
           positive, "", true},
          &ExponentialRepulsion::deepest},
     };
