@@ -25,8 +25,8 @@ materials.polycarbonate = material { E = 2.38e9, nu = 0.38, density = 1200, yiel
   source = "machine grade rod: plastics.tridentplastics.com, item 9118 (tensile modulus 345000 psi, yield 9000 psi)" }
 
 materials.rubber = material { E = 1.5e6, nu = 0.4999, density = 950,
-  source = "matweb.com, natural rubber, vulcanized: shear modulus G = 0.5 MPa; E = 3 G and nu next to 1/2, as it hardly "
-    .. "changes its volume" }
+  source = "matweb.com, natural rubber, vulcanized: shear modulus G = 0.5 MPa; E = 3 G and nu next to 1/2, as it "
+    .. "hardly changes its volume" }
 
 materials.ice = material { E = 9.20e9, nu = 0.328, density = 917,
   source = "Ih at -16 C: Voigt-Reuss-Hill mean of the elastic constants of P. H. Gammon et al. 1983, J. Glaciology 29, "
