@@ -9,31 +9,10 @@ local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 
 local p = ricochet.parameters(figures.parameters {
-  ratio    = { 1 / 100, min = 1e-6, doc = "wall stiffness over disk stiffness" },
-  accuracy = { 0, min = 0, max = 0.1, doc = "wanted error of e from the time step, which chooses method and step; " ..
-    "0: none (1e-3 is fastest)" },
+  ratio = { 1 / 100, min = 1e-6, doc = "wall stiffness over disk stiffness" },
 })
 
-local sweep = ricochet.sweep {
-  name = "soft_wall",
-  over = { sample = ricochet.range(p.samples), psi1 = p.psi1 },
-  scene = function(at)
-    return ricochet.scene {
-      projectile = ricochet.disk { nodes = p.nodes, mass = 1, stiffness = 1e4, placement = p.placement,
-        roughness = p.roughness,
-        seed = at.sample },
-      target = ricochet.wall { nodes = 5 * p.nodes, mass = 1, stiffness = 1e4 * p.ratio, placement = p.placement,
-        roughness = p.roughness, seed = at.sample },
-      launch = { speed = p.speed, psi1 = at.psi1 },
-      contact = figures.contact,
-      method = p.method,
-      step = p.step > 0 and p.step or nil,
-      accuracy = p.accuracy > 0 and p.accuracy or nil,
-    }
-  end,
-}
-
-local rows = sweep:run()
+local rows = figures.sweep(p, "soft_wall", p.ratio):run()
 rows:summary { by = "psi1", of = { "e", "mu", "beta", "indentation" } }:print()
 local material = figures.material(p)
 local tilted = figures.tilted(rows, material.nu_strain)

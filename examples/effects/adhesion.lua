@@ -3,7 +3,7 @@
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
-  speed    = { { 0.01, 0.015, 0.02, 0.03, 0.05, 0.1 }, unit = "c", min = 1e-4, doc = "impact speed" },
+  speed    = { { 0.003, 0.005, 0.01, 0.02, 0.05, 0.1 }, unit = "c", min = 1e-4, doc = "impact speed" },
   strength = { { 0, 3, 6 }, unit = "m0 c^2", min = 0, doc = "of the attraction at distance 0" },
   samples  = { 4, int = true, min = 1, doc = "lattices" },
 }
@@ -17,7 +17,7 @@ local rows = ricochet.sweep {
       projectile = ricochet.disk { nodes = 200, placement = "poisson_disk", seed = at.sample },
       target = ricochet.wall { nodes = 600, width = 4, depth = 1.5, stiffness = 1e4, placement = "poisson_disk",
         seed = at.sample },
-      launch = { speed = at.speed }, contact = { xi = 300, reach = 0.15 }, time_limit = 100,
+      launch = { speed = at.speed }, contact = { xi = 300, V0 = 150, reach = 0.15 }, time_limit = 100,
       effects = at.strength > 0 and { ricochet.adhesion { strength = at.strength, xi = 150 }, viscous } or { viscous },
     }
   end,

@@ -3,7 +3,7 @@
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
-  speed   = { { 0.05, 0.1, 0.15, 0.2, 0.3 }, unit = "c", min = 1e-4, doc = "impact speed" },
+  speed   = { { 0.05, 0.075, 0.1, 0.15, 0.2 }, unit = "c", min = 1e-4, doc = "impact speed" },
   strain  = { 0.02, min = 1e-6, doc = "stretch over rest length beyond which a spring breaks" },
   samples = { 8, int = true, min = 1, doc = "lattices" },
   nodes   = { 300, int = true, min = 30, doc = "of the disk; the wall has twice as many" },

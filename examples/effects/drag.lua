@@ -1,5 +1,5 @@
--- A disk that flies through a medium on to a wall and back: what drag takes depends on how long the impact lasts, so
--- slow impacts lose more.
+-- A disk that flies through a medium on to a wall and back. What drag takes depends on how long the impact lasts, and
+-- that hardly depends on the speed.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {

@@ -1,5 +1,5 @@
--- A disk falls on a soft wall under gravity. At the speeds of the paper the weight is nothing beside the force of the
--- impact; the slower the impact, the longer the weight acts in it, and what it changes of e grows.
+-- A disk falls on a soft wall under gravity. e is that of the velocity at the first touch, so that the fall before it
+-- is left out: what is left is the weight that acts in the impact, and it is nothing beside the force of the impact.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {

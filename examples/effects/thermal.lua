@@ -22,7 +22,8 @@ local function impacts(name, over, ratio_of)
     name = name, over = over,
     scene = function(at)
       return ricochet.scene {
-        projectile = left, target = right, launch = { speed = ratio_of(at) * thermal_speed }, contact = { reach = 0.2 },
+        projectile = left, target = right, launch = { speed = ratio_of(at) * thermal_speed },
+        contact = { xi = 150, V0 = 1000 * p.temperature, reach = 0.2 },  -- too hard for the vibrations to cross
         effects = { ricochet.thermal { temperature = p.temperature, seed = at.sample } },
       }
     end,

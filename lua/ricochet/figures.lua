@@ -27,15 +27,14 @@ function figures.parameters(own)
 end
 
 --- Hayakawa & Kuninaka's section V: a rough disk strikes a rough wall five times as large, `ratio` times as stiff. p:
---- the parameters above. `at`: sample and launch; nodes, if it is not p's.
+--- the parameters above. `at`: sample and launch; nodes, if not p's; mass of a node [m0], if not 1.
 function figures.scene(p, ratio, at)
-  local nodes = at.nodes or p.nodes
+  local nodes, mass = at.nodes or p.nodes, at.mass or 1
   local timed = p.step == 0 and p.accuracy > 0 and p.method == "auto"
   return ricochet.scene {
-    projectile = ricochet.disk { nodes = nodes, mass = 1, stiffness = 1e4, placement = p.placement,
-      roughness = p.roughness,
-      seed = at.sample },
-    target = ricochet.wall { nodes = 5 * nodes, mass = 1, stiffness = 1e4 * ratio, placement = p.placement,
+    projectile = ricochet.disk { nodes = nodes, mass = mass, stiffness = 1e4, placement = p.placement,
+      roughness = p.roughness, seed = at.sample },
+    target = ricochet.wall { nodes = 5 * nodes, mass = mass, stiffness = 1e4 * ratio, placement = p.placement,
       roughness = p.roughness, seed = at.sample },
     launch = at.launch,
     contact = figures.contact,

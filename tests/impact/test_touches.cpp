@@ -41,13 +41,6 @@ double passes(const std::function<double(double)>& load, double level, double lo
   return low;
 }
 
-std::shared_ptr<const Solid> upside_down(const Solid& solid) {
-  Solid turned = solid;
-  for (Vec2& p : turned.points) p = -p;
-  for (Vec2& p : turned.smooth) p = -p;
-  return std::make_shared<Solid>(turned);
-}
-
 /// A smooth disk that drops on a plane.
 Scene drop(const std::string& method) {
   Scene scene;
@@ -125,33 +118,6 @@ TEST_CASE("contact_time converges at the order of the method") {
     INFO(fmt::format("{}: {:.3e} {:.3e}", method, coarse, fine));
     CHECK(std::log2(coarse / fine) / 2 == Catch::Detail::Approx(method_named(method).order).margin(0.6));
   }
-}
-
-TEST_CASE("who is called the projectile changes neither the contact time nor the outcome along the normal") {
-  Scene scene;
-  scene.projectile = disk(60, 1e4, 0, 1);
-  scene.target = disk(90, 2e3, 0, 2);
-  scene.launch.at = 0.3;
-  scene.contact = paper_contact();
-  scene.contact.sides = "two";
-  Body heavy = *scene.target;
-  heavy.numbers.mass = 3;
-  scene.target = std::make_shared<Body>(heavy);
-  const auto p = build_solid(*scene.projectile), t = build_solid(*scene.target);
-  Scene exchanged = scene;
-  std::swap(exchanged.projectile, exchanged.target);
-  exchanged.launch.at -= p->centre().x() + t->centre().x();  // launch.at is of the centre of mass
-  const Outcome a = run_scene({p.get(), t.get()}, scene, go_on);
-  const auto above = upside_down(*t), below = upside_down(*p);
-  const Outcome b = run_scene({above.get(), below.get()}, exchanged, go_on);
-  REQUIRE((a.status == Status::finished && b.status == Status::finished));
-  CHECK(a.contact_time == Catch::Detail::Approx(b.contact_time).epsilon(1e-4));
-  CHECK(a.contact_time_energy == Catch::Detail::Approx(b.contact_time_energy).epsilon(1e-4));
-  CHECK(a.e_n == Catch::Detail::Approx(b.e_n).epsilon(1e-4));
-  CHECK(a.beta_n == Catch::Detail::Approx(b.beta_n).epsilon(1e-4));
-  CHECK(a.normal_x == Catch::Detail::Approx(b.normal_x).epsilon(1e-4));
-  CHECK(a.overlap == Catch::Detail::Approx(b.overlap).epsilon(1e-2));
-  CHECK(a.time_first == Catch::Detail::Approx(b.time_first).epsilon(1e-3));
 }
 
 TEST_CASE("a slow disk with much spin touches, and what it does is told") {
