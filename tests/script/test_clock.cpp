@@ -89,6 +89,7 @@ ricochet.sweep { name = "s", over = { sample = ricochet.range(600) }, scene = fu
   return ricochet.scene {
     projectile = ricochet.disk { nodes = 200, placement = "uniform", seed = at.sample },
     target = ricochet.wall { width = 4, depth = 1.5, nodes = 600, placement = "uniform", seed = at.sample },
+    contact = { V0 = 150, xi = 300 },
   }
 end }:run()
 )");

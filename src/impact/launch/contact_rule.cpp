@@ -13,13 +13,14 @@
 namespace ricochet {
 namespace {
 
-constexpr double softness = 0.005;    // 1/xi over the expected indentation
-constexpr double held = 0.005;        // F/xi over the energy of the impact, where springs yield
-constexpr double strength = 1000;     // V0 R over the energy of the impact
-constexpr double ranges = 30;         // xi reach
-constexpr double most_ranges = 699;   // beyond it there is nothing
-constexpr double on_asperity = 0.25;  // of the force, on one node of a rough rim
-constexpr double least_slope = 0.1;   // the normal speed counts as no less of the speed: a rough rim meets asperities
+constexpr double softness = 0.005;       // 1/xi over the expected indentation, of smooth rims
+constexpr double rough_softness = 0.02;  // of rough ones, whose contact lasts as its asperities do
+constexpr double held = 0.005;           // F/xi over the energy of the impact, where springs yield
+constexpr double strength = 1000;        // V0 R over the energy of the impact
+constexpr double ranges = 30;            // xi reach
+constexpr double most_ranges = 699;      // beyond it there is nothing
+constexpr double on_asperity = 0.25;     // of the force, on one node of a rough rim
+constexpr double least_slope = 0.1;  // the normal speed counts as no less of the speed: a rough rim meets asperities
 
 double area_of(const Solid& solid) {
   double area = 0;
@@ -80,9 +81,14 @@ ExponentialRepulsion beside_pair_forces(const Scene& scene) {
   return contact;
 }
 
+bool rough(const Scene& scene) {
+  const auto bodies = scene.bodies();
+  return std::any_of(bodies.begin(), bodies.end(), [](const Body* body) { return body->numbers.roughness > 0; });
+}
+
 double rule_of_xi(const Scene& scene, const Solids& solids, const Placement& arrives) {
   const LineImpact impact = expected_impact(scene, solids, arrives);
-  const double hard = 1 / (softness * impact.approach);
+  const double hard = 1 / ((rough(scene) ? rough_softness : softness) * impact.approach);
   return yields(scene) ? std::max(hard, impact.force / (held * energy_of(scene, solids, arrives))) : hard;
 }
 
@@ -122,9 +128,7 @@ double contact_frequency(const Scene& scene, const Solids& solids, const Placeme
   }
   const double pressure = 2 * impact.force / (std::numbers::pi * impact.half_width);
   double omega2 = 2 * acts.xi * pressure * most;
-  const auto bodies = scene.bodies();
-  if (std::any_of(bodies.begin(), bodies.end(), [](const Body* body) { return body->numbers.roughness > 0; }))
-    omega2 = std::max(omega2, 2 * acts.xi * impact.force * on_asperity / lightest);
+  if (rough(scene)) omega2 = std::max(omega2, 2 * acts.xi * impact.force * on_asperity / lightest);
   return std::sqrt(omega2);
 }
 
