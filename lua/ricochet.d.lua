@@ -347,7 +347,7 @@ function ricochet.scene(t) end
 ---@field xi? number inverse range of the repulsion; unless given, 1/xi is a 200th of the indentation to be expected, of rough rims a fiftieth [1/R]
 ---@field reach? number segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an impact is so slow that what is left out would show; 30/xi unless given [R]
 ---@field sides? "one"|"two" two: nodes of either body are pushed off segments of the other; one: the projectile's alone (the paper), between which a tip of the target may stand inside (default two)
----@field deepest? number how deep a node that a one-sided contact does not push may stand inside, beyond which the impact ends tunnelled: the longest cell of the projectile's surface unless given. The paper's rough scenes finish from 0.86 of the mean cell on: 0.053 R of 800 nodes, 0.076 R of 400. A node that is pushed may not be inside at all [R]
+---@field deepest? number how deep a node that a one-sided contact does not push may stand inside, beyond which the impact ends tunnelled: the mean cell of the projectile's surface unless given. The paper's rough scenes finish from 0.86 of the mean cell on: 0.053 R of 800 nodes, 0.076 R of 400. A node that is pushed may not be inside at all [R]
 
 ---@class ricochet.ending_fields
 ---@field at? "parted"|"first_parting"|"time" parted: the bodies have parted for good; first_parting: the first touch has ended, whatever follows; time: at a given time, whatever the bodies do (default parted)

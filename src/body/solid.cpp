@@ -41,14 +41,14 @@ Points surface_points(const Solid& solid) {
   return points;
 }
 
-double longest_cell(const Solid& solid) {
+double mean_cell(const Solid& solid) {
   const auto* mesh = std::get_if<Mesh<2>>(&solid.surface);
-  if (!mesh) return 0;
+  if (!mesh || mesh->cell.empty()) return 0;
   const Points points = surface_points(solid);
-  double longest = 0;
+  double sum = 0;
   for (const auto& [a, b] : mesh->cell)
-    longest = std::max(longest, (points[static_cast<std::size_t>(a)] - points[static_cast<std::size_t>(b)]).norm());
-  return longest;
+    sum += (points[static_cast<std::size_t>(a)] - points[static_cast<std::size_t>(b)]).norm();
+  return sum / static_cast<double>(mesh->cell.size());
 }
 
 }  // namespace ricochet

@@ -75,8 +75,8 @@ struct Solid {
 /// Rest places of the surface's nodes, in their order.
 Points surface_points(const Solid& solid);
 
-/// The longest cell of the surface at rest. [R]
-double longest_cell(const Solid& solid);
+/// The mean length of the surface's cells at rest. [R]
+double mean_cell(const Solid& solid);
 
 /// A pure function of the description.
 std::shared_ptr<const Solid> build_solid(const Body& body);

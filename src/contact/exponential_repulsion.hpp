@@ -54,7 +54,7 @@ struct ExponentialRepulsion {
          &ExponentialRepulsion::sides},
         {{"deepest", "number", "R",
           "how deep a node that a one-sided contact does not push may stand inside, beyond which the impact ends "
-          "tunnelled: the longest cell of the projectile's surface unless given. The paper's rough scenes finish from "
+          "tunnelled: the mean cell of the projectile's surface unless given. The paper's rough scenes finish from "
           "0.86 of the mean cell on: 0.053 R of 800 nodes, 0.076 R of 400. A node that is pushed may not be inside at "
           "all",
           positive, "", true},

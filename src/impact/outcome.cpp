@@ -157,9 +157,9 @@ const Columns& of_run() {
         "greatest share of a body's area in triangles turned over, as seen with the ledger; beyond that of slivers "
         "it is no elastic solid any more"},
        [](O o) { return o.inverted; }},
-      {{"inversion_time", "number", "R/c", "when that share first exceeded 0.01; undefined if it never did"},
+      {{"inversion_time", "number", "R/c", "when that share first exceeded 0.002; undefined if it never did"},
        [](O o) { return o.inversion_time; }},
-      {{"folded", "number", "", "1 if that share exceeded 0.01: springs that are turned over resist no more"},
+      {{"folded", "number", "", "1 if that share exceeded 0.002: springs that are turned over resist no more"},
        [](O o) { return o.folded; }},
       {{"inertia", "number", "",
         "I/(M R^2) of the projectile at rest about its centre, R the unit of length, in SI half of the projectile's "

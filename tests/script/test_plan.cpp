@@ -10,9 +10,11 @@ using namespace ricochet::test;
 
 namespace {
 
-// The small sweep, not yet run, as `sweep`.
-std::string planned(const std::string& then) {
+// The small sweep, not yet run, as `sweep`, with the paper's contact: its softness is no error then, and the samples
+// are.
+std::string planned(const std::string& then, const std::string& contact = "contact = { V0 = 150, xi = 300 }, ") {
   std::string text = small_sweep;
+  text.insert(text.find("launch ="), contact);
   text.replace(text.find("local rows ="), 12, "local sweep =");
   text.erase(text.find(":run()"));
   return text + "\n" + then;
@@ -102,6 +104,15 @@ plan:run()
   CHECK(ended.status == 1);
   CHECK_THAT(ended.out, Catch::Matchers::Contains("no plan: with "));
   CHECK(ended.first_line().ends_with("run: there is no plan to run: the wanted standard error is out of reach"));
+}
+
+TEST_CASE("a plan counts the softness of a contact that the program chose, and of no other") {
+  const Workplace here;
+  const std::string then =
+      R"(local plan = ricochet.plan { sweep = sweep, standard_error = 0.5, sizes = { 1 }, pilot = 2 }
+for _, p in ipairs(plan.points) do print("softness", p.softness > 0) end)";
+  CHECK_THAT(here.script(planned(then, ""), "samples=2 --quiet").out, Catch::Matchers::Contains("softness\ttrue"));
+  CHECK_THAT(here.script(planned(then), "samples=2 --quiet --force").out, Catch::Matchers::Contains("softness\tfalse"));
 }
 
 TEST_CASE("mistakes in a plan are found before its pilot runs") {

@@ -42,7 +42,7 @@ class Watch {
       if (solid->free > 0) lightest_ = std::min(lightest_, solid->mass.lightest());
       outlines_.emplace_back(*solid);
     }
-    surface_gap_ = longest_cell(*state.solids[role::projectile]);
+    surface_gap_ = mean_cell(*state.solids[role::projectile]);
   }
 
   Run& run(int lane) { return runs_[at(lane)]; }
@@ -393,7 +393,7 @@ class Watch {
   State<W>& state_;
   double lightest_ = std::numeric_limits<double>::infinity();  // of the masses that move [m0]
   std::vector<SmoothOutline> outlines_;                        // [body]
-  double surface_gap_ = 0;  // the longest distance of neighbours in the projectile's surface [R]
+  double surface_gap_ = 0;  // the mean distance of neighbours in the projectile's surface [R]
   std::array<Run, W> runs_{};
 };
 
