@@ -84,7 +84,7 @@ void Trials::run_one(Wanted& wanted, const std::atomic<bool>& stop) const {
 }
 
 // Runs what is not known yet. False if that would cost too much.
-bool Trials::run(const std::vector<std::size_t>& some, std::vector<int> at, int threads,
+bool Trials::run(const std::vector<std::size_t>& some, const std::vector<int>& at, int threads,
                  const std::atomic<bool>& stop) {
   std::vector<Wanted> list;
   double cost = 0;

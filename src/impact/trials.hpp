@@ -122,7 +122,8 @@ class Trials {
     double evaluations, time;
   };
 
-  bool run(const std::vector<std::size_t>& some, std::vector<int> at, int threads, const std::atomic<bool>& stop);
+  bool run(const std::vector<std::size_t>& some, const std::vector<int>& at, int threads,
+           const std::atomic<bool>& stop);
   void run_one(Wanted& wanted, const std::atomic<bool>& stop) const;
   double theta_of(std::size_t scene, int shorter) const;
   double cost_of(std::size_t scene, int shorter) const;
