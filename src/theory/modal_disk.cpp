@@ -84,10 +84,11 @@ void check_wall(const ModalDisk& impact, const std::vector<DiskMode>& modes) {
 
 // The impact by a step of `longer` times the chosen one, halved until it keeps the energy to 1e-6.
 ModalImpact kept_energy(const std::vector<DiskMode>& modes, const ModalDisk& given, double alpha, double& longer) {
-  for (; longer > 0.01; longer /= 2) {
+  while (longer > 0.01) {
     ModalImpact impact(modes, given.speed, alpha, longer);
     impact.run();
     if (std::abs(impact.ledger()) <= 1e-6) return impact;
+    longer /= 2;
   }
   throw FieldError("omega_most", fmt::format("is too small for alpha = {:g}: the rim chatters on the wall faster than "
                                              "any step can follow. Raise it, or take a softer wall",
