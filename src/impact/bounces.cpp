@@ -18,21 +18,13 @@ namespace {
 // A touch that lasts longer is no bounce. [R/c]
 constexpr double longest_touch = 100;
 
-double relative_fall(const Scene& scene, const Solids& solids) {
-  const auto fall = [&](std::size_t body) {
-    const int count = static_cast<int>(solids.size());
-    return solids[body]->anchored() ? 0 : normal(fall_of(scene.effects, static_cast<int>(body), count));
-  };
-  return fall(role::projectile) - fall(role::target);
-}
-
 /// Follows one run from touch to touch.
 class Follower {
  public:
   Follower(const Solids& solids, const Scene& scene, const Start& start, const std::atomic<bool>& stop)
       : engine_(solids, scene.method(), scene.effects),
         start_(start),
-        fall_(relative_fall(scene, solids)),
+        fall_(normal(free_fall(scene, solids, role::projectile)) - normal(free_fall(scene, solids, role::target))),
         stop_(stop) {
     engine_.begin(0, scene, 0, start);
     see();

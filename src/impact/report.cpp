@@ -125,12 +125,12 @@ void report_impulse(const Run& run, const Solids& solids, const Flying& after, c
                          in_plane(at_touch(run, solids, role::projectile).velocity - target_before).norm());
 }
 
-void report_first_parting(const Run& run, const Solids& solids, Outcome& o) {
+void report_first_parting(const Run& run, const Solids& solids, const Relative& start, Outcome& o) {
   o.time_first = run.clock().first_end();
   if (!run.first_parting) return;
   const auto& [projectile, target] = *run.first_parting;
   const Vec3 j = impulse(run, solids, projectile);
-  o.e_first = ratio(-normal(after(projectile, target).velocity), normal(before(run, solids).velocity));
+  o.e_first = ratio(-normal(after(projectile, target).velocity), normal(start.velocity));
   o.mu_first = ratio(std::abs(tangential(j)), normal(j));
 }
 
@@ -248,7 +248,7 @@ Outcome report(const Run& run, const Ending& ending, const Solids& solids, const
   report_contact(run, o);
   report_velocities(run, start, later, o);
   report_impulse(run, solids, projectile, target, o);
-  report_first_parting(run, solids, o);
+  report_first_parting(run, solids, start, o);
   report_along_normal(run, start, later, in_plane(impulse(run, solids, projectile)), o);
   if (run.clock().touching()) leave_out_parting(o);
   return o;

@@ -147,10 +147,14 @@ Start launch(const Scene& described, const Solids& solids) {
   return start;
 }
 
+Vec3 free_fall(const Scene& scene, const Solids& solids, std::size_t body) {
+  if (solids[body]->anchored()) return Vec3::Zero();
+  return fall_of(scene.effects, static_cast<int>(body), static_cast<int>(solids.size()));
+}
+
 Placement in_flight(const Scene& scene, const Solids& solids, const Start& start, std::size_t body, double time) {
   Placement placement = start.bodies[body];
-  const int count = static_cast<int>(solids.size());
-  if (!solids[body]->anchored()) placement.acceleration = fall_of(scene.effects, static_cast<int>(body), count);
+  placement.acceleration = free_fall(scene, solids, body);
   return flown(placement, time);
 }
 

@@ -12,6 +12,9 @@ namespace ricochet {
 /// contact.
 Start launch(const Scene& scene, const Solids& solids);
 
+/// The acceleration of a body's free flight in the run: gravity's; none of a held body. [c^2/R]
+Vec3 free_fall(const Scene& scene, const Solids& solids, std::size_t body);
+
 /// A body at this time of the run, if nothing but gravity has acted on it since its start.
 Placement in_flight(const Scene& scene, const Solids& solids, const Start& start, std::size_t body, double time);
 
