@@ -1015,7 +1015,7 @@ function ricochet.theory.walton(t) end
 ---@field psi1 number tangent of the incident angle, v_ct/v_n
 ---@field mu number coefficient of friction
 ---@field e number normal restitution coefficient
----@field nu number Poisson's ratio
+---@field nu number Poisson's ratio of spheres; 0 for disks, whose contact is as stiff along the surface as across
 ---@field beta_x? number 1 + m R^2/I: 3 for a disk, 3.5 for a sphere (default 3)
 ---@class ricochet.theory_maw_result
 ---@field beta number tangential restitution of the contact point, -v_ct'/v_ct
@@ -1033,7 +1033,7 @@ function ricochet.theory.maw(t) end
 ---@field psi1 number tangent of the incident angle, v_ct/v_n
 ---@field mu number coefficient of friction
 ---@field e number normal restitution coefficient
----@field nu number Poisson's ratio
+---@field nu number Poisson's ratio of spheres; 0 for disks, whose contact is as stiff along the surface as across
 ---@field beta_x? number 1 + m R^2/I: 3 for a disk, 3.5 for a sphere (default 3)
 ---@field steps? integer time steps in one compression time (default 20000)
 ---@class ricochet.theory_maw_integrated_result

@@ -1,6 +1,6 @@
 -- Friction of a smooth disk on a smooth wall. Without friction or roughness no tangential impulse passes: beta = -1
 -- (line at the bottom). With it beta leaves -1. Where the disk slides all along, by the theory of Maw, Barber &
--- Fawcett, it is Walton's beta = -1 + mu (1 + e) (1 + M R^2 / I) / psi1, with the disk's own e and moment of inertia I.
+-- Fawcett (beyond psi1 = 1.48 here; close to that some nodes still stick for a moment), it is Walton's beta = -1 + mu (1 + e) (1 + M R^2 / I) / psi1, with the disk's own e and moment of inertia I.
 -- The law is that of small contacts: the impact is slow, and 0.01 R deep. A node slides once its tangential spring
 -- pulls mu times the load; springs as hard as the contact is let it do so at once, and a contact this soft keeps the
 -- nodes from bouncing off it.
@@ -8,7 +8,7 @@ local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 
 local p = ricochet.parameters {
-  psi1    = { { 0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4, 6 }, min = 0.01, doc = "tangents of the incident angle, rising" },
+  psi1    = { { 0.25, 0.5, 0.75, 1, 1.25, 1.75, 2, 3, 4, 6 }, min = 0.01, doc = "tangents of the incident angle, rising" },
   mu      = { 0.3, min = 0, doc = "coefficient of friction" },
   samples = { 4, int = true, min = 1, doc = "lattices" },
   nodes   = { 1600, int = true, min = 30, doc = "of the disk; the wall has four times as many" },
@@ -37,8 +37,9 @@ if rows[1].status == "not_run" then return end  -- --check
 local beta_x, e_of = figures.beta_x(rough), {}
 for _, line in ipairs(summary) do e_of[line.psi1] = line.e.mean end
 local function sliding(psi1, e) return -1 + p.mu * (1 + e) * beta_x / psi1 end
+-- In the plane a contact is as stiff along the surface as across it, whatever Poisson's ratio: nu = 0 of spheres.
 local function slides(psi1, e)
-  return ricochet.theory.maw { psi1 = psi1, mu = p.mu, e = e, nu = 1 / 3, beta_x = beta_x }.regime == 3
+  return ricochet.theory.maw { psi1 = psi1, mu = p.mu, e = e, nu = 0, beta_x = beta_x }.regime == 3
 end
 figures.compare(rough, "psi1", "beta", "Walton, sliding all along,", function(psi1)
   return e_of[psi1] == e_of[psi1] and slides(psi1, e_of[psi1]) and sliding(psi1, e_of[psi1]) or nil

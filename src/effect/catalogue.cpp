@@ -41,8 +41,8 @@ std::string conflict_with_bodies(const E& e, std::span<const Solid* const> solid
     if (AnchorMotion<E> && solid.nodes() == 0)
       return fmt::format("{} moves nodes, and a plane has none; give a {} with interior = \"rigid\"", E::name,
                          body_name(static_cast<std::size_t>(b)));
-    if (OnSprings<E> && solid.elements())
-      return fmt::format("{} acts on springs, and the {} is of elements; let it act on another body, or leave it out",
+    if (OnSprings<E> && solid.free > 0 && !solid.springs())
+      return fmt::format("{} acts on springs, and the {} has none; let it act on another body, or leave it out",
                          E::name, body_name(static_cast<std::size_t>(b)));
     finds_one = finds_one || AnchorMotion<E> || (OnSprings<E> ? solid.springs() != nullptr : solid.free > 0);
   }

@@ -52,6 +52,20 @@ double viscous_e(const Scene& scene, const Estimate& e) {
   }
 }
 
+// print(estimate.force): "2.1e+03 N", or that no law holds here.
+int told_text(lua_State* L) {
+  lua_getfield(L, 1, "value");
+  lua_getfield(L, 1, "unit");
+  lua_getfield(L, 1, "in_range");
+  const double value = lua_tonumber(L, 2);
+  const std::string unit = lua_tostring(L, 3);
+  const char* doubt = std::isnan(value)     ? " (no law holds here)"
+                      : lua_toboolean(L, 4) ? ""
+                                            : " (beyond the law's range)";
+  lua_pushstring(L, fmt::format("{:.4g}{}{}{}", value, unit.empty() ? "" : " ", unit, doubt).c_str());
+  return 1;
+}
+
 void push_told(lua_State* L, const Told& told, const Units& units, bool in_range) {
   lua_createtable(L, 0, 5);
   lua_pushnumber(L, told.value * units.worth(told.unit));
@@ -65,6 +79,10 @@ void push_told(lua_State* L, const Told& told, const Units& units, bool in_range
     lua_setfield(L, -2, name);
   }
   push_strict(L, "a number of an estimate");
+  lua_getmetatable(L, -1);
+  lua_pushcfunction(L, guarded<told_text>);
+  lua_setfield(L, -2, "__tostring");
+  lua_pop(L, 1);
 }
 
 void push_warnings(lua_State* L, const Estimate& e) {

@@ -31,9 +31,21 @@ int effect(lua_State* L) {
 // Fields that contradict each other give no velocity.
 void check_launch(const Launch& launch) { static_cast<void>(launch.velocity()); }
 
+// Forces are per length across the plane, which both bodies share.
+void check_thickness(const Scene& scene) {
+  if (!scene.projectile->material || !scene.target->material) return;
+  const double one = scene.projectile->material->thickness, other = scene.target->material->thickness;
+  if (one != other)
+    throw FieldError("target",
+                     fmt::format("is {:g} m thick and the projectile {:g} m, but an impact in the plane is as "
+                                 "thick everywhere; give both the same thickness",
+                                 other, one));
+}
+
 // Throws FieldError for what no field is wrong in by itself.
 void check_scene(const Scene& scene) {
   check_launch(scene.launch);
+  check_thickness(scene);
   scene.integration.check();
   scene.ending.check(scene.integration);
   if (const std::string conflict = conflict_of(scene.effects); !conflict.empty()) throw FieldError("effects", conflict);

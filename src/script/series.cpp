@@ -1,6 +1,7 @@
 // ricochet.series (lua/ricochet/series.lua) and scene:bounces (lua/ricochet/bounces.lua): one run as tables of numbers.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "impact/bounces.hpp"
 #include "script/fields.hpp"
@@ -8,6 +9,7 @@
 #include "script/objects.hpp"
 #include "script/run_files.hpp"
 #include "script/step_choice.hpp"
+#include "script/sweep_report.hpp"
 #include "store/sinks.hpp"
 
 namespace ricochet {
@@ -99,7 +101,11 @@ int sample(lua_State* L) {
   }
   lua_createtable(L, static_cast<int>(times.size()), 0);
   std::vector<Sample> samples;
-  const Sampling sampling{times, [&](const Sample& now) { samples.push_back(now); }};
+  RunProgress progress(session.options.quiet, isatty(STDERR_FILENO), times.back());
+  const Sampling sampling{times, [&](const Sample& now) {
+                            progress.tell(now.time);
+                            samples.push_back(now);
+                          }};
   at_scene(session, call_site(L), filmed, [&] {
     if (!film_scene(filmed.solids, filmed.scene, {}, stop_requested, {}, sampling))
       throw Error("interrupted", Exit::interrupted);

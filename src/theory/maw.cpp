@@ -79,7 +79,12 @@ Arguments<Bilinear> Bilinear::fields() {
   return {{{"psi1", "number", "", "tangent of the incident angle, v_ct/v_n", not_negative}, &Bilinear::psi1},
           {{"mu", "number", "", "coefficient of friction", not_negative}, &Bilinear::mu},
           {{"e", "number", "", "normal restitution coefficient", {0.01, 2}}, &Bilinear::e},
-          {{"nu", "number", "", "Poisson's ratio", {0, 0.5}}, &Bilinear::nu},
+          {{"nu",
+            "number",
+            "",
+            "Poisson's ratio of spheres; 0 for disks, whose contact is as stiff along the surface as across",
+            {0, 0.5}},
+           &Bilinear::nu},
           {{"beta_x", "number", "", "1 + m R^2/I: 3 for a disk, 3.5 for a sphere", {2, 100}, "3"}, &Bilinear::beta_x}};
 }
 

@@ -174,7 +174,7 @@ TEST_CASE("what elements do not have is refused by name") {
                                Effect(Breaking{0.01, "both"}), Effect(Thermal{1e-6, 1, "projectile"})}) {
     scene.effects = {effect};
     CHECK(refusal(scene) == name_of(effect) +
-                                " acts on springs, and the projectile is of elements; let it act on "
+                                " acts on springs, and the projectile has none; let it act on "
                                 "another body, or leave it out");
   }
   scene.effects.clear();

@@ -34,7 +34,9 @@ local worth = { e = 1, beta = 1, mu = 1, vn = c, omega = c / R, contact_time = t
 for column, one in pairs(worth) do
   assert(math.abs(si[column] / (paper[column] * one) - 1) < 1e-9, column .. ": " .. si[column] .. " " .. paper[column] * one)
 end
-local estimate, other = ricochet.estimate(scene(R, m0, c, { material = steel, thickness = thickness }, { material = steel }, "SI")), 0
+local estimate = ricochet.estimate(scene(R, m0, c, { material = steel, thickness = thickness },
+  { material = steel, thickness = thickness }, "SI"))
+assert(tostring(estimate.force):match "^%S+ N$" and tostring(estimate.e):match "^nan.*no law holds here%)$", tostring(estimate.e))
 assert(estimate.contact_time.unit == "s" and estimate.force.unit == "N" and estimate.pressure.unit == "Pa")
 assert(math.abs(estimate.wave_speed.value / math.sqrt(205e9 / 7850 / (1 - 1 / 9)) - 1) < 1e-9)
 )");
@@ -86,6 +88,11 @@ TEST_CASE("materials: what contradicts itself is refused at its line, with a rem
               "target = ricochet.plane {} }"),
       Contains("give launch = { speed = ... } in m/s"));
   CHECK_THAT(refused("print(steel.Youngs)"), Contains("Youngs"));
+  CHECK_THAT(
+      refused("ricochet.scene { units = \"SI\", projectile = ricochet.disk { radius = 0.005, material = steel },\n"
+              "  target = ricochet.wall { width = 0.03, depth = 0.01, material = steel, thickness = 0.02 }, launch "
+              "= { speed = 1 } }"),
+      Contains("give both the same thickness"));
 }
 
 TEST_CASE("materials: a Poisson's ratio that a lattice cannot have is told") {
