@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "body/elements/stiffness.hpp"
-#include "body/springs/tangent.hpp"
+#include "body/tangent.hpp"
 #include "core/error.hpp"
 #include "shape/placement.hpp"
 
@@ -78,43 +77,19 @@ Grips grip(const Solid& band, const Extent& extent) {
   return g;
 }
 
-// Calls `use(row, column, value)` for parts of the matrix K of small displacements from rest, whose sums are its
-// entries. [m0 c^2/R^2]
+// Calls `use(row, column, value)` for every entry of a sparse matrix.
 template <class Use>
-void each_stiffness_entry(const Solid& band, double stiffness, Use&& use) {
-  if (const Springs* springs = band.springs())
-    each_spring(*springs, band.nodes(), [&](int i, int, const Spring& spring) {
-      const Eigen::Matrix2d k = stiffness * tangent_block(band, *springs, spring);
-      const int dof[4] = {2 * i, 2 * i + 1, 2 * spring.other, 2 * spring.other + 1};
-      for (int a = 0; a < 4; ++a)
-        for (int b = 0; b < 4; ++b) use(dof[a], dof[b], (a / 2 == b / 2 ? 1 : -1) * k(a % 2, b % 2));
-    });
-  if (const Elements* elements = band.elements()) {
-    Motion<1> body = at_rest<1>(band);
-    body.stiffness = stiffness;
-    AssembledStiffness<1> K;
-    K.assemble(body, *elements);
-    const auto entries = [&](int a, int b, const NodeStiffness<1>& k) {
-      use(2 * a, 2 * b, k.xx[0]);
-      use(2 * a, 2 * b + 1, k.xy[0]);
-      use(2 * a + 1, 2 * b, k.yx[0]);
-      use(2 * a + 1, 2 * b + 1, k.yy[0]);
-    };
-    for (int i = 0; i < band.nodes(); ++i) entries(i, i, K.diagonal[entry(i)]);
-    for (std::size_t s = 0; s < elements->edge.size(); ++s) {
-      const auto& [i, j] = elements->edge[s];
-      const NodeStiffness<1>& k = K.off_diagonal[s];
-      entries(i, j, k);
-      entries(j, i, NodeStiffness<1>(k.xx, k.yx, k.xy, k.yy));
-    }
-  }
+void each_entry(const Matrix& matrix, Use&& use) {
+  for (int column = 0; column < matrix.outerSize(); ++column)
+    for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
+      use(static_cast<int>(entry.row()), column, entry.value());
 }
 
 /// [coordinate] displacements in equilibrium.
-std::vector<double> equilibrium(const Solid& band, double stiffness, const Grips& g) {
+std::vector<double> equilibrium(const Matrix& stiffness, const Grips& g) {
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd load = Eigen::VectorXd::Zero(g.unknowns);
-  each_stiffness_entry(band, stiffness, [&](int of, int by, double value) {
+  each_entry(stiffness, [&](int of, int by, double value) {
     const int row = g.column[entry(of)], column = g.column[entry(by)];
     if (row < 0) return;
     if (column >= 0)
@@ -155,10 +130,11 @@ PlaneModuli usual_moduli(const BodyNumbers& numbers) {
 Elasticity stretch_band(const Solid& band, double stiffness) {
   const Extent extent = extent_of(band.points);
   const Grips g = grip(band, extent);
-  const std::vector<double> u = equilibrium(band, stiffness, g);
+  const Matrix K = stiffness * tangent_stiffness(band);
+  const std::vector<double> u = equilibrium(K, g);
   const auto displacement = [&](int i) { return Vec2(u[entry(2 * i)], u[entry(2 * i + 1)]); };
   double force = 0;
-  each_stiffness_entry(band, stiffness, [&](int of, int by, double value) {
+  each_entry(K, [&](int of, int by, double value) {
     if (of % 2 == 1 && g.upper[entry(of / 2)]) force += value * u[entry(by)];
   });
   std::vector<double> x, y, ux, uy;

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "body/springs/vibration.hpp"
+#include "body/vibration.hpp"
 #include "contact/contacts.hpp"
 #include "core/carrier.hpp"
 #include "core/error.hpp"
@@ -152,7 +152,7 @@ class ActingEffects {
     if (forward) damp_nodes(bodies);
     for (std::size_t k = 0; k < acting_.size(); ++k) {
       const Acting& acting = acting_[forward ? k : acting_.size() - 1 - k];
-      std::visit([&](const auto& e) { damp_springs(e, acting, bodies, half, forward); }, acting.effect);
+      std::visit([&](const auto& e) { damp_inside(e, acting, bodies, half, forward); }, acting.effect);
     }
     if (shakes()) book_anchors(bodies, Lane<W>::Ones());
     if (forward) return;
@@ -303,10 +303,12 @@ class ActingEffects {
   }
 
   template <class E>
-  void damp_springs(const E& e, const Acting& acting, Motions<W>& bodies, const Lane<W>& half, bool forward) {
+  void damp_inside(const E& e, const Acting& acting, Motions<W>& bodies, const Lane<W>& half, bool forward) {
     if constexpr (SpringDamping<E>)
       for (const int b : acting.bodies) {
         Motion<W>& body = bodies[at(b)];
+        if constexpr (ElementDamping<E>)
+          if (const Elements* elements = body.solid->elements()) lost(acting) += e.damp(body, *elements, half, forward);
         const Springs* springs = body.solid->springs();
         if (!springs) continue;
         const auto damp = [&](auto&& whole) { lost(acting) += e.damp(body, *springs, half, forward, whole); };
@@ -347,27 +349,24 @@ class ActingEffects {
     }
   }
 
-  // The linearised springs hold while none is stretched by a large part of its length.
-  static void check_small(const Solid& solid, const Springs& springs, const Points& displacement, double temperature) {
-    const auto moved = [&](int i) { return i < solid.free ? displacement[at(i)] : Vec2(Vec2::Zero()); };
-    each_spring(springs, solid.free, [&](int i, int, const Spring& spring) {
-      const double share = (moved(spring.other) - moved(i)).norm() / spring.length;
-      if (share > 0.5)
-        throw FieldError("effects",
-                         fmt::format("thermal: at a temperature of {:g} m0 c^2 a spring's ends move by {:.2g} of its "
-                                     "length, and the vibration is drawn for small motions; lower the temperature",
-                                     temperature, share));
-    });
+  // What was linearised holds while no neighbours move apart by a large part of their distance.
+  static void check_small(const Solid& solid, const Points& displacement, double temperature) {
+    const double share = largest_strain(solid, displacement);
+    if (share > 0.5)
+      throw FieldError("effects",
+                       fmt::format("thermal: at a temperature of {:g} m0 c^2 neighbours move apart by {:.2g} of their "
+                                   "distance, and the vibration is drawn for small motions; lower the temperature",
+                                   temperature, share));
   }
 
   template <class E>
   void start_warm(int lane, const E& warm, int b, Motion<W>& body, const Turn& turn) {
-    const Springs* springs = body.solid->springs();
-    if (!springs) return;
-    if (!vibrations_[at(b)]) vibrations_[at(b)] = std::make_shared<Vibrations>(*body.solid, *springs);
+    const Solid& solid = *body.solid;
+    if (!solid.springs() && !solid.elements()) return;
+    if (!vibrations_[at(b)]) vibrations_[at(b)] = std::make_shared<Vibrations>(solid);
     const Vibrations::Sample sample = vibrations_[at(b)]->draw(warm.temperature, body.stiffness[lane], warm.seed, b);
-    check_small(*body.solid, *springs, sample.displacement, warm.temperature);
-    for (int i = 0; i < body.solid->free; ++i) {
+    check_small(solid, sample.displacement, warm.temperature);
+    for (int i = 0; i < solid.free; ++i) {
       body.q.add(i, lane, turn(sample.displacement[at(i)]));
       body.v.add(i, lane, turn(sample.velocity[at(i)]));
     }

@@ -41,14 +41,14 @@ std::string conflict_with_bodies(const E& e, std::span<const Solid* const> solid
     if (AnchorMotion<E> && solid.nodes() == 0)
       return fmt::format("{} moves nodes, and a plane has none; give a {} with interior = \"rigid\"", E::name,
                          body_name(static_cast<std::size_t>(b)));
-    if (OnSprings<E> && solid.free > 0 && !solid.springs())
+    if (solid.free > 0 && !acts_inside<E>(solid))
       return fmt::format("{} acts on springs, and the {} has none; let it act on another body, or leave it out",
                          E::name, body_name(static_cast<std::size_t>(b)));
-    finds_one = finds_one || AnchorMotion<E> || (OnSprings<E> ? solid.springs() != nullptr : solid.free > 0);
+    finds_one = finds_one || AnchorMotion<E> || (solid.free > 0 && acts_inside<E>(solid));
   }
   if (finds_one) return "";
   return fmt::format("{} acts on {}, and the {} is rigid: leave it out", E::name,
-                     OnSprings<E> ? "springs" : "what moves inside a body", body_name(solids.size() - 1));
+                     SpringChange<E> ? "springs" : "what moves inside a body", body_name(solids.size() - 1));
 }
 
 // Why springs that remember cannot start as prestress has stretched them.

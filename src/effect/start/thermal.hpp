@@ -7,13 +7,13 @@
 
 namespace ricochet {
 
-/// Bodies that are warm when they meet: vibrations drawn from the canonical ensemble of the linearised lattice
-/// (body/springs/vibration.hpp), without a rigid motion. Every mode holds `temperature` on average, half of it in
+/// Bodies that are warm when they meet: vibrations drawn from the canonical ensemble of the linearised body
+/// (body/vibration.hpp), without a rigid motion. Every mode holds `temperature` on average, half of it in
 /// motion.
 struct Thermal {
   static constexpr const char* name = "thermal";
   static constexpr const char* doc =
-      "Bodies that are warm when they meet: vibrations drawn from the canonical ensemble of the linearised lattice at "
+      "Bodies that are warm when they meet: vibrations drawn from the canonical ensemble of the linearised body at "
       "a temperature, without a rigid motion.";
   static constexpr const char* example = "ricochet.thermal { temperature = 1e-5 }";
   static constexpr const char* energy_doc =

@@ -1,9 +1,11 @@
-#include "body/springs/vibration.hpp"
+#include "body/vibration.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "body/elements/sweep.hpp"
 #include "body/springs/tangent.hpp"
+#include "body/tangent.hpp"
 #include "core/error.hpp"
 #include "core/rng.hpp"
 
@@ -38,7 +40,7 @@ void take_off_rigid_motion(const Masses& mass, const Points& places, Points& vec
 
 }  // namespace
 
-Vibrations::Vibrations(const Solid& solid, const Springs& springs) : solid_(solid) {
+Vibrations::Vibrations(const Solid& solid) : solid_(solid) {
   const std::vector<int> held = held_coordinates(solid);
   std::vector<int> column(static_cast<std::size_t>(solid.free_coordinates()), -1);
   for (int c = 0; c < solid.free_coordinates(); ++c)
@@ -46,7 +48,7 @@ Vibrations::Vibrations(const Solid& solid, const Springs& springs) : solid_(soli
       column[static_cast<std::size_t>(c)] = static_cast<int>(kept_.size());
       kept_.push_back(c);
     }
-  const Eigen::SparseMatrix<double> whole = tangent_stiffness(solid, springs);
+  const Eigen::SparseMatrix<double> whole = tangent_stiffness(solid);
   std::vector<Eigen::Triplet<double>> entries;
   for (int c = 0; c < whole.outerSize(); ++c)
     for (Eigen::SparseMatrix<double>::InnerIterator entry(whole, c); entry; ++entry)
@@ -56,7 +58,7 @@ Vibrations::Vibrations(const Solid& solid, const Springs& springs) : solid_(soli
   Eigen::SparseMatrix<double> matrix(static_cast<int>(kept_.size()), static_cast<int>(kept_.size()));
   matrix.setFromTriplets(entries.begin(), entries.end());
   factors_.compute(matrix);
-  if (factors_.info() != Eigen::Success) throw Error("the lattice is not rigid (a node hangs loose)");
+  if (factors_.info() != Eigen::Success) throw Error("the body is not rigid (a node hangs loose)");
 }
 
 Vibrations::Sample Vibrations::draw(double temperature, double stiffness, std::int64_t seed, int body) const {
@@ -80,6 +82,26 @@ Vibrations::Sample Vibrations::draw(double temperature, double stiffness, std::i
   for (std::size_t i = 0; i < places.size(); ++i) places[i] += sample.displacement[i];
   take_off_rigid_motion(solid_.mass, places, sample.velocity);
   return sample;
+}
+
+double largest_strain(const Solid& solid, const Points& displacement) {
+  double most = 0;
+  const auto moved = [&](int i) {
+    return i < solid.free ? displacement[static_cast<std::size_t>(i)] : Vec2(Vec2::Zero());
+  };
+  if (const Springs* springs = solid.springs())
+    each_spring(*springs, solid.free, [&](int i, int, const Spring& spring) {
+      most = std::max(most, (moved(spring.other) - moved(i)).norm() / spring.length);
+    });
+  if (const Elements* elements = solid.elements())
+    for (std::size_t e = 0; e < elements->nodes.size(); ++e) {
+      const auto& [i, j, k] = elements->nodes[e];
+      const auto& [a, b, c, d] = elements->shape[e].inverse;
+      const Vec2 first = moved(j) - moved(i), second = moved(k) - moved(i);
+      const Vec2 along_x = a * first + c * second, along_y = b * first + d * second;
+      most = std::max(most, std::sqrt(along_x.squaredNorm() + along_y.squaredNorm()));
+    }
+  return most;
 }
 
 }  // namespace ricochet
