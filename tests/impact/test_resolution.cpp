@@ -69,6 +69,7 @@ TEST_CASE("a density may depend on the place, and a mass of every node is no den
 
 TEST_CASE("contact time and e of a smooth disk do not follow the number of its nodes") {
   for (const char* placement : {"triangular", "poisson_disk"}) {
+    if (sanitized && placement == std::string("poisson_disk")) continue;
     double e = 0, time = 0;  // of 3200 nodes
     for (const int seed : {1, 2}) {
       const Outcome fine = on_plane(3200, placement, seed, 0.2);

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "impact/parallel.hpp"
+#include "scenes.hpp"
 #include "script/program.hpp"
 #include "store/table.hpp"
 
@@ -94,10 +95,12 @@ ricochet.sweep { name = "s", over = { sample = ricochet.range(200) }, scene = fu
   }
 end }:run()
 )");
-  const Ended ended = here.run("s.lua --quiet --threads 1 --batch 1 --max-seconds 2");
+  const std::string limit = sanitized ? "40" : "2";
+  const Ended ended = here.run("s.lua --quiet --threads 1 --batch 1 --max-seconds " + limit);
   INFO(ended.err);
   CHECK(ended.status == 1);
-  CHECK_THAT(ended.err, Catch::Matchers::StartsWith("error: script stopped: --max-seconds 2 reached at s.lua:2: "));
+  CHECK_THAT(ended.err,
+             Catch::Matchers::StartsWith("error: script stopped: --max-seconds " + limit + " reached at s.lua:2: "));
   CHECK_THAT(ended.err,
              Catch::Matchers::EndsWith(" of 200 impacts are stored in out/s; --resume goes on from there\n"));
   CHECK_THAT(here.read("out/s/run.log"), Catch::Matchers::Contains(ended.err));
