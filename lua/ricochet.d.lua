@@ -396,9 +396,9 @@ function ricochet.absorbing(t) end
 function ricochet.moving_anchor(t) end
 
 ---@class ricochet.damping_fields
----@field time number viscosity over stiffness of a spring: the retardation time of the material [R/c]
+---@field time number viscosity over stiffness: the retardation time of the material [R/c]
 ---@field on? "projectile"|"target"|"both" the bodies it acts in (default both)
---- An effect, for the `effects` of a scene. A dashpot beside every spring (Kelvin-Voigt): the material's viscosity. Goes with verlet only: outcomes converge at order 2.
+--- An effect, for the `effects` of a scene. The material's viscosity (Kelvin-Voigt): a dashpot beside every spring, and in every element. Goes with verlet only: outcomes converge at order 2.
 ---@param t ricochet.damping_fields
 ---@return ricochet.effect
 function ricochet.damping(t) end
@@ -440,7 +440,7 @@ function ricochet.friction(t) end
 ---@field temperature number energy of a mode, on average [m0 c^2]
 ---@field seed? integer chooses the vibration (default 1)
 ---@field on? "projectile"|"target"|"both" the warm bodies (default both)
---- An effect, for the `effects` of a scene. Bodies that are warm when they meet: vibrations drawn from the canonical ensemble of the linearised lattice at a temperature, without a rigid motion.
+--- An effect, for the `effects` of a scene. Bodies that are warm when they meet: vibrations drawn from the canonical ensemble of the linearised body at a temperature, without a rigid motion.
 ---@param t ricochet.thermal_fields
 ---@return ricochet.effect
 function ricochet.thermal(t) end
@@ -681,6 +681,18 @@ function ricochet.elasticity(t) end
 ---@param t ricochet.mesh_fields
 ---@return table
 function ricochet.mesh(t) end
+
+---@class ricochet.modes_fields
+---@field body ricochet.body of springs or elements
+---@field count? integer how many, the slowest first (default 12)
+---@field out? string draws them beside one another as OUT.png
+---@field film? string name of an .mp4 file that shows three periods of one; needs ffmpeg
+---@field filmed? integer which (default 1)
+---@field size? number[] width and height of the picture [pixels] (default {1280, 720})
+--- The free vibrations of a body, the slowest first, without the rigid motions of a free one; for small displacements, of springs or elements. A list of tables: `mode`, its number; `omega`, in c/R, or in rad/s of a body of a material; `participation_x` and `participation_y`, the share of the free nodes' mass that moves with it along x and y (nothing in a free body); `shape`, a list of { x =, y =, ux =, uy = } of the free nodes, with a greatest displacement of 1. In pictures the darker places hold more of the energy.
+---@param t ricochet.modes_fields
+---@return table
+function ricochet.modes(t) end
 
 --- Writes text into a file below the run's folder: ricochet.file.write(name, text).
 ---@param name string

@@ -123,10 +123,9 @@ std::vector<double> relative_moduli(const Solid& solid, const Elements& elements
   return moduli;
 }
 
-// A body's part of a mesh whose nodes so far are others'.
-void add_body(FrameMesh& mesh, const Scene& scene, const Solid& solid, double stiffness) {
-  const Plane* plane = std::get_if<Plane>(&solid.surface);
-  const Points points = plane ? plane_ends(*plane, scene) : solid.points;
+// A body's part of a mesh whose nodes so far are others'. `points`: its nodes at rest, or the ends of a plane's line.
+void add_body(FrameMesh& mesh, const Solid& solid, const Points& points, double stiffness) {
+  const bool plane = std::holds_alternative<Plane>(solid.surface);
   BodyMesh body{mesh.nodes(), static_cast<int>(points.size()), {}, {}};
   for (int i = 0; i < body.nodes; ++i) {
     append(mesh.rest, points[static_cast<std::size_t>(i)]);
@@ -170,7 +169,17 @@ FrameMesh frame_mesh(const Scene& scene, const Solids& solids) {
   const Vec2 velocity = scene.launch.velocity();
   mesh.psi1 = normal(velocity) < 0 ? tangential(velocity) / -normal(velocity) : not_given;
   const auto bodies = scene.bodies();
-  for (std::size_t b = 0; b < solids.size(); ++b) add_body(mesh, scene, *solids[b], bodies[b]->numbers.stiffness);
+  for (std::size_t b = 0; b < solids.size(); ++b) {
+    const Plane* plane = std::get_if<Plane>(&solids[b]->surface);
+    add_body(mesh, *solids[b], plane ? plane_ends(*plane, scene) : solids[b]->points, bodies[b]->numbers.stiffness);
+  }
+  return mesh;
+}
+
+FrameMesh body_mesh(const Solid& solid, double stiffness) {
+  FrameMesh mesh;
+  mesh.psi1 = not_given;
+  add_body(mesh, solid, solid.points, stiffness);
   return mesh;
 }
 

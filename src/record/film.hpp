@@ -16,6 +16,9 @@ namespace ricochet {
 /// All bodies of a scene as one mesh.
 FrameMesh frame_mesh(const Scene& scene, const Solids& solids);
 
+/// One body alone, in no scene.
+FrameMesh body_mesh(const Solid& solid, double stiffness);
+
 /// What one has to know of an impact to choose the times of its frames. Times since the rims came within reach. [R/c]
 struct Course {
   Outcome outcome;

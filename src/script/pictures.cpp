@@ -8,6 +8,7 @@
 
 #include "script/fields.hpp"
 #include "script/filmed.hpp"
+#include "script/look.hpp"
 #include "store/files.hpp"
 #include "store/run_names.hpp"
 
@@ -90,54 +91,6 @@ const std::vector<Member<Grid>>& Grid::fields() {
        &Grid::columns},
   };
   return list;
-}
-
-std::vector<Field> look_fields() {
-  const Shooting usual;
-  return {{"size", "numbers", "pixels", "width and height of the picture", any_number,
-           fmt::format("{{{}, {}}}", usual.width, usual.height)},
-          {"show", "show", "", "what the picture shows, and how", any_number, "{}"}};
-}
-
-// Mistakes that show when pictures are drawn stand at this call.
-template <class Work>
-auto at_call(lua_State* L, Work work) {
-  const CallSite call = call_site(L);
-  try {
-    return work();
-  } catch (const FieldError& error) {
-    throw_at(session_of(L), call, error);
-  }
-}
-
-int pixels_of(lua_State* L, double number) {
-  if (number != std::floor(number))
-    throw_here(L, FieldError("size", fmt::format("counts pixels, which {} does not", number)));
-  return std::abs(number) <= 1e9 ? static_cast<int>(number) : 0;
-}
-
-void read_size(lua_State* L, Shooting& shooting) {
-  if (lua_getfield(L, 1, "size") == LUA_TTABLE) {
-    const std::vector<double> size = numbers_at(L, -1);
-    if (size.size() != 2) throw_here(L, FieldError("size", "takes a width and a height"));
-    shooting.width = pixels_of(L, size[0]);
-    shooting.height = pixels_of(L, size[1]);
-  }
-  lua_pop(L, 1);
-}
-
-Shooting shooting_of(lua_State* L) {
-  Session& session = session_of(L);
-  Shooting shooting;
-  read_inner_members(L, 1, "show", shooting.show);
-  read_size(L, shooting);
-  at_call(L, [&] {
-    shooting.show.check();
-    render::check_size(shooting.width, shooting.height);
-  });
-  shooting.origin = session.provenance().at("script_hash");
-  shooting.threads = session.options.threads;
-  return shooting;
 }
 
 // Where an animation goes; claims its folder and its film.
