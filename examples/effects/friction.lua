@@ -1,6 +1,7 @@
 -- Friction of a smooth disk on a smooth wall. Without friction or roughness no tangential impulse passes: beta = -1
 -- (line at the bottom). With it beta leaves -1. Where the disk slides all along, by the theory of Maw, Barber &
--- Fawcett (beyond psi1 = 1.48 here; close to that some nodes still stick for a moment), it is Walton's beta = -1 + mu (1 + e) (1 + M R^2 / I) / psi1, with the disk's own e and moment of inertia I.
+-- Fawcett (beyond psi1 = 1.48 here; close to that some nodes still stick for a moment), it is Walton's
+-- beta = -1 + mu (1 + e) (1 + M R^2 / I) / psi1, with the disk's own e and moment of inertia I.
 -- The law is that of small contacts: the impact is slow, and 0.01 R deep. A node slides once its tangential spring
 -- pulls mu times the load; springs as hard as the contact is let it do so at once, and a contact this soft keeps the
 -- nodes from bouncing off it.
@@ -8,7 +9,8 @@ local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 
 local p = ricochet.parameters {
-  psi1    = { { 0.25, 0.5, 0.75, 1, 1.25, 1.75, 2, 3, 4, 6 }, min = 0.01, doc = "tangents of the incident angle, rising" },
+  psi1    = { { 0.25, 0.5, 0.75, 1, 1.25, 1.75, 2, 3, 4, 6 }, min = 0.01,
+              doc = "tangents of the incident angle, rising" },
   mu      = { 0.3, min = 0, doc = "coefficient of friction" },
   samples = { 4, int = true, min = 1, doc = "lattices" },
   nodes   = { 1600, int = true, min = 30, doc = "of the disk; the wall has four times as many" },
