@@ -694,6 +694,15 @@ function ricochet.mesh(t) end
 ---@return table
 function ricochet.modes(t) end
 
+---@class ricochet.ringing_fields
+---@field scene ricochet.scene whose impact finishes
+---@field count? integer how many modes, the slowest first (default 40)
+---@field of? "projectile"|"target" the body (default projectile)
+--- What rings in a body after an impact: the energy of each of its free vibrations, the slowest first. A list of tables: `mode`, its number, as in `modes`; `omega`; `energy`; `share` of the energy with which the projectile came. The list holds `vibration` and `before` too: all that vibrates in the body after the impact, and the energy with which the projectile came. In small impacts the modes together hold what vibrates.
+---@param t ricochet.ringing_fields
+---@return table
+function ricochet.ringing(t) end
+
 --- Writes text into a file below the run's folder: ricochet.file.write(name, text).
 ---@param name string
 ---@param text string

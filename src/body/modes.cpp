@@ -11,6 +11,7 @@
 
 #include "body/tangent.hpp"
 #include "core/error.hpp"
+#include "core/turn.hpp"
 
 namespace ricochet {
 namespace {
@@ -56,6 +57,52 @@ Matrix scaled_tangent(const Solid& solid) {
   return matrix;
 }
 
+/// Displacements and velocities of a body's free nodes beside its rigid motion, turned back to where it was built.
+struct Vibration {
+  Eigen::VectorXd displacement, velocity;  ///< [free coordinate]
+};
+
+Vibration held_vibration(const Solid& solid, const Points& place, const Points& velocity) {
+  Vibration vibration{Eigen::VectorXd(solid.free_coordinates()), Eigen::VectorXd(solid.free_coordinates())};
+  for (int i = 0; i < solid.free; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    vibration.displacement.segment<2>(2 * i) = place[k] - solid.points[k];
+    vibration.velocity.segment<2>(2 * i) = velocity[k];
+  }
+  return vibration;
+}
+
+// The rigid motion has the nodes' centre and momentum, their angular momentum, and the turn from which they are
+// displaced the least: sum m (X x u) = 0, as of the vibrations.
+Vibration free_vibration(const Solid& solid, const Points& place, const Points& velocity) {
+  Vec2 centre = Vec2::Zero(), mean = Vec2::Zero();
+  const Vec2 at_rest = solid.centre();
+  const double whole = solid.total_mass();
+  for (int i = 0; i < solid.free; ++i) {
+    centre += solid.mass[i] / whole * place[static_cast<std::size_t>(i)];
+    mean += solid.mass[i] / whole * velocity[static_cast<std::size_t>(i)];
+  }
+  double along = 0, across = 0, momentum = 0, inertia = 0;
+  for (int i = 0; i < solid.free; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Vec2 rest = solid.points[k] - at_rest, now = place[k] - centre;
+    along += solid.mass[i] * rest.dot(now);
+    across += solid.mass[i] * cross(rest, now);
+    momentum += solid.mass[i] * cross(now, Vec2(velocity[k] - mean));
+    inertia += solid.mass[i] * now.squaredNorm();
+  }
+  const Turn back(-std::atan2(across, along));
+  const double spin = momentum / inertia;
+  Vibration vibration{Eigen::VectorXd(solid.free_coordinates()), Eigen::VectorXd(solid.free_coordinates())};
+  for (int i = 0; i < solid.free; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Vec2 now = place[k] - centre;
+    vibration.displacement.segment<2>(2 * i) = back(now) - (solid.points[k] - at_rest);
+    vibration.velocity.segment<2>(2 * i) = back(Vec2(velocity[k] - mean - spin * perpendicular(now)));
+  }
+  return vibration;
+}
+
 }  // namespace
 
 std::vector<Mode> slowest_modes(const Solid& solid, double stiffness, int count) {
@@ -94,6 +141,23 @@ Vec2 participation(const Solid& solid, const Mode& mode) {
     mass += solid.mass[i];
   }
   return moved.cwiseProduct(moved) / mass;
+}
+
+std::vector<double> mode_energies(const Solid& solid, const std::vector<Mode>& modes, const Points& place,
+                                  const Points& velocity) {
+  const Vibration vibration =
+      solid.anchored() ? held_vibration(solid, place, velocity) : free_vibration(solid, place, velocity);
+  std::vector<double> energies;
+  for (const Mode& mode : modes) {
+    double q = 0, p = 0;
+    for (int c = 0; c < solid.free_coordinates(); ++c) {
+      const double weight = mass_of(solid, c) * mode.shape[c];
+      q += weight * vibration.displacement[c];
+      p += weight * vibration.velocity[c];
+    }
+    energies.push_back((p * p + mode.omega * mode.omega * q * q) / 2);
+  }
+  return energies;
 }
 
 }  // namespace ricochet

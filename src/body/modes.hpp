@@ -25,4 +25,9 @@ std::vector<Mode> slowest_modes(const Solid& solid, double stiffness, int count)
 /// section 12-6]
 Vec2 participation(const Solid& solid, const Mode& mode);
 
+/// What each mode holds of a body that vibrates, (p^2 + omega^2 q^2)/2 with q = shape.M.u and p = shape.M.u': u is how
+/// far the nodes are from where a rigid motion has brought them. [node] `place` [R], `velocity` [c]; returns [m0 c^2]
+std::vector<double> mode_energies(const Solid& solid, const std::vector<Mode>& modes, const Points& place,
+                                  const Points& velocity);
+
 }  // namespace ricochet

@@ -50,6 +50,7 @@ Group accuracy_functions();
 Group elasticity_functions();
 Group mesh_functions();
 Group mode_functions();
+Group ringing_functions();
 Group file_functions();
 Group theory_functions();
 

@@ -9,6 +9,7 @@
 #include "body/modes.hpp"
 #include "body/tangent.hpp"
 #include "core/error.hpp"
+#include "core/turn.hpp"
 #include "scenes.hpp"
 #include "theory/free_disk.hpp"
 
@@ -137,7 +138,9 @@ TEST_CASE("modes: a part of the spectrum is that of the whole, and all modes tog
   for (const Mode& mode : whole) all += participation(*solid, mode);
   CHECK((all - Vec2(1, 1)).norm() < 1e-9);
   CHECK_THROWS_WITH(slowest_modes(*solid, 1e4, solid->free_coordinates() + 1), Contains("ask for no more"));
-  CHECK_THROWS_WITH(slowest_modes(Solid{.interior = Rigid{}}, 1, 1), Contains("no modes"));
+  Solid rigid;
+  rigid.interior = Rigid{};
+  CHECK_THROWS_WITH(slowest_modes(rigid, 1, 1), Contains("no modes"));
 }
 
 TEST_CASE("modes: an ellipse and a plate with a hole against a mesh twice as fine") {
@@ -149,5 +152,26 @@ TEST_CASE("modes: an ellipse and a plate with a hole against a mesh twice as fin
       CAPTURE(k, one[k], other[k]);
       CHECK(std::abs(one[k] / other[k] - 1) < 0.01);
     }
+  }
+}
+
+TEST_CASE("modes: what each holds is found in a body that flies, turns and vibrates in several of them") {
+  const auto solid = build_solid(Body{circle(), element_numbers(90, 1e4, 0.3), {}, {}});
+  const std::vector<Mode> modes = slowest_modes(*solid, 1e4, 10);
+  Points place = solid->points, velocity(place.size(), Vec2(0, 0));
+  const double a = 1e-5, b = 3e-4;
+  const Turn turn(0.8);
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const auto c = static_cast<Eigen::Index>(2 * i);
+    const Vec2 at = turn(Vec2(solid->points[i] - solid->centre() + a * modes[3].shape.segment<2>(c)));
+    place[i] = at + Vec2(4, -2);
+    velocity[i] = turn(Vec2(b * modes[6].shape.segment<2>(c))) + Vec2(0.3, 0.1) + 0.05 * perpendicular(at);
+  }
+  const std::vector<double> energy = mode_energies(*solid, modes, place, velocity);
+  const double first = std::pow(modes[3].omega * a, 2) / 2, second = b * b / 2;
+  for (std::size_t k = 0; k < modes.size(); ++k) {
+    CAPTURE(k);
+    const double known = k == 3 ? first : k == 6 ? second : 0;
+    CHECK(std::abs(energy[k] - known) < 1e-4 * std::min(first, second));
   }
 }

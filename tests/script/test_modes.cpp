@@ -41,3 +41,32 @@ TEST_CASE("scripts: what has no modes, or fewer, is refused by name") {
   CHECK_THAT(refused("body = ricochet.disk { nodes = 30 }, count = 3, film = \"x.mp4\", filmed = 5"),
              Contains("'filmed': is 5, and 3 modes are asked for"));
 }
+
+TEST_CASE("scripts: what rings after an impact is what the exact modes of a disk say, and all that vibrates") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+local nu, v = 1 / 3, 0.05
+local c_P = math.sqrt(1e4 / ((1 - nu ^ 2) * 800 / math.pi))
+local scene = ricochet.scene {
+  projectile = ricochet.disk { interior = "elements", E = 1e4, nu = nu, law = "linear", h_min = 0.06, h_max = 0.06 },
+  target = ricochet.plane {}, launch = { speed = v * c_P }, contact = { xi = 1000 },
+}
+local rings, row = ricochet.ringing { scene = scene, count = 400 }, scene:run()
+assert(math.abs(rings.vibration / rings.before - (1 - row.e ^ 2)) < 1e-5)
+local sum = 0
+for _, mode in ipairs(rings) do sum = sum + mode.share end
+assert(sum * rings.before < rings.vibration and sum * rings.before > 0.97 * rings.vibration, sum)  -- the rest rings higher
+local exact = ricochet.theory.modal_disk { nu = nu, speed = v, alpha = 1000, omega_most = 80 }
+for k, n in ipairs(exact.n) do
+  if exact.l[k] == 1 and (n == 4 or n == 1) then
+    local share = 0
+    for _, mode in ipairs(rings) do
+      if math.abs(mode.omega / c_P / exact.omega[k] - 1) < 0.012 then share = share + mode.share end
+    end
+    assert(math.abs(share / exact.energy[k] - 1) < 0.05, n .. " " .. share .. " " .. exact.energy[k])
+  end
+end
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
