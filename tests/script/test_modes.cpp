@@ -55,7 +55,8 @@ local rings, row = ricochet.ringing { scene = scene, count = 400 }, scene:run()
 assert(math.abs(rings.vibration / rings.before - (1 - row.e ^ 2)) < 1e-5)
 local sum = 0
 for _, mode in ipairs(rings) do sum = sum + mode.share end
-assert(sum * rings.before < rings.vibration and sum * rings.before > 0.97 * rings.vibration, sum)  -- the rest rings higher
+-- The rest rings higher.
+assert(sum * rings.before < rings.vibration and sum * rings.before > 0.97 * rings.vibration, sum)
 local exact = ricochet.theory.modal_disk { nu = nu, speed = v, alpha = 1000, omega_most = 80 }
 for k, n in ipairs(exact.n) do
   if exact.l[k] == 1 and (n == 4 or n == 1) then
