@@ -59,13 +59,13 @@ end
 -- An equal pair of this E has the pair's E*. [LAMMPS, pair_style granular, hertz/material]
 local function lammps(study)
   local nu = study.pair.projectile.nu
-  local model = ("hertz/material %s %s %s"):format(number(2 * (1 - nu ^ 2) * study.pair.E),
-    number(dem_lines.lammps_e(study.constant.e)), number(nu))
-  local friction = study.friction.reason and "" or (" tangential mindlin NULL 1.0 %s"):format(number(study.friction.mu))
+  local given = number(dem_lines.lammps_e(study.constant.e))
+  local model = ("hertz/material %s %s %s"):format(number(2 * (1 - nu ^ 2) * study.pair.E), given, number(nu))
+  local friction = study.friction.reason and " tangential linear_nohistory 0.0 0.0"  -- some model must be named
+    or (" tangential mindlin NULL 1.0 %s"):format(number(study.friction.mu))
   return commented(study, "#")
     .. "# LAMMPS, SI units. `damping tsuji` turns the second number into a damping by a polynomial that returns\n"
-    .. ("# another e than that number: %s stands here so that %.4f comes out.\n"):format(number(dem_lines.lammps_e(study.constant.e)),
-      study.constant.e)
+    .. ("# another e than that number: %s stands here so that %.4f comes out.\n"):format(given, study.constant.e)
     .. ("# density of the spheres: %s\n"):format(number(study.pair.projectile.density))
     .. "pair_style granular\n"
     .. ("pair_coeff * * %s%s damping tsuji\n"):format(model, friction)

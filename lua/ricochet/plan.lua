@@ -113,8 +113,8 @@ end
 local function budget_of_point(plan, name, k, step, softness)
   local sizes = plan.sizes
   local sd, sd_cautious = deviation(sizes, k)
-  -- What the size of lattice or mesh changes, per unit of the spacing over the scene's own: as seen, and together with what is
-  -- not known of it.
+  -- What the size of lattice or mesh changes, per unit of the spacing over the scene's own: as seen, and together with
+  -- what is not known of it.
   local by_spacing = {}
   for i, size in ipairs(sizes) do
     by_spacing[i] = { x = size.factor ^ -0.5, value = size[k].mean, se = size[k].se }

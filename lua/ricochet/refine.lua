@@ -55,8 +55,8 @@ local function division(scenes)
 end
 
 --- Least squares for value = limit + slope * x over points { x =, value =, se = }, weighted by 1 / se^2. Returns the
---- slope, its standard error and the limit. Points that do not scatter (every se is 0) weigh alike; what they stray from
---- the line is their error then, and of two, which lie on any, the slope is as uncertain as it is large. [here]
+--- slope, its standard error and the limit. Points that do not scatter (every se is 0) weigh alike; what they stray
+--- from the line is their error then, and of two, which lie on any, the slope is as uncertain as it is large. [here]
 local function fitted_line(points)
   local scatter = false
   for _, p in ipairs(points) do scatter = scatter or p.se > 0 end

@@ -1,8 +1,8 @@
 -- Walton's parameters of impacts, with the standard errors of a jackknife over samples.
 local core = require "ricochet.core"
 
---- theory.fit_walton of lists psi1, psi2, e and sample, whose errors it replaces: impacts of a sample share its lattices,
---- so what counts is the fit without each sample in turn. [Efron & Stein 1981]
+--- theory.fit_walton of lists psi1, psi2, e and sample, whose errors it replaces: impacts of a sample share its
+--- lattices, so what counts is the fit without each sample in turn. [Efron & Stein 1981]
 local function walton_fit(columns, beta_x)
   local fit = core.theory.fit_walton { psi1 = columns.psi1, psi2 = columns.psi2, e = columns.e, beta_x = beta_x }
   local samples, others = {}, {}
