@@ -1,7 +1,7 @@
 -- Is e > 1 of an oblique impact a matter of the lattice, or of the roughness? The paper's rough hard disk on a soft
 -- wall (scripts/soft_wall.lua) with finite elements in the springs' place: nu = 0.1, 0.33 and 0.45, rough and smooth,
--- beside the lattice of springs. Young's modulus and density are the lattice's. `samples`: impacts a point; `full=true`:
--- 50 a point at ten angles, 15 minutes on two cores.
+-- beside the lattice of springs. Young's modulus and density are the lattice's. `samples`: impacts a point;
+-- `full=true`: 50 a point at ten angles, 12 minutes on two cores.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 
