@@ -65,9 +65,10 @@ function ricochet.material(t) end
 ---@field nu? number of elements: Poisson's ratio
 ---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
----@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -100,9 +101,10 @@ function ricochet.body(t) end
 ---@field nu? number of elements: Poisson's ratio
 ---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
----@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -136,9 +138,10 @@ function ricochet.disk(t) end
 ---@field nu? number of elements: Poisson's ratio
 ---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
----@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -172,9 +175,10 @@ function ricochet.ellipse(t) end
 ---@field nu? number of elements: Poisson's ratio
 ---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
----@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -208,9 +212,10 @@ function ricochet.rectangle(t) end
 ---@field nu? number of elements: Poisson's ratio
 ---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
----@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -243,9 +248,10 @@ function ricochet.regular_polygon(t) end
 ---@field nu? number of elements: Poisson's ratio
 ---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
----@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -287,9 +293,10 @@ function ricochet.rotated(t) end
 ---@field nu? number of elements: Poisson's ratio
 ---@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
----@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten of them from fine_at, and coarser farther away [R]
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
@@ -636,11 +643,11 @@ function ricochet.lammps(t) end
 ---@field methods? string[] integrators; all unless given
 ---@field steps? number[] time steps of every method; six from 0.9 of its stability limit down unless given [R/c]
 ---@field of? string[] outcomes whose errors are taken; the first is printed and drawn (default {"e"})
----@field lattices? number[] factors of the number of nodes, to show the lattice's own error by; none unless given
----@field lattice_samples? integer lattices of each size (default 16)
+---@field lattices? number[] factors of the number of nodes, to show the error of the lattice or mesh by; none unless given
+---@field lattice_samples? integer lattices or meshes of each size (default 16)
 ---@field repeats? integer runs of each step; the least wall time counts (default 3)
 ---@field name? string file name without extension (default accuracy)
---- What accuracy costs: runs a scene by many methods and steps against two runs of order 6 at short steps, prints errors, force evaluations, wall times, energy drifts and fitted orders, and leaves NAME.csv and work-precision plots NAME.png, NAME.svg. With `lattices` it also shows what the size of the lattice changes, in a panel of its own. Where the program chose the contact, its softness is told beside. Returns a table with the rows (each with its `error` by column), the `reference`, its `floor`, `softness` (false, or xi and an error by column), and `cheapest(wanted)`: the row with the fewest force evaluations within that error.
+--- What accuracy costs: runs a scene by many methods and steps against two runs of order 6 at short steps, prints errors, force evaluations, wall times, energy drifts and fitted orders, and leaves NAME.csv and work-precision plots NAME.png, NAME.svg. With `lattices` it also shows what the size of the lattice, or of the mesh of a body of elements, changes, in a panel of its own. Where the program chose the contact, its softness is told beside. Returns a table with the rows (each with its `error` by column), the `reference`, its `floor`, `softness` (false, or xi and an error by column), and `cheapest(wanted)`: the row with the fewest force evaluations within that error.
 ---@param t ricochet.accuracy_fields
 ---@return table
 function ricochet.accuracy(t) end
@@ -649,8 +656,8 @@ function ricochet.accuracy(t) end
 ---@field scene ricochet.scene what happens
 ---@field effects ricochet.effect[] those that may matter
 ---@field of? string[] outcomes to compare (default {"e", "beta", "mu"})
----@field samples? integer lattices: the scene's own and others of its kind (default 8)
---- Which effects a scene calls for: runs it with and without each on the same lattices, prints the change of outcomes with its standard error beside that of their mean over the samples, and the cost in time. All by verlet. Returns a list of tables: name, cost, and by outcome change, se, sampling.
+---@field samples? integer lattices or meshes: the scene's own and others of its kind (default 8)
+--- Which effects a scene calls for: runs it with and without each on the same lattices or meshes, prints the change of outcomes with its standard error beside that of their mean over the samples, and the cost in time. All by verlet. An effect that cannot act on these bodies, as damping of springs on elements, is left out by name. Returns a list of tables: name, cost, and by outcome change, se, sampling; or name and `left_out`, the reason.
 ---@param t ricochet.relevance_fields
 ---@return table
 function ricochet.relevance(t) end
@@ -662,8 +669,8 @@ function ricochet.relevance(t) end
 ---@field samples? string the name in `over` that counts samples (default sample)
 ---@field pilot? integer samples of the pilot at every point and size (default 8)
 ---@field sizes? number[] factors of the number of nodes that the pilot tries; 0.25, 0.5 and 1 unless given, larger ones where a body would have fewer than 100 nodes, which no plan chooses
----@field continuum? boolean count as error what an infinitely fine lattice would change; else only what other lattices than the scene's own change (default false)
---- The error budget of a sweep (time step, lattice size, contact, samples: which one dominates), from a pilot, and the cheapest method, step, nodes and samples that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the sweep's folder, and says how long it took. The lattice's error is extrapolated in the spacing of its nodes, and what the pilot leaves unknown of it counts as error too; so does the softness of a contact that the program chose. The samples are planned with a deviation that nine pilots of ten do not underrate.
+---@field continuum? boolean count as error what an infinitely fine lattice or mesh would change; else only what others than the scene's own change (default false)
+--- The error budget of a sweep (time step, size of lattice or mesh, contact, samples: which one dominates), from a pilot, and the cheapest method, step, nodes and samples that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the sweep's folder, and says how long it took. The error of a lattice or mesh is extrapolated in the spacing of its nodes, and what the pilot leaves unknown of it counts as error too. Of a contact that the program chose, its softness counts: the pilot runs again with one twice as hard, and twice the mean change counts if it is told apart from the scatter of the samples. The samples are planned with a deviation that nine pilots of ten do not underrate.
 ---@param t ricochet.plan_fields
 ---@return ricochet.plan
 function ricochet.plan(t) end
@@ -681,6 +688,18 @@ function ricochet.elasticity(t) end
 ---@param t ricochet.mesh_fields
 ---@return table
 function ricochet.mesh(t) end
+
+---@class ricochet.dem_fields
+---@field rows ricochet.rows of a sweep over speeds, head on, in SI; oblique impacts may be among them
+---@field oblique? ricochet.rows of another sweep, over psi1, for mu and beta0
+---@field projectile ricochet.material of the projectile
+---@field target? ricochet.material of the target; rigid unless given
+---@field at? number normal speed at which the constant e is taken; the middle one that was measured unless given [m/s]
+---@field name? string how the files' names begin (default pair)
+--- What a code of discrete elements needs of a pair of materials, from rows of scenes in SI: e at every normal speed of the head-on impacts (psi1 = 0), and mu and beta0 of the oblique ones, each with its standard error. Leaves NAME_dem.csv and NAME_dem.json, and the lines that LAMMPS (NAME_dem.lammps: pair_style granular), YADE (NAME_dem_yade.py) and MercuryDPM (NAME_dem_mercury.cpp, not run) read for a sphere of the projectile's material on the target's. Those codes take one e for all speeds: the files say at which it was taken, and by how much it is off at a third and at three times that. Returns a table: e (a list of v, e, e_se, count), mu, mu_se, beta0, beta0_se (NaN where the rows do not tell them, and the files say why), at, e_at, and e_lammps, the number that LAMMPS must be given so that e_at comes out. The bodies of the rows are plane: mu and beta0 are theirs.
+---@param t ricochet.dem_fields
+---@return table
+function ricochet.dem(t) end
 
 ---@class ricochet.modes_fields
 ---@field body ricochet.body of springs or elements

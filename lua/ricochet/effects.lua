@@ -91,7 +91,32 @@ local function verdict_of(c, rows, bare)
   end
   local change = math.abs(c.change)
   if math.max(change, c.se) < 1e-12 or change <= 2 * c.se then return "not seen" end
+  if c.sampling == 0 then return "changes it; these samples do not scatter" end
   return change < c.sampling and "below the sampling error" or "matters"
+end
+
+-- Why each effect cannot act in the scene, by its place; nothing of those that can.
+local function refusals_in(scene, effects)
+  local refusals, count = {}, 0
+  for i, effect in ipairs(effects) do
+    local refusal = core.refused_effects(with_effects(scene, { effect }))
+    if refusal ~= "" then refusals[i], count = refusal, count + 1 end
+  end
+  if count == #effects then core.fail("'effects': none of them can act: " .. refusals[1], "effects") end
+  return refusals
+end
+
+-- What an effect changes of a column: `rows` and `bare` are of the same lattices, so their scatter falls out.
+local function change_of(column, rows, bare)
+  local changes, values = {}, {}
+  for k, row in ipairs(rows) do
+    local change = row[column] - bare[k][column]
+    if row.status == "finished" and bare[k].status == "finished" and change == change then
+      changes[#changes + 1], values[#values + 1] = change, bare[k][column]
+    end
+  end
+  local change, base = statistics.of(changes), statistics.of(values)
+  return { count = change.count, bare = base.mean, change = change.mean, se = change.se, sampling = base.se }
 end
 
 local function relevance(given)
@@ -99,6 +124,7 @@ local function relevance(given)
   outcomes.check(t.of, "of")
   if #t.effects == 0 then core.fail("'effects' is empty; name those that may matter", "effects") end
   if core.is_check() then return nil end
+  local refusals = refusals_in(t.scene, t.effects)
   local function runs(effects)
     local scenes = {}
     for k = 1, t.samples do scenes[k] = with_effects(refine.refined(t.scene, 1, k - 1), effects) end
@@ -107,28 +133,22 @@ local function relevance(given)
   local bare, bare_seconds = runs {}
   print(("%-10s %8s %12s %22s %20s %8s"):format("effect", "outcome", "bare", "change +- its se", "se of the mean",
     "cost"))
-  local result = {}
-  for i, effect in ipairs(t.effects) do
+  local function compared(name, effect)
     local rows, seconds = runs { effect }
-    local entry = { name = core.effect_name(effect), cost = seconds / bare_seconds }
+    local entry = { name = name, cost = seconds / bare_seconds }
     for _, column in ipairs(t.of) do
-      -- The same lattices with and without: their scatter falls out of the difference.
-      local changes, values = {}, {}
-      for k, row in ipairs(rows) do
-        local change = row[column] - bare[k][column]
-        if row.status == "finished" and bare[k].status == "finished" and change == change then
-          changes[#changes + 1], values[#values + 1] = change, bare[k][column]
-        end
-      end
-      local change, base = statistics.of(changes), statistics.of(values)
-      local c = {
-        count = change.count, bare = base.mean, change = change.mean, se = change.se, sampling = base.se,
-      }
+      local c = change_of(column, rows, bare)
       entry[column] = c
-      print(("%-10s %8s %12.4f %22s %20.2g %7.0f%%  %s"):format(entry.name, column, c.bare,
+      print(("%-10s %8s %12.4f %22s %20.2g %7.0f%%  %s"):format(name, column, c.bare,
         ("%+.2g +- %.1g"):format(c.change, c.se), c.sampling, 100 * entry.cost, verdict_of(c, rows, bare)))
     end
-    result[i] = entry
+    return entry
+  end
+  local result = {}
+  for i, effect in ipairs(t.effects) do
+    local name = core.effect_name(effect)
+    if refusals[i] then print(("%-10s left out: %s"):format(name, refusals[i])) end
+    result[i] = refusals[i] and { name = name, left_out = refusals[i] } or compared(name, effect)
   end
   return result
 end

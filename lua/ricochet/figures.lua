@@ -1,6 +1,7 @@
 -- What the scripts of the paper's figures share: the scene of its section V, the moduli of its lattice, tables of means
 -- for the theories, and published points.
 local ricochet = require "ricochet"
+local walton_fit = require "ricochet.walton_fit"
 
 local figures = {}
 
@@ -146,31 +147,10 @@ function figures.tilted(rows, nu_strain)
   return result
 end
 
---- Walton's parameters of the rows, printed with their standard errors. All angles of a sample share its lattices, so
---- the errors are those of a jackknife over samples: the fit without each in turn.
+--- Walton's parameters of the rows, printed with their standard errors, those of a jackknife over samples.
 function figures.fit(rows)
   local columns = figures.columns(rows, { "psi1", "psi2", "e", "sample" })
-  local beta_x = figures.beta_x(rows)
-  local fit = ricochet.theory.fit_walton { psi1 = columns.psi1, psi2 = columns.psi2, e = columns.e, beta_x = beta_x }
-  local samples, others = {}, {}
-  for _, sample in ipairs(columns.sample) do samples[sample] = true end
-  for left_out in pairs(samples) do
-    local some = { psi1 = {}, psi2 = {}, e = {} }
-    for i, sample in ipairs(columns.sample) do
-      if sample ~= left_out then
-        for name, list in pairs(some) do list[#list + 1] = columns[name][i] end
-      end
-    end
-    some.beta_x = beta_x
-    local whole, other = pcall(ricochet.theory.fit_walton, some)
-    others[#others + 1] = whole and other or nil
-  end
-  for _, name in ipairs { "e", "mu", "beta0" } do
-    local mean, square = 0, 0
-    for _, other in ipairs(others) do mean = mean + other[name] / #others end
-    for _, other in ipairs(others) do square = square + (other[name] - mean) ^ 2 end
-    fit[name .. "_se"] = #others > 1 and math.sqrt((#others - 1) / #others * square) or 0 / 0
-  end
+  local fit = walton_fit(columns, figures.beta_x(rows))
   print(("fit of %d impacts: e = %.4f +- %.4f, mu = %.4f +- %.4f, beta0 = %.3f +- %.3f; " ..
     "sliding from Psi1 = %.2f on"):format(
     #columns.psi1, fit.e, fit.e_se, fit.mu, fit.mu_se, fit.beta0, fit.beta0_se, fit.psi1_0))

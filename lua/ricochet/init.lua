@@ -24,6 +24,7 @@ ricochet.plot = core.wrap(require("ricochet.plot").plot)
 ricochet.accuracy = core.wrap(require("ricochet.accuracy").accuracy)
 ricochet.relevance = core.wrap(require("ricochet.effects").relevance)
 ricochet.plan = core.wrap(require("ricochet.plan").plan)
+ricochet.dem = core.wrap(require("ricochet.dem").dem)
 
 --- refined(scene, factor): the same scene on finer lattices, or coarser ones.
 ricochet.refined = core.wrap(function(scene, factor)

@@ -1,14 +1,15 @@
--- ricochet.plan: the error budget of a sweep (time step, lattice size, contact, samples), and the cheapest way to a
--- wanted standard error.
+-- ricochet.plan: the error budget of a sweep (time step, size of lattice or mesh, contact, samples), and the cheapest
+-- way to a wanted standard error.
 local core = require "ricochet.core"
 local outcomes = require "ricochet.outcomes"
-local sweeps = require "ricochet.sweep"
+local pilot = require "ricochet.plan_pilot"
 local refine = require "ricochet.refine"
 local statistics = require "ricochet.statistics"
+local sweeps = require "ricochet.sweep"
+local text = require "ricochet.plan_text"
 
 local most_points = 12        -- of the sweep's points that the pilot visits
-local most_samples = 1e6     -- of a point that a plan may have
-local step_share = 0.2        -- of the wanted standard error that the time step may take: 2 % of its square
+local most_samples = 1e6      -- of a point that a plan may have
 local least_nodes = 100       -- of a body: with fewer its contact is hardly more than a corner's
 local factors = {}            -- of the number of nodes, that a plan chooses from
 for i = -4, 8 do factors[#factors + 1] = 2 ^ (i / 2) end
@@ -19,77 +20,17 @@ local function copy(t)
   return result
 end
 
--- The sweep's points without their sample, each once, and how many samples it has.
-local function points_of(sweep, sample)
-  local list, seen, samples = {}, {}, {}
-  for _, point in ipairs(sweep.points) do
-    local rest, key = copy(point), ""
-    rest[sample] = nil
-    for _, name in ipairs(sweep.names) do
-      if name ~= sample then key = key .. tostring(rest[name]) .. "\0" end
-    end
-    if not seen[key] then
-      seen[key] = true
-      list[#list + 1] = rest
-    end
-    samples[point[sample]] = true
-  end
-  local count = 0
-  for value in pairs(samples) do
-    count = count + 1
-    if math.type(value) ~= "integer" then
-      core.fail(("over.%s must hold whole numbers to be counted on, has %s"):format(sample, tostring(value)), "samples")
-    end
-  end
-  return list, count
-end
-
-local function spread_out(list, most)
-  if #list <= most then return list end
-  local few = {}
-  for i = 1, most do few[i] = list[math.floor((i - 1) * (#list - 1) / (most - 1) + 1.5)] end
-  return few
-end
-
 -- The variance that is exceeded in one of ten cases, over the one that n degrees of freedom measured: n / chi^2 at 0.1,
 -- by Wilson and Hilferty's approximation, good to 1 % from 5 degrees on.
 local function cautious(n)
   return 1 / math.max(0.05, 1 - 2 / (9 * n) - 1.2816 * math.sqrt(2 / (9 * n))) ^ 3
 end
 
--- Seconds that the sweep's own function takes to make a sample of all points, the first time.
-local function making_seconds(sweep, sample, points, count)
-  local began = core.clock()
-  for i = 1, count do
-    for _, point in ipairs(points) do
-      local at = copy(point)
-      at[sample] = i
-      sweeps.scene_at(sweep, at)
-    end
-  end
-  return (core.clock() - began) / count
-end
-
--- Every point with samples 1 ... count on lattices of `factor` times the nodes: rows by point, and seconds a sample of
--- all points, from the sweep's own scenes to the outcomes.
-local function pilot(sweep, sample, points, count, factor, changes)
-  local began, scenes = core.clock(), {}
-  for i = 1, count do  -- points that share a lattice beside each other, as in the sweep
-    for _, point in ipairs(points) do
-      local at = copy(point)
-      at[sample] = i
-      local t = core.given(refine.refined(sweeps.scene_at(sweep, at), factor, 0))
-      for name, value in pairs(changes) do t[name] = value end
-      if changes.accuracy then t.step, t.theta, t.method = nil, nil, nil end
-      scenes[#scenes + 1] = core.functions.scene(t)
-    end
-  end
-  local making = core.clock() - began
-  local rows, seconds = core.pilot(scenes)
-  local by_point = {}
-  for k in ipairs(points) do by_point[k] = {} end
-  for i, row in ipairs(rows) do table.insert(by_point[(i - 1) % #points + 1], row) end
-  return by_point, (making + seconds) / count
+-- By how many standard errors a mean of n + 1 numbers strays from 0 in one of twenty cases, if that is what it is:
+-- Student's t, to 1 %.
+local function told_apart(n)
+  local few = { 12.71, 4.30, 3.18, 2.78, 2.57 }
+  return few[n] or 1.96 + 2.9 / n
 end
 
 -- Seconds at a factor, by a power law between sizes of the pilot; beyond them by nodes times steps, which is power 1.5.
@@ -114,7 +55,7 @@ local function nearest_size(sizes, factor)
   return best
 end
 
--- Deviation of a point's outcome over lattices, from all sizes of the pilot, and the one to plan with.
+-- Deviation of a point's outcome over samples, from all sizes of the pilot, and the one to plan with.
 local function deviation(sizes, k)
   local square, freedom = 0, 0
   for _, size in ipairs(sizes) do
@@ -124,115 +65,12 @@ local function deviation(sizes, k)
   return math.sqrt(square / freedom), math.sqrt(square / freedom * cautious(freedom))
 end
 
-local function name_of(point, names, sample)
-  local parts = {}
-  for _, name in ipairs(names) do
-    if name ~= sample then
-      local value = point[name]
-      local shown = type(value) == "number" and ("%.4g"):format(value) or tostring(value)
-      parts[#parts + 1] = ("%s=%s"):format(name, shown)
-    end
-  end
-  return #parts > 0 and table.concat(parts, " ") or "all"
-end
-
 local Plan = { __name = "a plan", __metatable = false }
 local held = setmetatable({}, { __mode = "k" })  -- what each plan is, where no script can change it
 Plan.__index = function(_, name)
   return rawget(Plan, name) or core.unknown("a plan", name, {
     "run", "points", "samples", "nodes", "method", "theta", "choices", "predicted_seconds",
   })
-end
-
-local function print_line(...) print((...):format(select(2, ...))) end
-
-local function print_budget(plan)
-  print_line("error budget of the sweep as it is: %d samples a point", plan.samples_now)
-  print_line("%-20s %9s %9s %18s %10s %8s  %s", "point", plan.of, "sampling", "lattice size", "time step", "contact",
-    "dominates")
-  for _, p in ipairs(plan.points) do
-    local lattice = ("%+.2g +- %.2g"):format(-p.slope, p.slope_se)
-    print_line("%-20s %9.4f %9.2g %18s %10.2g %8.2g  %s", p.name, p.mean, p.sampling, lattice, p.step, p.softness,
-      p.dominates)
-  end
-  print_line("  lattice size: what an infinitely fine lattice would change, extrapolated in the spacing, "
-    .. "and what the pilot leaves unknown of it")
-end
-
-local function print_cheapest(plan)
-  local alike = true
-  for _, choice in ipairs(plan.choices) do
-    alike = alike and choice.method == plan.method and choice.theta == plan.theta
-  end
-  print_line("cheapest: %s with theta %.3g%s, %.3g times the nodes, %d samples a point; predicted %.1f s on %s",
-    plan.method, plan.theta, alike and "" or " at the hardest point", plan.nodes, plan.samples, plan.predicted_seconds,
-    plan.machine)
-  if not alike then
-    for _, choice in ipairs(plan.choices) do
-      print_line("  %s: %s with theta %.3g", choice.name, choice.method, choice.theta)
-    end
-  end
-  if #plan.sizes == 1 then
-    print_line "  of the lattice's own error one size tells nothing: the nodes stay as they are"
-  end
-  print_line("  leaves %.2g from samples (less nine times of ten), %.2g from the lattice's size, "
-    .. "%.2g from the time step, %.2g from the contact's softness", plan.budget.sampling, plan.budget.lattice,
-    plan.budget.step, plan.budget.softness)
-end
-
-local function print_plan(plan)
-  print_line("plan for %s of sweep '%s': standard error %g", plan.of, plan.sweep.name, plan.standard_error)
-  print_line("pilot: %d samples at %d points, %d sizes; %.1f s", plan.pilot, #plan.points, #plan.sizes,
-    plan.pilot_seconds)
-  print_budget(plan)
-  if plan.samples then
-    print_cheapest(plan)
-  else
-    print_line("no plan: with %.2g from the lattice's size and %.2g from the contact's softness, %g is out of reach of "
-      .. "%.3g times the nodes and %.0g samples; raise 'pilot' or 'sizes', give a greater contact.xi, ask for less, or "
-      .. "leave 'continuum' out", plan.budget.lattice, plan.budget.softness, plan.standard_error,
-      #plan.sizes > 1 and factors[#factors] or plan.sizes[1].factor, most_samples)
-  end
-end
-
--- Measured times differ between runs, and with them the cheapest plan: what a run decided is kept, so that --resume
--- goes on with it.
-local function plan_file(sweep) return sweep.name .. "_plan.txt" end
-local function request(plan) return ("standard_error %.15g of %s"):format(plan.standard_error, plan.of) end
-
-local function keep(plan)
-  local lines = {
-    request(plan), ("samples %d"):format(plan.samples), ("nodes %.17g"):format(plan.nodes),
-    ("predicted_seconds %.3g"):format(plan.predicted_seconds),
-  }
-  for _, choice in ipairs(plan.choices) do
-    lines[#lines + 1] = ("point %s: %s theta %.17g"):format(choice.name, choice.method, choice.theta)
-  end
-  lines[#lines + 1] = ("others: %s theta %.17g\n"):format(plan.method, plan.theta)
-  core.functions["file.write"](plan_file(plan.sweep), table.concat(lines, "\n"))
-end
-
-local function go_on_with_kept(plan)
-  local known, text = pcall(core.functions["file.read"], plan_file(plan.sweep))
-  if not known then return end
-  local kept = text:match "^[^\n]*"
-  if kept ~= request(plan) then
-    core.fail(("%s keeps the plan of the earlier run, for a %s; "
-      .. "give --resume the same, or run anew with --force"):format(plan_file(plan.sweep), kept), "standard_error")
-  end
-  local samples, nodes, seconds = text:match "samples (%S+)\nnodes (%S+)\npredicted_seconds (%S+)\n"
-  plan.samples, plan.nodes, plan.predicted_seconds = math.tointeger(samples), tonumber(nodes), tonumber(seconds)
-  plan.choices = {}
-  for name, method, theta in text:gmatch "\npoint ([^\n]-): (%S+) theta ([^\n]+)" do
-    plan.choices[#plan.choices + 1] = { name = name, method = method, theta = tonumber(theta) }
-  end
-  local method, theta = text:match "\nothers: (%S+) theta (%S+)"
-  plan.method, plan.theta = method, tonumber(theta)
-  if not (plan.samples and plan.nodes and plan.predicted_seconds and plan.method and plan.theta) then
-    core.fail(("%s is damaged; restore it from a copy, or run anew with --force"):format(plan_file(plan.sweep)))
-  end
-  print(("goes on with the plan of the earlier run: %.3g times the nodes, %d samples a point"):format(plan.nodes,
-    plan.samples))
 end
 
 -- The sweep that is planned, whose table is t; mistakes in t are told at its fields.
@@ -265,75 +103,33 @@ local function sorted_sizes(given)
   return sizes
 end
 
--- What the pilot saw of every size:
--- { factor =, rows = by point, seconds =, [point] = { mean =, sd =, se =, freedom = } }.
-local function pilot_of_sizes(sweep, t, points, all, factors_tried)
-  local making = making_seconds(sweep, t.samples, points, t.pilot)
-  local changes = { accuracy = math.min(0.1, step_share * t.standard_error), accuracy_of = t.of }
-  local sizes = {}
-  for i, factor in ipairs(factors_tried) do
-    local rows, seconds = pilot(sweep, t.samples, points, t.pilot, factor, changes)
-    sizes[i] = { factor = factor, rows = rows, seconds = (making + seconds) * #all / #points }
-    for k, point in ipairs(points) do
-      local of = statistics.of_finished(rows[k], t.of)
-      if of.count < 2 then
-        core.fail(("fewer than two impacts of the pilot finished at %s with %g times the nodes: %s"):format(
-          name_of(point, sweep.names, t.samples), factor, rows[k][1].reason), "sweep")
-      end
-      sizes[i][k] = { mean = of.mean, sd = of.sd, se = of.se, freedom = of.count - 1 }
-    end
-  end
-  return sizes
+-- The softness of a contact as an error: what it changes, where that is told apart from scatter.
+local function counted(softness)
+  local is_seen = softness.count > 1 and math.abs(softness.mean) > told_apart(softness.count - 1) * softness.se
+  return is_seen and math.abs(softness.mean) or 0
 end
 
--- The error of the sweep's own time step at each point: the same samples by it and by a fine one.
-local function step_errors(sweep, t, points)
-  local few = math.min(t.pilot, 2)
-  local own = pilot(sweep, t.samples, points, few, 1, {})
-  local finer = { accuracy = math.min(0.1, 0.01 * t.standard_error), accuracy_of = t.of }
-  local fine = pilot(sweep, t.samples, points, few, 1, finer)
-  local errors = {}
-  for k in ipairs(points) do
-    local square, count = 0, 0
-    for i, row in ipairs(own[k]) do
-      if row.status == "finished" and fine[k][i].status == "finished" then
-        square, count = square + (row[t.of] - fine[k][i][t.of]) ^ 2, count + 1
-      end
-    end
-    errors[k] = count > 0 and math.sqrt(square / count) or 0 / 0
-  end
-  return errors
-end
-
--- The mean of what the trials said of the contact's softness; 0 where the scenes give xi, and it is of the model.
-local function softness_of(rows)
-  local sum, count = 0, 0
-  for _, row in ipairs(rows) do
-    if row.error_contact == row.error_contact then sum, count = sum + row.error_contact, count + 1 end
-  end
-  return count > 0 and sum / count or 0
-end
-
--- The four errors of the sweep as it is at point k, whose time step's is known.
-local function budget_of_point(name, sizes, k, samples_now, step)
+-- The four errors of the sweep as it is at point k, of which those of the time step and the contact are known.
+local function budget_of_point(plan, name, k, step, softness)
+  local sizes = plan.sizes
   local sd, sd_cautious = deviation(sizes, k)
-  -- What the lattice's size changes, per unit of the spacing over the scene's own: as seen, and together with what is
-  -- not known of it.
+  -- What the size of lattice or mesh changes, per unit of the spacing over the scene's own: as seen, and together with
+  -- what is not known of it.
   local by_spacing = {}
   for i, size in ipairs(sizes) do
-    by_spacing[i] = { x = size.factor ^ -0.5, value = size[k].mean, se = math.max(size[k].se, 1e-12) }
+    by_spacing[i] = { x = size.factor ^ -0.5, value = size[k].mean, se = size[k].se }
   end
   local slope, slope_se = 0, 0
   if #sizes > 1 then slope, slope_se = refine.fitted_line(by_spacing) end  -- of one size nothing is known
   local p = {
     name = name, mean = nearest_size(sizes, 1)[k].mean, sd = sd, sd_cautious = sd_cautious,
-    sampling = sd / math.sqrt(samples_now), slope = slope, slope_se = slope_se,
+    sampling = sd / math.sqrt(plan.samples_now), slope = slope, slope_se = slope_se,
     lattice = math.sqrt(slope ^ 2 + slope_se ^ 2), step = step,
-    softness = softness_of(nearest_size(sizes, 1).rows[k]),
+    softness = softness.mean, softness_se = softness.se, softness_counts = counted(softness),
   }
   local greatest = -1
-  for _, part in ipairs { { "samples", p.sampling }, { "lattice size", p.lattice }, { "time step", p.step },
-    { "contact", p.softness } } do
+  for _, part in ipairs { { "samples", p.sampling }, { plan.division .. " size", p.lattice }, { "time step", p.step },
+    { "contact", p.softness_counts } } do
     if part[2] > greatest then p.dominates, greatest = part[1], part[2] end
   end
   return p
@@ -342,14 +138,14 @@ end
 -- The samples that the worst point needs with `factor` times the nodes, and what is left of each error then.
 local function needed_samples(t, points, factor)
   local strayed = math.abs(factor ^ -0.5 - (t.continuum and 0 or 1))
-  local step_error = step_share * t.standard_error
+  local step_error = pilot.step_share * t.standard_error
   local samples, budget = 2, { sampling = 0, lattice = 0, step = step_error, softness = 0 }
   for _, p in ipairs(points) do
-    local left = t.standard_error ^ 2 - step_error ^ 2 - (p.lattice * strayed) ^ 2 - p.softness ^ 2
+    local left = t.standard_error ^ 2 - step_error ^ 2 - (p.lattice * strayed) ^ 2 - p.softness_counts ^ 2
     samples = left > 0 and math.max(samples, math.ceil(p.sd_cautious ^ 2 / left)) or math.huge
     budget.sampling = math.max(budget.sampling, p.sd_cautious)
     budget.lattice = math.max(budget.lattice, p.lattice * strayed)
-    budget.softness = math.max(budget.softness, p.softness)
+    budget.softness = math.max(budget.softness, p.softness_counts)
   end
   budget.sampling = budget.sampling / math.sqrt(samples)
   return samples, budget
@@ -392,8 +188,7 @@ local function least_factor(sweep, points, sample)
     at[sample] = 1
     local scene = core.given(sweeps.scene_at(sweep, at))
     for _, body in ipairs { scene.projectile, scene.target } do
-      local given = core.given(body)
-      if next(given) ~= nil then fewest = math.min(fewest, core.check("body", given, true).nodes) end
+      if next(core.given(body)) ~= nil then fewest = math.min(fewest, core.nodes_of(body)) end
     end
   end
   return math.min(1, least_nodes / fewest)
@@ -405,45 +200,57 @@ local function usual_sizes(least)
   return least <= 0.5 and { 0.5, 1 } or { 1, 2 }
 end
 
--- With --check: that the sweep's scenes can be made.
+-- The scenes of a sample; with --check all that is made.
 local function make_scenes(sweep, points, sample)
-  for _, point in ipairs(points) do
+  local scenes = {}
+  for i, point in ipairs(points) do
     local at = copy(point)
     at[sample] = 1
-    sweeps.scene_at(sweep, at)
+    scenes[i] = sweeps.scene_at(sweep, at)
   end
+  return scenes
+end
+
+-- The plan of a sweep from what the pilot shows of it at the points.
+local function planned(sweep, t, points, all, samples_now)
+  local least = least_factor(sweep, points, t.samples)
+  local sizes = pilot.of_sizes(sweep, t, points, all, sorted_sizes(t.sizes or usual_sizes(least)))
+  local steps = pilot.step_errors(sweep, t, points)
+  local softness = pilot.softness(sweep, t, points, nearest_size(sizes, 1))
+  local processor, cores = core.machine()
+  local result = {
+    sweep = sweep, sample = t.samples, of = t.of, standard_error = t.standard_error, pilot = t.pilot, sizes = sizes,
+    samples_now = samples_now, points = {}, budget = {}, samples = false, least_factor = least,
+    division = refine.division(make_scenes(sweep, points, t.samples)).one,
+    machine = ("%s (%d cores)"):format(processor, cores),
+  }
+  local of_the_model = { mean = 0, se = 0, count = 0 }  -- where the scenes give xi
+  for k, point in ipairs(points) do
+    local name = pilot.name_of(point, sweep.names, t.samples)
+    result.points[k] = budget_of_point(result, name, k, steps[k], softness[k] or of_the_model)
+  end
+  choose_cheapest(result, t)
+  return result
 end
 
 local function plan(given)
   local t = core.check("plan", given)
   local sweep = checked_sweep(t)
-  local all, samples_now = points_of(sweep, t.samples)
-  local points = spread_out(all, most_points)
+  local all, samples_now = pilot.points_of(sweep, t.samples)
+  local points = pilot.spread_out(all, most_points)
   if t.sizes then sorted_sizes(t.sizes) end
-  if core.is_check() then return make_scenes(sweep, points, t.samples) end
-  local began = core.clock()
-  local least = least_factor(sweep, points, t.samples)
-  local factors_tried = sorted_sizes(t.sizes or usual_sizes(least))
-  local sizes = pilot_of_sizes(sweep, t, points, all, factors_tried)
-  local steps = step_errors(sweep, t, points)
-  local processor, cores = core.machine()
-  local result = {
-    sweep = sweep, sample = t.samples, of = t.of, standard_error = t.standard_error, pilot = t.pilot, sizes = sizes,
-    samples_now = samples_now, all = all, points = {}, budget = {}, samples = false,
-    least_factor = least,
-    machine = ("%s (%d cores)"):format(processor, cores),
-  }
-  for k, point in ipairs(points) do
-    local name = name_of(point, sweep.names, t.samples)
-    result.points[k] = budget_of_point(name, sizes, k, samples_now, steps[k])
+  if core.is_check() then
+    make_scenes(sweep, points, t.samples)
+    return nil
   end
-  choose_cheapest(result, t)
+  local began = core.clock()
+  local result = planned(sweep, t, points, all, samples_now)
   result.pilot_seconds = core.clock() - began
-  print_plan(result)
-  if core.is_resume() then go_on_with_kept(result) end
+  text.print(result, { factor = factors[#factors], samples = most_samples })
+  if core.is_resume() then text.go_on_with_kept(result) end
   local shown = { sweep = t.sweep }
   for name, value in pairs(result) do
-    if name ~= "sweep" and name ~= "all" then shown[name] = core.plain(value) end
+    if name ~= "sweep" then shown[name] = core.plain(value) end
   end
   held[shown] = result
   return setmetatable(shown, Plan)
@@ -459,10 +266,10 @@ Plan.run = core.wrap(function(plan)
   over[self.sample] = values
   local choices = {}
   for _, choice in ipairs(self.choices) do choices[choice.name] = choice end
-  keep(self)
+  text.keep(self)
   local planned = sweeps.sweep { name = sweep.name, over = over, scene = function(at)
     local scene = core.given(refine.refined(sweep.scene(at), self.nodes, 0))
-    local chosen = choices[name_of(at, sweep.names, self.sample)] or self
+    local chosen = choices[pilot.name_of(at, sweep.names, self.sample)] or self
     scene.method, scene.theta, scene.step, scene.accuracy = chosen.method, chosen.theta, nil, nil
     return core.with_chosen_step(core.functions.scene(scene), self.budget.step)
   end }
@@ -472,7 +279,7 @@ Plan.run = core.wrap(function(plan)
   -- The standard error that came of it, at the worst of the points.
   local by_point, worst = {}, { se = -1 }
   for _, row in ipairs(rows) do
-    local name = name_of(row, sweep.names, self.sample)
+    local name = pilot.name_of(row, sweep.names, self.sample)
     by_point[name] = by_point[name] or {}
     table.insert(by_point[name], row)
   end

@@ -61,8 +61,8 @@ const std::vector<Member<ElementNumbers>>& ElementNumbers::fields() {
         any_number, "polynomial", false, solid_law_names()},
        &ElementNumbers::law},
       {{"h_min", "number", "R",
-        "of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine within ten "
-        "of them from fine_at, and coarser farther away",
+        "of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around "
+        "fine_at, and coarser farther away",
         positive, "", true},
        &ElementNumbers::h_min},
       {{"h_max", "number", "R", "the side of the largest triangles of such a mesh; 8 h_min unless given", positive, "",
@@ -70,6 +70,9 @@ const std::vector<Member<ElementNumbers>>& ElementNumbers::fields() {
        &ElementNumbers::h_max},
       {{"grade", "number", "", "by how much the sides of such a mesh grow for every unit of length", {0, 1}, "0.15"},
        &ElementNumbers::grade},
+      {{"fine_within", "number", "R", "how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given",
+        not_negative, "", true},
+       &ElementNumbers::fine_within},
   };
   return list;
 }
@@ -168,6 +171,7 @@ std::string text_of_shape(const Body& body) {
     const SizeField size = body.size_field();
     text +=
         fmt::format(" mesh {} {} {} at {} {}", size.least, size.most, size.grade, size.fine_at.x(), size.fine_at.y());
+    if (!std::isnan(n.fine_within)) text += fmt::format(" within {}", n.fine_within);
   }
   if (n.angle != 0) text += fmt::format(" angle {}", n.angle);
   return text;
@@ -188,7 +192,8 @@ SizeField Body::size_field() const {
   const auto lowest =
       std::min_element(outline.begin(), outline.end(), [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
   const double least = numbers.h_min, most = std::isnan(numbers.h_max) ? 8 * least : numbers.h_max;
-  return {least, std::max(least, most), numbers.grade, fine_at.value_or(*lowest)};
+  const double within = std::isnan(numbers.fine_within) ? 10 * least : numbers.fine_within;
+  return {least, std::max(least, most), numbers.grade, fine_at.value_or(*lowest), within};
 }
 
 std::string Body::geometry_text() const {

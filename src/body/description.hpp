@@ -28,6 +28,7 @@ struct ElementNumbers {
   double h_min = not_given;  ///< of a mesh that is fine where it matters; without it nodes are placed as in a lattice
   double h_max = not_given;
   double grade = 0.15;
+  double fine_within = not_given;  ///< ten times h_min unless given
 
   static const std::vector<Member<ElementNumbers>>& fields();
 };

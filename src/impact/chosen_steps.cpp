@@ -114,12 +114,13 @@ void tell_choice(const Integration& asked, const Choice& choice, const Places& t
         std::isnan(scene.error)
             ? scene.reason
             : fmt::format("{} still changes by {:.2g} at the shortest steps tried", asked.accuracy_of, scene.error)));
-  telling.line(fmt::format(
-      "{}: {} with theta {:.3g} (a step of {:.3g} R/c), {} error {:.2g} ({} trial runs of {} scene{}, {:.3g} spring "
-      "evaluations)",
-      asked_text(asked), choice.method, choice.theta, choice.step,
-      choice.found == Found::extrapolated ? "extrapolated" : "estimated", choice.error, choice.trials, tried.size(),
-      tried.size() == 1 ? "" : "s", choice.evaluations));
+  telling.line(
+      fmt::format("{}: {} with theta {:.3g} (a step of {:.3g} R/c), {} error {:.2g} ({} trial runs of {} scene{}, the "
+                  "work of {:.3g} spring "
+                  "evaluations)",
+                  asked_text(asked), choice.method, choice.theta, choice.step,
+                  choice.found == Found::extrapolated ? "extrapolated" : "estimated", choice.error, choice.trials,
+                  tried.size(), tried.size() == 1 ? "" : "s", choice.evaluations));
   if (choice.found == Found::extrapolated) telling.line("  the trials' share was used up before this step was tried");
   if (choice.found == Found::unsettled)
     telling.line(

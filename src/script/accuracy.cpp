@@ -135,6 +135,19 @@ int conflict(lua_State* L) {
   return 1;
 }
 
+// refused_effects(scene): why the scene's effects cannot act on its bodies, which are of elements, rigid or free; "" if
+// they can.
+int refused_effects(lua_State* L) {
+  const SceneObject& object = scene_at(L, 1);
+  try {
+    const BuiltSolids solids(object.scene);
+    lua_pushstring(L, conflict_with(object.scene.effects, Solids(solids), object.scene.contact).c_str());
+  } catch (const FieldError& error) {
+    throw_at(session_of(L), object.site, explained(error, object.scene));
+  }
+  return 1;
+}
+
 // machine(): the processor's name and the number of cores.
 int machine(lua_State* L) {
   std::string name = "unknown processor";
@@ -167,8 +180,9 @@ Function accuracy_function() {
        any_number, "", true},
       {"of", "strings", "", "outcomes whose errors are taken; the first is printed and drawn", any_number, "{\"e\"}"},
       {"lattices", "numbers", "",
-       "factors of the number of nodes, to show the lattice's own error by; none unless given", any_number, "", true},
-      {"lattice_samples", "integer", "", "lattices of each size", {2, 10000}, "16"},
+       "factors of the number of nodes, to show the error of the lattice or mesh by; none unless given", any_number, "",
+       true},
+      {"lattice_samples", "integer", "", "lattices or meshes of each size", {2, 10000}, "16"},
       {"repeats", "integer", "", "runs of each step; the least wall time counts", {1, 1000}, "3"},
       {"name", "string", "", "file name without extension", any_number, "accuracy"}};
   return {
@@ -177,7 +191,7 @@ Function accuracy_function() {
           "What accuracy costs: runs a scene by many methods and steps against two runs of order 6 at short steps, "
           "prints errors, force evaluations, wall times, "
           "energy drifts and fitted orders, and leaves NAME.csv and work-precision plots NAME.png, NAME.svg. With "
-          "`lattices` it also shows what the size of the lattice "
+          "`lattices` it also shows what the size of the lattice, or of the mesh of a body of elements, "
           "changes, in a panel of its own. Where the program chose the contact, its softness is told beside. Returns a "
           "table with the rows (each with its `error` by column), the `reference`, its `floor`, `softness` (false, or "
           "xi "
@@ -192,31 +206,35 @@ Function relevance_function() {
   const std::vector<Field> own{
       {"effects", "effects", "", "those that may matter"},
       {"of", "strings", "", "outcomes to compare", any_number, "{\"e\", \"beta\", \"mu\"}"},
-      {"samples", "integer", "", "lattices: the scene's own and others of its kind", {2, 100000}, "8"}};
-  return {.name = "relevance",
-          .doc =
-              "Which effects a scene calls for: runs it with and without each on the same lattices, prints the "
-              "change of outcomes with its standard error beside "
-              "that of their mean over the samples, and the cost in time. All by verlet. Returns a list of tables: "
-              "name, cost, and by outcome change, se, sampling.",
-          .fields = std::vector<Field>{scene_field()} + own,
-          .returns = "table",
-          .example = "ricochet.relevance { scene = scene, effects = { ricochet.gravity { g = 1e-4 } } }"};
+      {"samples", "integer", "", "lattices or meshes: the scene's own and others of its kind", {2, 100000}, "8"}};
+  return {
+      .name = "relevance",
+      .doc =
+          "Which effects a scene calls for: runs it with and without each on the same lattices or meshes, prints the "
+          "change of outcomes with its standard error beside "
+          "that of their mean over the samples, and the cost in time. All by verlet. An effect that cannot act on "
+          "these bodies, as damping of springs on elements, is left out by name. Returns a list of tables: "
+          "name, cost, and by outcome change, se, sampling; or name and `left_out`, the reason.",
+      .fields = std::vector<Field>{scene_field()} + own,
+      .returns = "table",
+      .example = "ricochet.relevance { scene = scene, effects = { ricochet.gravity { g = 1e-4 } } }"};
 }
 
 Function plan_function() {
   return {
       .name = "plan",
       .doc =
-          "The error budget of a sweep (time step, lattice size, contact, samples: which one dominates), from a pilot, "
-          "and "
+          "The error budget of a sweep (time step, size of lattice or mesh, contact, samples: which one dominates), "
+          "from "
+          "a pilot, and "
           "the cheapest method, step, nodes and samples "
           "that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the "
           "sweep's folder, and says how long it took. "
-          "The lattice's error is extrapolated in the spacing of its nodes, and what the pilot leaves unknown of it "
-          "counts as error too; so does the softness of a contact that the program chose. The samples are planned with "
-          "a "
-          "deviation that nine pilots of ten do not underrate.",
+          "The error of a lattice or mesh is extrapolated in the spacing of its nodes, and what the pilot leaves "
+          "unknown "
+          "of it counts as error too. Of a contact that the program chose, its softness counts: the pilot runs again "
+          "with one twice as hard, and twice the mean change counts if it is told apart from the scatter of the "
+          "samples. The samples are planned with a deviation that nine pilots of ten do not underrate.",
       .fields = {{"sweep", "sweep", "", "with one name in `over` that counts samples"},
                  {"standard_error", "number", "",
                   "wanted at every point: root of the sum of the squares of the four errors", positive},
@@ -228,7 +246,7 @@ Function plan_function() {
                   "where a body would have fewer than 100 nodes, which no plan chooses",
                   any_number, "", true},
                  {"continuum", "boolean", "",
-                  "count as error what an infinitely fine lattice would change; else only what other lattices than the "
+                  "count as error what an infinitely fine lattice or mesh would change; else only what others than the "
                   "scene's own change",
                   any_number, "false"}},
       .returns = "plan",
@@ -242,12 +260,13 @@ void add_accuracy_outcomes(lua_State* L) {
 
 }  // namespace
 
-// Written in Lua: lua/ricochet/accuracy.lua, effects.lua and plan.lua.
+// Written in Lua: lua/ricochet/accuracy.lua, effects.lua and plan.lua, and what each of them prints.
 Group accuracy_functions() {
   return {.functions = {accuracy_function(), relevance_function(), plan_function()},
           .natives = {{"accuracy_runs", guarded<accuracy_runs>},
                       {"methods", method_list},
                       {"conflict", guarded<conflict>},
+                      {"refused_effects", guarded<refused_effects>},
                       {"machine", machine}},
           .add = add_accuracy_outcomes};
 }

@@ -49,6 +49,7 @@ Group record_functions();
 Group accuracy_functions();
 Group elasticity_functions();
 Group mesh_functions();
+Group dem_functions();
 Group mode_functions();
 Group ringing_functions();
 Group file_functions();

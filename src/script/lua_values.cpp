@@ -76,4 +76,9 @@ bool is_object(lua_State* L, int index, const std::string& type) {
   return luaL_testudata(L, index, ("ricochet." + type).c_str()) != nullptr;
 }
 
+void set_number(lua_State* L, const char* name, double value) {
+  lua_pushnumber(L, value);
+  lua_setfield(L, -2, name);
+}
+
 }  // namespace ricochet

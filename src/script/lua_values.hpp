@@ -47,4 +47,7 @@ std::string kind_name(lua_State* L, int index);
 /// True for an object of ours: "body", "scene" or "effect".
 bool is_object(lua_State* L, int index, const std::string& type);
 
+/// table[name] = value, of the table on top of the stack.
+void set_number(lua_State* L, const char* name, double value);
+
 }  // namespace ricochet

@@ -145,11 +145,6 @@ void film_mode(lua_State* L, const Spectrum& spectrum, const std::string& hash, 
   session_of(L).print(fmt::format("film: {}\n", sequence.film.string()));
 }
 
-void set(lua_State* L, const char* name, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
-}
-
 // { { x =, y =, ux =, uy = }, ... } of the free nodes; the greatest displacement is 1.
 void push_shape(lua_State* L, const Solid& solid, const Mode& mode) {
   const double most = greatest_displacement(mode);
@@ -157,10 +152,10 @@ void push_shape(lua_State* L, const Solid& solid, const Mode& mode) {
   for (int i = 0; i < solid.free; ++i) {
     const Vec2 &at = solid.points[static_cast<std::size_t>(i)], by = mode.shape.segment<2>(2 * i) / most;
     lua_createtable(L, 0, 4);
-    set(L, "x", at.x());
-    set(L, "y", at.y());
-    set(L, "ux", by.x());
-    set(L, "uy", by.y());
+    set_number(L, "x", at.x());
+    set_number(L, "y", at.y());
+    set_number(L, "ux", by.x());
+    set_number(L, "uy", by.y());
     lua_seti(L, -2, i + 1);
   }
 }
@@ -181,10 +176,10 @@ int modes(lua_State* L) {
     const Mode& mode = spectrum.modes[k];
     const Vec2 share = participation(*spectrum.solid, mode);
     lua_createtable(L, 0, 5);
-    set(L, "mode", static_cast<double>(k + 1));
-    set(L, "omega", mode.omega);
-    set(L, "participation_x", share.x());
-    set(L, "participation_y", share.y());
+    set_number(L, "mode", static_cast<double>(k + 1));
+    set_number(L, "omega", mode.omega);
+    set_number(L, "participation_x", share.x());
+    set_number(L, "participation_y", share.y());
     push_shape(L, *spectrum.solid, mode);
     lua_setfield(L, -2, "shape");
     push_strict(L, "a mode");

@@ -62,11 +62,6 @@ Rung ring(Session& session, const Scene& scene, const RingingAsked& asked) {
   return rung;
 }
 
-void set(lua_State* L, const char* name, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
-}
-
 int ringing(lua_State* L) {
   check_table(L, 1, function_named("ringing"));
   Session& session = session_of(L);
@@ -85,15 +80,15 @@ int ringing(lua_State* L) {
   lua_createtable(L, static_cast<int>(rung.modes.size()), 2);
   for (std::size_t k = 0; k < rung.modes.size(); ++k) {
     lua_createtable(L, 0, 4);
-    set(L, "mode", static_cast<double>(k + 1));
-    set(L, "omega", units.worth("c/R") * rung.modes[k].omega);
-    set(L, "energy", energy * rung.energy[k]);
-    set(L, "share", rung.energy[k] / rung.before);
+    set_number(L, "mode", static_cast<double>(k + 1));
+    set_number(L, "omega", units.worth("c/R") * rung.modes[k].omega);
+    set_number(L, "energy", energy * rung.energy[k]);
+    set_number(L, "share", rung.energy[k] / rung.before);
     push_strict(L, "a mode that rings");
     lua_seti(L, -2, static_cast<lua_Integer>(k) + 1);
   }
-  set(L, "vibration", energy * rung.vibration);
-  set(L, "before", energy * rung.before);
+  set_number(L, "vibration", energy * rung.vibration);
+  set_number(L, "before", energy * rung.before);
   return 1;
 }
 

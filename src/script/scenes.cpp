@@ -244,6 +244,12 @@ int nodes(lua_State* L) {
   return 1;
 }
 
+// nodes_of(body): as many as it was planned with, whether they move or not.
+int nodes_of(lua_State* L) {
+  lua_pushinteger(L, body_at(L, 1).body->numbers.nodes);
+  return 1;
+}
+
 // strict(table, what): the table, in which names that it has not are errors.
 int strict(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
@@ -331,8 +337,9 @@ Group scene_functions() {
        .example = "ricochet.refined(scene, 4):run()",
        .arguments = {{"scene", "scene"}, {"factor", "number"}}});
   each_effect_kind([&]<class E>(const E&) { group.functions.push_back(effect_function<E>()); });
-  group.natives = {{"given", guarded<given>}, {"strict", strict}, {"catalogue", catalogue},
-                   {"reseeded", reseeded},    {"nodes", nodes},   {"effect_name", effect_name}};
+  group.natives = {{"given", guarded<given>},   {"strict", strict}, {"catalogue", catalogue},
+                   {"reseeded", reseeded},      {"nodes", nodes},   {"nodes_of", nodes_of},
+                   {"effect_name", effect_name}};
   group.add = make_types;
   return group;
 }

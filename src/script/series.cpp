@@ -46,11 +46,6 @@ const std::vector<Member<SeriesTimes>>& SeriesTimes::fields() {
   return list;
 }
 
-void set_number(lua_State* L, const char* name, double value) {
-  lua_pushnumber(L, value);
-  lua_setfield(L, -2, name);
-}
-
 // Sets a field of the table on top of the stack to what a function sees of a body.
 void set_body(lua_State* L, const char* name, const BodySample& body, const Units& units) {
   const double length = units.worth("R"), speed = units.worth("c"), energy = units.worth("m0 c^2");

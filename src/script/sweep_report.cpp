@@ -67,6 +67,7 @@ void Progress::add(std::size_t count, std::size_t failed) {
 std::string scale_text(const std::vector<Scene>& scenes) {
   Extent speed, depth, length;
   std::size_t unknown = 0;
+  bool elements = false;
   const std::size_t every = scenes.size() / 200 + 1;  // enough to tell the extent of a sweep
   for (std::size_t i = 0; i < scenes.size(); i += every) {
     const Estimate e = estimate(scenes[i]);
@@ -74,6 +75,7 @@ std::string scale_text(const std::vector<Scene>& scenes) {
       ++unknown;
       continue;
     }
+    for (const Body* body : scenes[i].bodies()) elements = elements || body->numbers.of_elements();
     const Box box = bounding_box(scenes[i].projectile->outline);
     speed.include(e.normal_speed / e.slowest_wave);
     depth.include(2 * e.impact.approach / (box.high - box.low).maxCoeff());
@@ -81,10 +83,11 @@ std::string scale_text(const std::vector<Scene>& scenes) {
   }
   if (!(speed.low <= speed.high)) return "";
   constexpr double least_length = 4;  // of the contact, in node spacings: ricochet.estimate asks for as many
-  return fmt::format(
-      "  estimated: v/c_P {}, indentation {} R, contact {} node spacings long{}{}\n", speed.text(3), depth.text(2),
-      length.text(2), unknown > 0 ? " (where a law holds)" : "",
-      length.low < least_length ? "; below 4 e follows the lattice: ricochet.estimate says how fine it takes" : "");
+  const std::string advice = fmt::format("; below 4 e follows the {}: ricochet.estimate says how fine it takes",
+                                         elements ? "mesh" : "lattice");
+  return fmt::format("  estimated: v/c_P {}, indentation {} R, contact {} node spacings long{}{}\n", speed.text(3),
+                     depth.text(2), length.text(2), unknown > 0 ? " (where a law holds)" : "",
+                     length.low < least_length ? advice : "");
 }
 
 std::string doubts_text(const std::vector<Row>& rows) {

@@ -148,7 +148,7 @@ Points mesh_interior(const Rim& rim, const SizeField& size) {
     p = (p - size.fine_at) / unit;
     p = {rounded(p.x()), rounded(p.y())};
   }
-  Points inner = mesh_of(scaled, {1, rounded(size.most / unit), size.grade, Vec2(0, 0)});
+  Points inner = mesh_of(scaled, {1, rounded(size.most / unit), size.grade, Vec2(0, 0), rounded(size.within / unit)});
   for (Vec2& p : inner) p = size.fine_at + unit * p;
   return inner;
 }

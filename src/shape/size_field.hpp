@@ -6,14 +6,15 @@
 
 namespace ricochet {
 
-/// How long the sides of triangles are to be at a place: `least` within ten such lengths of `fine_at`, and longer by
-/// `grade` for every unit of length farther away, up to `most`. [R]
+/// How long the sides of triangles are to be at a place: `least` up to `within` of `fine_at`, and longer by `grade` for
+/// every unit of length farther away, up to `most`. [R]
 struct SizeField {
   double least, most, grade;
   Vec2 fine_at;
+  double within;
 
   double operator()(const Vec2& place) const {
-    return std::clamp(least + grade * ((place - fine_at).norm() - 10 * least), least, most);
+    return std::clamp(least + grade * ((place - fine_at).norm() - within), least, most);
   }
 };
 

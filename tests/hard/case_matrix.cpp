@@ -1,9 +1,11 @@
-// case_matrix [COUNT [FIRST_SEED]]: runs random scenes of every kind, and counts how they end. Exits with 1 if an
-// ending is wrong.
+// case_matrix [COUNT [FIRST_SEED]]: runs random scenes of every kind, and counts how they end: all, those with bodies
+// of elements, and those that leave the step to the program. Exits with 1 if an ending is wrong.
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <mutex>
@@ -22,7 +24,8 @@ int main(int argc, char** argv) {
   }
   std::vector<long> seeds(static_cast<std::size_t>(count));
   std::iota(seeds.begin(), seeds.end(), first);
-  std::map<std::string, int> endings;
+  std::map<std::string, std::array<int, 3>> endings;
+  std::array<int, 3> kinds{};
   std::mutex counting;
   int wrong = 0, done = 0;
   double slowest = 0;
@@ -33,7 +36,13 @@ int main(int argc, char** argv) {
     const Verdict verdict = judged(random);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     const std::lock_guard lock(counting);
-    ++endings[verdict.ending];
+    const ricochet::Scene& scene = random.scene;
+    const bool is_of[] = {true, scene.projectile->numbers.of_elements() || scene.target->numbers.of_elements(),
+                          std::isnan(scene.integration.step) && std::isnan(scene.integration.theta)};
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+      endings[verdict.ending][kind] += is_of[kind];
+      kinds[kind] += is_of[kind];
+    }
     ++done;
     if (seconds > slowest) {
       slowest = seconds;
@@ -48,7 +57,10 @@ int main(int argc, char** argv) {
     if (done % 200 == 0) fmt::print("{} scenes ...\n", done);
     std::fflush(stdout);
   });
-  for (const auto& [ending, number] : endings) fmt::print("{:14} {:6}\n", ending, number);
+  fmt::print("{:14} {:>6} {:>14} {:>14}\n", "", "all", "with elements", "step chosen");
+  for (const auto& [ending, number] : endings)
+    fmt::print("{:14} {:6} {:14} {:14}\n", ending, number[0], number[1], number[2]);
+  fmt::print("{:14} {:6} {:14} {:14}\n", "", kinds[0], kinds[1], kinds[2]);
   fmt::print("{} scenes (seeds {} to {}), {} wrong; the slowest took {:.1f} s (seed {})\n", count, first,
              first + count - 1, wrong, slowest, slowest_seed);
   return wrong > 0;

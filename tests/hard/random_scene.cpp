@@ -2,25 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "body/interior.hpp"
 #include "core/error.hpp"
 #include "core/rng.hpp"
-#include "impact/batch.hpp"
-#include "impact/launch/contact_rule.hpp"
-#include "impact/launch/launch.hpp"
+#include "material/solid_law.hpp"
 #include "scenes.hpp"
 #include "shape/outline.hpp"
 
 namespace ricochet::test {
 namespace {
-
-using SolidPointer = std::shared_ptr<const Solid>;
-
-const std::atomic<bool> go_on{false};
 
 struct Shape {
   std::string name;
@@ -58,31 +52,66 @@ Shape random_shape(Random& random) {
 
 double decades(Random& random, double low, double high) { return std::pow(10, random.uniform(low, high)); }
 
-// What an ending that is not `finished` tells to do.
-double told(const std::string& text, const std::string& before) {
-  const auto at = text.find(before);
-  return at == std::string::npos ? 0 : std::atof(text.c_str() + at + before.size());
+// Turns a body of springs into one of elements of the same stiffness and mass. Half of them are meshes, fine at `fine`.
+void make_of_elements(Body& body, double nodes_mass, const Vec2& fine, Random& random) {
+  BodyNumbers& n = body.numbers;
+  const double area = std::abs(signed_area(body.outline));
+  n.interior = "elements";
+  n.nu = random.uniform(0, 0.45);
+  n.state = random.uniform() < 0.5 ? "plane_stress" : "plane_strain";
+  n.law = solid_law_names()[static_cast<std::size_t>(random.uniform(0, static_cast<double>(solid_law_names().size())))];
+  n.quartic = BodyNumbers{}.quartic;
+  if (!std::isnan(nodes_mass)) n.density = nodes_mass * n.nodes / area;
+  n.mass = not_given;
+  if (random.uniform() < 0.5) return;
+  n.h_min = std::sqrt(area / n.nodes) * random.uniform(0.4, 1);
+  n.h_max = n.h_min * random.uniform(1, 5);
+  n.grade = random.uniform(0.02, 0.4);
+  body.fine_at = fine;
 }
 
-double acting_xi(const Scene& scene, const Solids& solids) {
-  Placement arrives = placed_at_rest(*solids[0]);
-  arrives.velocity = in_space(scene.launch.velocity());
-  arrives.spin = about_z(scene.launch.spin);
-  return acting_contact(scene, solids, arrives).xi;
+Vec2 lowest(const Points& outline) {
+  return *std::min_element(outline.begin(), outline.end(), [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
 }
 
-// Of cold, smooth bodies: 1.05, and what a polygon's slopes make of the motion along it. Its sides lean by half a
-// spacing over the radius, and between two nodes a side is as deep as ln 2 / xi.
-double most_e_n(const Scene& scene, const Outcome& o) {
-  const BodyNumbers &p = scene.projectile->numbers, &t = scene.target->numbers;
-  if (!scene.effects.empty() || p.roughness > 0 || t.roughness > 0) return std::numeric_limits<double>::infinity();
-  const Vec2 n(o.normal_x, o.normal_y), v = scene.launch.velocity();
-  double slope = 0;
-  for (const Body* body : scene.bodies()) {
-    const double spacing = std::sqrt(std::abs(signed_area(body->outline)) / body->numbers.nodes);
-    slope = std::max(slope, spacing / 2 + 2 * std::log(2) / (o.xi * spacing));
+// With as many nodes as its mesh has, as scripts describe it, and as anchored as `held` says.
+template <class Held>
+Body counted(Body body, const Held& held) {
+  try {
+    std::vector<bool> rim;
+    for (const Vec2& q : ricochet::plan_rim(body).points) rim.push_back(held(q));
+    const bool anchors = std::count(rim.begin(), rim.end(), true) > 0;
+    if (!anchors && !body.numbers.meshed()) return body;
+    const Points planned = ricochet::plan_nodes(body, rim).points;
+    if (body.numbers.meshed()) body.numbers.nodes = static_cast<int>(planned.size());
+    for (std::size_t i = 0; anchors && i < planned.size(); ++i)
+      body.anchored.push_back(i < rim.size() ? rim[i] : held(planned[i]));
+  } catch (const FieldError&) {  // refused again when it is built
   }
-  return 1.05 + 2 * slope * (std::abs(cross(n, v)) + std::abs(scene.launch.spin)) / std::abs(n.dot(v));
+  return body;
+}
+
+// What a body of elements is, on a line.
+std::string text_of_interior(const BodyNumbers& n) {
+  if (!n.of_elements()) return "";
+  const std::string mesh = n.meshed() ? fmt::format(", h {:.2g} to {:.2g}", n.h_min, n.h_max) : "";
+  return fmt::format(" [elements {} {} nu {:.2g}{}]", n.law, n.state, n.nu, mesh);
+}
+
+// What acts beside the contact of a scene, of what elements accept.
+std::vector<Effect> random_effects(double speed, double mass, const Body& target, Random& random) {
+  std::vector<Effect> effects;
+  const auto draw = [&](double share) { return random.uniform() < share; };
+  const auto held = std::count(target.anchored.begin(), target.anchored.end(), true);
+  const bool anchored = held > 0, moves = held < static_cast<std::ptrdiff_t>(target.anchored.size());
+  const std::string on = anchored || draw(0.5) ? "projectile" : "both";
+  if (draw(0.2)) effects.emplace_back(Gravity{speed * speed * decades(random, -4, -1), on});
+  if (draw(0.2)) effects.emplace_back(Drag{speed * decades(random, -3, 0), on});
+  if (draw(0.2)) effects.emplace_back(Friction{random.uniform(0, 1), decades(random, -1, 1)});
+  if (anchored && moves && draw(0.2))
+    effects.emplace_back(Absorbing{random.uniform(0.1, 0.5), speed * decades(random, -1, 1)});
+  if (draw(0.1)) effects.emplace_back(Adhesion{mass * speed * speed * decades(random, -3, 0), 200});
+  return effects;
 }
 
 }  // namespace
@@ -115,7 +144,12 @@ RandomScene random_scene(std::uint64_t seed) {
   p.quartic = quartic();
   p.mass = mass;
   weigh(p, std::abs(signed_area(upper.outline)));
-  scene.projectile = std::make_shared<Body>(Body{upper.outline, p, {}, {}});
+  Random interiors(seed, 608);  // of elements: two scenes of five have a body of them
+  const double of_elements = interiors.uniform();
+  Body projectile{upper.outline, p, {}, {}};
+  if (of_elements < 0.3) make_of_elements(projectile, p.mass, lowest(upper.outline), interiors);
+  const auto free = [](const Vec2&) { return false; };
+  scene.projectile = std::make_shared<Body>(counted(projectile, free));
 
   std::string below;
   BodyNumbers t = numbers(100 + static_cast<int>(random.uniform(0, 100)), stiffness / mass * ratio, roughness(),
@@ -123,24 +157,20 @@ RandomScene random_scene(std::uint64_t seed) {
   t.quartic = quartic();
   weigh(t, 7.5);
   const double kind = random.uniform(0, 1);
+  const bool target_of_elements = of_elements > 0.15 && of_elements < 0.425;
   if (kind < 0.4) {
     const Shape lower = random_shape(random);
-    scene.target = std::make_shared<Body>(Body{lower.outline, t, {}, {}});
+    Body target{lower.outline, t, {}, {}};
+    if (target_of_elements) make_of_elements(target, t.mass, -lowest(lower.outline), interiors);
+    scene.target = std::make_shared<Body>(counted(target, free));
     below = "free " + lower.name;
   } else {
     const bool rigid = kind < 0.6;
     if (rigid) t.roughness = 0;
     Body wall{box(5, 1.5), t, {}, {}};
+    if (target_of_elements && !rigid) make_of_elements(wall, t.mass, {0, 0}, interiors);
     const auto held = [&](const Vec2& q) { return rigid || q.y() < -1.5 + 1e-9 || std::abs(q.x()) > 2.5 - 1e-9; };
-    std::vector<bool> rim;
-    for (const Vec2& q : plan_rim(wall.outline, t)) rim.push_back(held(q));
-    try {
-      const Points planned = plan_nodes(wall.outline, t, rim).points;
-      for (std::size_t i = 0; i < planned.size(); ++i)
-        wall.anchored.push_back(i < rim.size() ? rim[i] : held(planned[i]));
-    } catch (const FieldError&) {  // refused again when it is built
-    }
-    scene.target = std::make_shared<Body>(wall);
+    scene.target = std::make_shared<Body>(counted(wall, held));
     below = rigid ? "rigid wall" : "wall";
     made.flat_rigid = rigid;
   }
@@ -159,8 +189,11 @@ RandomScene random_scene(std::uint64_t seed) {
   if (choices.uniform() < 0.35) scene.contact = ExponentialRepulsion{};
 
   const auto& all = methods();
-  const Method& method = all[static_cast<std::size_t>(random.uniform(0, static_cast<double>(all.size())))];
-  scene.integration.method = method.name;
+  scene.integration.method = all[static_cast<std::size_t>(random.uniform(0, static_cast<double>(all.size())))].name;
+  const bool with_elements = scene.projectile->numbers.of_elements() || scene.target->numbers.of_elements();
+  if (with_elements && interiors.uniform() < 0.5) scene.effects = random_effects(speed, mass, *scene.target, interiors);
+  if (!scene.conflict_with(scene.method()).empty()) scene.integration.method = "verlet";
+  const Method& method = scene.method();
   const double way = random.uniform();
   if (way < 0.2)
     scene.integration.theta = random.uniform(0.2, 1) * method.stability_limit;
@@ -172,183 +205,15 @@ RandomScene random_scene(std::uint64_t seed) {
     scene.integration.step = std::array{0.0, -0.01, std::numeric_limits<double>::infinity(),
                                         5e-324}[static_cast<std::size_t>(random.uniform(0, 4))];
   made.text = fmt::format(
-      "{} ({}, {} nodes, springs {:.2g}, quartic {:.2g}, mass {:.2g}, rough {:.2g}) on {} ({}, {} nodes, ratio {:.2g}, "
-      "quartic {:.2g}, rough {:.2g}), {:.2g} c, psi1 {:.2g}, spin {:.2g}, {}-sided xi {:.3g}, {} step {:.3g} theta "
-      "{:.3g}",
-      upper.name, p.placement, p.nodes, stiffness, p.quartic, mass, p.roughness, below, t.placement, t.nodes, ratio,
-      t.quartic, t.roughness, speed, scene.launch.psi1, scene.launch.spin, scene.contact.sides, scene.contact.xi,
-      method.name, scene.integration.step, scene.integration.theta);
+      "{} ({}, {} nodes, springs {:.2g}, quartic {:.2g}, mass {:.2g}, rough {:.2g}){} on {} ({}, {} nodes, ratio "
+      "{:.2g}, quartic {:.2g}, rough {:.2g}){}, {:.2g} c, psi1 {:.2g}, spin {:.2g}, {}-sided xi {:.3g}, {} step {:.3g} "
+      "theta {:.3g}{}",
+      upper.name, p.placement, scene.projectile->numbers.nodes, stiffness, p.quartic, mass, p.roughness,
+      text_of_interior(scene.projectile->numbers), below, t.placement, scene.target->numbers.nodes, ratio, t.quartic,
+      t.roughness, text_of_interior(scene.target->numbers), speed, scene.launch.psi1, scene.launch.spin,
+      scene.contact.sides, scene.contact.xi, method.name, scene.integration.step, scene.integration.theta,
+      scene.effects.empty() ? "" : " with " + text_of(scene.effects));
   return made;
-}
-
-Verdict judged(const RandomScene& random, double steps) {
-  Scene scene = random.scene;
-  const Method& method = scene.method();
-  SolidPointer projectile, target;
-  try {
-    projectile = build_solid(*scene.projectile);
-    target = build_solid(*scene.target);
-  } catch (const FieldError& error) {
-    // Stars and squares may be too rough for their spacing; nothing else is wrong with any of these bodies.
-    const bool rough = std::string(error.what()).find("rough rim crosses itself") != std::string::npos;
-    return {"refused", rough ? std::nullopt : std::optional(fmt::format("refused: {}: {}", error.field, error.what()))};
-  }
-  const double own = frequency_bound(*projectile, scene.projectile->numbers.stiffness).omega,
-               other = slower_by(method, 1) * frequency_bound(*target, scene.target->numbers.stiffness).omega;
-  const double limit = method.stability_limit / std::max(own, other);
-  Start start;
-  try {
-    start = launch(scene, {projectile.get(), target.get()});
-  } catch (const FieldError& error) {
-    const std::string text = error.what();
-    const double asked = !std::isnan(scene.integration.step) ? scene.integration.step
-                                                             : scene.integration.theta / method.stability_limit * limit;
-    bool right = false;
-    if (text.find("is unstable") != std::string::npos) right = asked > limit && told(text, "; ") > 0;
-    if (text.find("lost in rounding") != std::string::npos)
-      right = error.field == "speed" || asked * scene.launch.velocity().norm() < 1e-12 ||
-              asked < 1e-14 / scene.launch.speed;
-    if (text.find("might pass the contact unseen") != std::string::npos) {
-      // Coarser than the repulsion's length, and what it says is accepted.
-      Scene finer = scene;
-      (std::isnan(scene.integration.step) ? finer.integration.theta : finer.integration.step) = told(text, "; give ");
-      const double kicks = method.multirate() ? static_cast<double>(method.stages.size()) : 1;
-      right = asked * (scene.launch.velocity().norm() + 3 * std::abs(scene.launch.spin)) / kicks >
-              std::min(3 / acting_xi(scene, {projectile.get(), target.get()}), 0.01);
-      try {
-        launch(finer, {projectile.get(), target.get()});
-      } catch (const FieldError&) {
-        right = false;
-      }
-    }
-    if (error.field == "step" && !(asked > 0)) right = true;
-    return {"refused", right ? std::nullopt : std::optional(fmt::format("refused: {}: {}", error.field, text))};
-  }
-  const bool ours = std::isnan(scene.integration.time_limit) && steps * start.step < start.time_limit;
-  if (ours) scene.integration.time_limit = steps * start.step;
-  Outcome o;
-  try {
-    o = run_scene({projectile.get(), target.get()}, scene, go_on);
-  } catch (const FieldError& error) {
-    return {"refused", fmt::format("refused in the run: {}: {}", error.field, error.what())};
-  }
-  Verdict verdict{name_of(o.status), std::nullopt, o.reason};
-  const auto wrong = [&](const std::string& what) {
-    verdict.wrong = fmt::format("{}: {} ({})", verdict.ending, what, o.reason);
-  };
-  std::string refusal;  // of an advice that was taken
-  // The advice, taken, leads elsewhere.
-  const auto again = [&](const auto& change) {
-    Scene better = scene;
-    change(better);
-    if (std::isnan(better.integration.time_limit)) better.integration.time_limit = start.time_limit;
-    try {
-      return run_scene({projectile.get(), target.get()}, better, go_on);
-    } catch (const FieldError& error) {
-      refusal = error.what();
-      return o;
-    }
-  };
-  const auto with_step = [&](double step) {
-    return again([&](Scene& s) {
-      s.integration.step = step;
-      s.integration.theta = not_given;
-      s.integration.time_limit = std::fmin(s.integration.time_limit, 2 * steps * step);  // it may be not given
-    });
-  };
-  switch (o.status) {
-    case Status::finished: {
-      for (const auto& [field, value] : Outcome::fields()) {
-        const double v = value(o);
-        if (std::isinf(v)) wrong(field.name + " is infinite");
-      }
-      if (!std::isfinite(o.mu_n) || !std::isfinite(o.vt) || !std::isfinite(o.omega)) wrong("no result");
-      if (o.e_n > most_e_n(scene, o)) wrong(fmt::format("smooth bodies have e_n = {:.3g}", o.e_n));
-      if (std::isfinite(o.e) != (std::abs(o.normal_x) <= 0.1)) wrong("e is of y, and the normal is not");
-      if (!(o.energy_drift <= 1e-2)) wrong(fmt::format("energy strayed by {:.2g}", o.energy_drift));
-      if (!(o.energy_closure <= 1e-2)) wrong(fmt::format("energy closes to {:.2g}", o.energy_closure));
-      if (!target->anchored() && !(o.momentum_residual < 1e-9))
-        wrong(fmt::format("momentum changed by {:.2g}", o.momentum_residual));
-      // At vertices of the wall two segments push, which is as a bump of ln 2 / xi: an oblique flight may turn some of
-      // its energy upwards there.
-      if (random.flat_rigid && scene.launch.psi1 == 0 && o.e > 1 + 1e-6 + o.energy_drift)
-        wrong(fmt::format("e = {:.6g} on a flat rigid wall", o.e));
-      if (o.after.of(0).translation + o.after.of(0).rotation + o.after.of(1).translation + o.after.of(1).rotation >
-          o.before.total() * (1 + 1e-6 + 2 * o.energy_drift))
-        wrong("the flight gained energy");
-      break;
-    }
-    case Status::energy_drift: {
-      if (!(o.energy_drift > scene.integration.energy_tolerance)) wrong("the energy had not strayed");
-      double step = o.step, drift = o.energy_drift;
-      Outcome finer = o;
-      if (o.reason.find("shorter steps are lost in rounding") != std::string::npos) {
-        if (o.step / 8 > start.least_step) wrong("there are shorter steps");
-        break;
-      }
-      for (int halving = 0; halving < 4 && finer.status == Status::energy_drift; ++halving) {
-        step /= 2;
-        finer = with_step(step);
-        if (refusal.empty()) continue;
-        if (halving > 0) refusal.clear();  // shorter than what was advised
-        finer.status = Status::finished;
-      }
-      if (finer.status == Status::energy_drift && !(finer.energy_drift < drift))
-        wrong(fmt::format("a sixteenth of the step strays by {:.2g} again", finer.energy_drift));
-      break;
-    }
-    case Status::unstable: {
-      Outcome finer = o;
-      for (int time = 0; time < 2 && finer.status == Status::unstable; ++time) {
-        const double step = told(finer.reason, "give a step of ");
-        if (!(step > 0 && step < finer.step)) {
-          wrong("no step is named");
-          break;
-        }
-        finer = with_step(step);
-      }
-      if (finer.status == Status::unstable) wrong("the step that it names is unstable too, and the one named then");
-      break;
-    }
-    case Status::tunnelled:
-      if (o.certified == 1 && o.reason.find("one-sided") == std::string::npos) wrong("below V0");
-      if (o.reason.find("flew through") != std::string::npos) break;
-      if (o.reason.find("node ") == std::string::npos || o.reason.find("at t = ") == std::string::npos)
-        wrong("node or time is not named");
-      break;
-    case Status::not_finite:
-      if (o.reason.find("at t = ") == std::string::npos) wrong("no time is named");
-      if (with_step(o.step / 16).status == Status::not_finite) wrong("a sixteenth of the step is not finite either");
-      break;
-    case Status::no_contact: {
-      if (start.touches && o.steps == 0) wrong("launch says that it touches");
-      // At half the speed and spin the flight is the same: it must pass by again, or barely touch.
-      if (!start.touches || !scene.effects.empty()) break;
-      const Outcome slower = again([](Scene& s) {
-        const Vec2 v = s.launch.velocity();
-        s.launch = Launch{.normal_speed = -v.y() / 2,
-                          .tangential_speed = v.x() / 2,
-                          .spin = s.launch.spin / 2,
-                          .at = s.launch.at,
-                          .height = s.launch.height};
-        s.integration = Integration{};
-      });
-      if (slower.status != Status::no_contact &&
-          !(slower.status == Status::finished && std::abs(slower.e_n + 1) < 0.05))
-        wrong(fmt::format("at half the speed it ends {}", name_of(slower.status)));
-      break;
-    }
-    case Status::out_of_time:
-      if (!(o.time >= (ours ? scene.integration.time_limit : start.time_limit) * (1 - 1e-12)))
-        wrong("there was time left");
-      break;
-    case Status::not_run:
-      wrong("it did not run");
-      break;
-  }
-  if (o.status != Status::finished && o.reason.empty()) wrong("no reason");
-  if (!refusal.empty()) wrong(fmt::format("its advice is refused: {}", refusal));
-  return verdict;
 }
 
 }  // namespace ricochet::test

@@ -94,6 +94,43 @@ assert(math.abs(coarse.e - fine.e) < 0.01, coarse.e .. " " .. fine.e)
   CHECK(ended.status == 0);
 }
 
+TEST_CASE("scripts: accuracy of a body of elements tells what the size of its mesh changes") {
+  const Ended ended = script(R"(
+local scene = ricochet.scene { target = ricochet.plane {}, launch = { speed = 0.3 },
+  projectile = ricochet.disk { interior = "elements", E = 1e4, nu = 0.3, h_min = 0.08, h_max = 0.16 } }
+local study = ricochet.accuracy { scene = scene, methods = { "verlet", "pefrl" }, steps = { 8e-4, 4e-4, 2e-4 }, lattices = { 0.5, 1, 2 },
+  lattice_samples = 2, repeats = 1 }
+assert(study.cheapest(1e-3), "no step has an error below 1e-3")
+assert(study.lattice.sizes[1].sd == 0 and study.lattice.slope_se > 0)
+)");
+  INFO(ended.out + ended.err);
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.out, Contains("error of e from the size of the mesh: ") && Contains("2 meshes") &&
+                            Contains("falls with order") && !Contains("lattice"));
+}
+
+TEST_CASE("scripts: relevance leaves out by name what cannot act on elements, and compares what can") {
+  const std::string scene = R"(
+local scene = ricochet.scene { target = ricochet.plane {}, launch = { speed = 0.05 },
+  projectile = ricochet.disk { interior = "elements", E = 1e4, nu = 0.3, nodes = 150, roughness = 0.02 } }
+local springs = { ricochet.damping { time = 1e-3, on = "projectile" }, ricochet.breaking { strain = 0.1, on = "projectile" } }
+)";
+  const Ended some = script(scene + R"(
+local result = ricochet.relevance { scene = scene, of = { "e" }, samples = 3,
+  effects = { springs[1], ricochet.drag { rate = 0.02 }, springs[2] } }
+assert(result[1].name == "damping" and result[1].left_out:find("acts on springs", 1, true) and not result[1].e)
+assert(result[2].name == "drag" and not result[2].left_out and result[2].e.count == 3 and result[2].e.change < 0)
+assert(result[3].name == "breaking" and result[3].left_out)
+)");
+  INFO(some.out + some.err);
+  CHECK(some.status == 0);
+  CHECK_THAT(some.out, Contains("damping    left out: damping acts on springs, and the projectile is of elements") &&
+                           Contains("breaking   left out: "));
+  const Ended none = script(scene + "ricochet.relevance { scene = scene, effects = springs }");
+  CHECK(none.status != 0);
+  CHECK_THAT(none.err, Contains("relevance: 'effects': none of them can act: damping acts on springs"));
+}
+
 TEST_CASE("scripts: what says nothing of elements, or of springs, is refused with a remedy") {
   const auto refused = [](const std::string& fields) {
     const Ended ended = script("ricochet.disk { " + fields + " }");

@@ -426,7 +426,8 @@ TEST_CASE("all mistakes of a table are reported together, each at its line, with
       ended.err ==
       "error: s.lua:3: disk: unknown field 'radus' (did you mean 'radius'?)\n    3 |   radus = 0.05,\n      |   ^^^^^\n"
       "error: s.lua:4: disk: 'seed' must be between 0 and 9.0072e+15, is -1\n    4 |   seed = -1,\n      |   ^^^^\n"
-      "  valid fields: E, anchored, angle, density, fine_at, grade, h_max, h_min, holes, interior, law, margin, mass, "
+      "  valid fields: E, anchored, angle, density, fine_at, fine_within, grade, h_max, h_min, holes, interior, law, "
+      "margin, mass, "
       "material, nodes, nu, placement, points, prestress, quartic, radius, rim_spacing, roughness, seed, spin, state, "
       "stiffness, thickness, velocity\n");
 }

@@ -110,9 +110,123 @@ TEST_CASE("a plan counts the softness of a contact that the program chose, and o
   const Workplace here;
   const std::string then =
       R"(local plan = ricochet.plan { sweep = sweep, standard_error = 0.5, sizes = { 1 }, pilot = 2 }
-for _, p in ipairs(plan.points) do print("softness", p.softness > 0) end)";
+for _, p in ipairs(plan.points) do print("softness", p.softness ~= 0 and p.softness_se > 0) end)";
   CHECK_THAT(here.script(planned(then, ""), "samples=2 --quiet").out, Catch::Matchers::Contains("softness\ttrue"));
   CHECK_THAT(here.script(planned(then), "samples=2 --quiet --force").out, Catch::Matchers::Contains("softness\tfalse"));
+}
+
+TEST_CASE("the softness of a plan is what harder contacts change on average over the pilot's samples") {
+  const Workplace here;
+  const Ended ended = here.script(planned(R"(local pilot = 5
+local plan = ricochet.plan { sweep = sweep, standard_error = 0.5, sizes = { 1 }, pilot = pilot }
+local function row(psi1, seed, contact, choice, share)
+  return ricochet.scene { projectile = ricochet.disk { nodes = 60, roughness = 0.03, seed = seed },
+    target = ricochet.wall { width = 4, depth = 1.5, nodes = 150, stiffness = 400, roughness = 0.03, seed = seed },
+    launch = { psi1 = psi1 }, contact = contact, method = choice.method, theta = share * choice.theta }:run()
+end
+for k, psi1 in ipairs { 0, 1, 4 } do
+  local sum, square = 0, 0
+  for seed = 1, pilot do
+    local soft = row(psi1, seed, {}, plan.choices[k], 1)
+    local change = 2 * (row(psi1, seed, { xi = 2 * soft.xi }, plan.choices[k], 0.5).e - soft.e)
+    sum, square = sum + change, square + change ^ 2
+  end
+  local mean = sum / pilot
+  local se = math.sqrt((square / pilot - mean ^ 2) / (pilot - 1))
+  local p = plan.points[k]
+  -- In a plan each sample has its own share of the longest step: by a change of the step e changes by p.step.
+  assert(math.abs(p.softness - mean) < math.max(p.step, 1e-4), p.softness .. " " .. mean)
+  assert(math.abs(p.softness_se - se) < math.max(p.step, 1e-4), p.softness_se .. " " .. se)
+  -- Of five samples a mean is told apart from 0 by 2.78 standard errors.
+  local is_seen = math.abs(p.softness) > 2.78 * p.softness_se
+  assert(p.softness_counts == (is_seen and math.abs(p.softness) or 0), p.softness_counts)
+end
+)",
+                                          ""),
+                                  "samples=2 --quiet");
+  INFO(ended.out << ended.err);
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("contact: what an infinitely hard one would change"));
+}
+
+TEST_CASE("a plan of bodies of elements speaks of their mesh, and is kept by the sweep that it runs") {
+  const Workplace here;
+  const std::string text = R"(local ricochet = require "ricochet"
+local sweep = ricochet.sweep { name = "s", over = { sample = ricochet.range(2), nu = { 0.1, 0.4 } }, scene = function(at)
+  return ricochet.scene { target = ricochet.plane {}, launch = { speed = 0.05 },
+    projectile = ricochet.disk { interior = "elements", E = 1e4, nu = at.nu, h_min = 0.06, h_max = 0.12,
+      roughness = ROUGHNESS, seed = at.sample } }
+end }
+local plan = ricochet.plan { sweep = sweep, standard_error = 0.02, sizes = { 0.5, 1, 2 }, pilot = 3 }
+print("samples", plan.samples)
+for _, row in ipairs(plan:run()) do assert(row.status == "finished") end
+)";
+  const auto with = [&](const std::string& roughness, const std::string& flag) {
+    std::string script = text;
+    return here.script(script.replace(script.find("ROUGHNESS"), 9, roughness), "--quiet" + flag);
+  };
+  const Ended smooth = with("0", "");
+  INFO(smooth.out << smooth.err);
+  CHECK(smooth.status == 0);
+  CHECK_THAT(smooth.out, Catch::Matchers::Contains("mesh size: what an infinitely fine mesh would change") &&
+                             Catch::Matchers::Contains("from the mesh's size") &&
+                             !Catch::Matchers::Contains("lattice"));
+  CHECK_THAT(smooth.out, Catch::Matchers::Contains("samples\t2\n"));  // smooth meshes are all alike
+  const Ended rough = with("0.02", " --force");
+  INFO(rough.out << rough.err);
+  CHECK(rough.status == 0);
+  CHECK_THAT(rough.out, Catch::Matchers::Contains("s, took "));
+}
+
+TEST_CASE("scenes of springs and elements are divided into lattices and meshes") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+local refine = require "ricochet.refine"
+local springs, elements = ricochet.disk { nodes = 60 }, ricochet.disk { nodes = 60, interior = "elements", E = 1, nu = 0 }
+local function word(projectile, target) return refine.division { ricochet.scene { projectile = projectile, target = target } }.one end
+local rigid = ricochet.wall { nodes = 150, interior = "rigid" }
+assert(word(springs, ricochet.plane {}) == "lattice" and word(springs, rigid) == "lattice")
+assert(word(elements, ricochet.plane {}) == "mesh" and word(elements, rigid) == "mesh")
+assert(word(elements, springs) == "lattice and mesh" and word(springs, elements) == "lattice and mesh")
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
+
+TEST_CASE("a refined mesh has shorter sides by the same share everywhere") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+local scene = ricochet.scene { target = ricochet.plane {},
+  projectile = ricochet.disk { interior = "elements", E = 1, nu = 0, h_min = 0.04, grade = 0.25 } }
+local coarse, fine = scene:text(), ricochet.refined(scene, 4):text()
+assert(coarse:find("mesh 0.04 0.32 0.25 at ", 1, true), coarse)
+assert(fine:find("mesh 0.02 0.16 0.125 at ", 1, true) and fine:find(" within 0.4 ", 1, true), fine)
+local ratio = tonumber(fine:match 'nodes (%d+)') / tonumber(coarse:match 'nodes (%d+)')
+assert(math.abs(ratio / 4 - 1) < 0.1, ratio)
+assert(ricochet.refined(scene, 1):hash() == scene:hash())
+)");
+  INFO(ended.out << ended.err);
+  CHECK(ended.status == 0);
+}
+
+TEST_CASE("the fitted line through values that do not scatter is as uncertain as they stray from it") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+local refine = require "ricochet.refine"
+local function line(...)
+  local points = {}
+  for i, value in ipairs { ... } do points[i] = { x = i, value = value, se = 0 } end
+  return refine.fitted_line(points)
+end
+local slope, se, limit = line(1, 3, 5)
+assert(slope == 2 and se == 0 and limit == -1)
+slope, se = line(1, 2, 1)  -- strays by 1/3, 2/3 and 1/3 from the mean
+assert(math.abs(slope) < 1e-15 and math.abs(se - math.sqrt(2 / 3 / 2)) < 1e-14, se)
+slope, se = line(1, 3)
+assert(slope == 2 and se == 2)
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
 }
 
 TEST_CASE("mistakes in a plan are found before its pilot runs") {

@@ -264,6 +264,8 @@ TEST_CASE("scripts and examples of the project run short") {
                                     "scripts/normal_speed.lua samples=1 nodes=60 speed=0.1 --out one",
                                     "scripts/normal_speed.lua samples=2 nodes=60 speed=0.05,0.1",
                                     "scripts/materials.lua samples=1 nodes=400",
+                                    "scripts/poisson_ratio.lua samples=2 nu=0,0.45 speed=0.02,0.1 h_min=0.1",
+                                    "scripts/rough_elements.lua samples=2 nodes=60 psi1=0,2,6",
                                     "scripts/radiation.lua",
                                     "scripts/modal_disk.lua samples=2 omega_most=20 hardness=100",
                                     "scripts/hertz_benchmarks.lua",

@@ -1,0 +1,1 @@
+local b = ricochet.disk { interior = "elements", E = 1e4, nu = 0.3, state = "plane_strain", law = "polynomial", h_min = 0.2, h_max = 0.4, grade = 0.3, fine_at = { 0, -1 }, fine_within = 0.5 } print(ricochet.mesh { body = b }.quality) ricochet.scene { projectile = b, target = ricochet.plane {}, launch = { speed = 0.3 } }:run()
