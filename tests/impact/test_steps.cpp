@@ -289,3 +289,20 @@ TEST_CASE("the 300 impacts at psi1 = 0 by accuracy = 1e-3: none lost, e as by pe
     CHECK(worst < 1e-3);
   }
 }
+
+TEST_CASE("friction by springs harder than the bodies' own shortens the automatic step to one that is stable") {
+  const auto run = [](double stiffness) {
+    Scene scene = small_scene();
+    scene.integration.method = "verlet";
+    if (stiffness > 0) scene.effects = {Friction{0.5, stiffness}};
+    return run_scene(BuiltSolids(scene), scene, never);
+  };
+  const double bare = run(0).step;
+  CHECK(run(1).step == bare);  // the usual friction leaves room enough
+  for (const double stiffness : {1e3, 1e4}) {
+    const Outcome held = run(stiffness);
+    INFO(held.reason);
+    CHECK(held.status == Status::finished);
+    CHECK(held.step < bare);
+  }
+}

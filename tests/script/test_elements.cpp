@@ -113,22 +113,22 @@ TEST_CASE("scripts: relevance leaves out by name what cannot act on elements, an
   const std::string scene = R"(
 local scene = ricochet.scene { target = ricochet.plane {}, launch = { speed = 0.05 },
   projectile = ricochet.disk { interior = "elements", E = 1e4, nu = 0.3, nodes = 150, roughness = 0.02 } }
-local springs = { ricochet.damping { time = 1e-3, on = "projectile" }, ricochet.breaking { strain = 0.1, on = "projectile" } }
+local springs = { ricochet.plastic { yield = 0.02, on = "projectile" }, ricochet.breaking { strain = 0.1, on = "projectile" } }
 )";
   const Ended some = script(scene + R"(
 local result = ricochet.relevance { scene = scene, of = { "e" }, samples = 3,
   effects = { springs[1], ricochet.drag { rate = 0.02 }, springs[2] } }
-assert(result[1].name == "damping" and result[1].left_out:find("acts on springs", 1, true) and not result[1].e)
+assert(result[1].name == "plastic" and result[1].left_out:find("acts on springs", 1, true) and not result[1].e)
 assert(result[2].name == "drag" and not result[2].left_out and result[2].e.count == 3 and result[2].e.change < 0)
 assert(result[3].name == "breaking" and result[3].left_out)
 )");
   INFO(some.out + some.err);
   CHECK(some.status == 0);
-  CHECK_THAT(some.out, Contains("damping    left out: damping acts on springs, and the projectile is of elements") &&
+  CHECK_THAT(some.out, Contains("plastic    left out: plastic acts on springs, and the projectile has none") &&
                            Contains("breaking   left out: "));
   const Ended none = script(scene + "ricochet.relevance { scene = scene, effects = springs }");
   CHECK(none.status != 0);
-  CHECK_THAT(none.err, Contains("relevance: 'effects': none of them can act: damping acts on springs"));
+  CHECK_THAT(none.err, Contains("relevance: 'effects': none of them can act: plastic acts on springs"));
 }
 
 TEST_CASE("scripts: what says nothing of elements, or of springs, is refused with a remedy") {

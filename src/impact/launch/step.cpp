@@ -59,6 +59,18 @@ double pressed_frequency(const Scene& scene, const Solids& solids, double speed)
   return scene.contact.xi * std::sqrt(2 * energy / light);
 }
 
+// Of a touching node that friction holds by its tangential spring k, which it pulls at the lightest with all that pulls
+// back: omega^2 <= 2 k/m. 0 without friction. [here]
+double held_frequency(const Scene& scene, const Solids& solids) {
+  const Friction* friction = find_effect<Friction>(scene.effects);
+  if (!friction) return 0;
+  double softer = std::numeric_limits<double>::infinity();
+  const auto bodies = scene.bodies();
+  for (std::size_t b = 0; b < solids.size(); ++b)
+    softer = std::min(softer, mean_stiffness(*solids[b]) * bodies[b]->numbers.stiffness);
+  return std::sqrt(2 * friction->stiffness * softer / lightest_on_surface(solids));
+}
+
 [[noreturn]] void refuse(const Method& method, const Step& step, const Fastest& fastest, bool by_step) {
   const double unit = by_step ? 1 / fastest.omega : 1;
   const std::string field = by_step ? "step" : "theta";
@@ -88,12 +100,16 @@ Step choose_step(const Scene& scene, const Solids& solids, double fastest_node, 
   const double pressed = pressed_frequency(scene, solids, fastest_node);
   // Half of what would be unstable: pressures vary along a rim.
   const double followed = 0.5 * method.stability_limit / expected;
+  constexpr double room = 0.9;  // below the limit, of vibrations that friction makes faster
+  const double held = held_frequency(scene, solids);
+  const double gripped = held > 0 ? room * method.stability_limit / std::hypot(fastest.omega, held)
+                                  : std::numeric_limits<double>::infinity();
   const bool by_step = !std::isnan(wanted.step);
   Step step{};
   step.step = by_step ? wanted.step
               : !std::isnan(wanted.theta)
                   ? wanted.theta / fastest.omega
-                  : std::min({method.usual / fastest.omega, onset, method.usual / pressed, followed});
+                  : std::min({method.usual / fastest.omega, onset, method.usual / pressed, followed, gripped});
   step.theta = step.step * fastest.omega;
   if (!(step.theta <= method.stability_limit)) refuse(method, step, fastest, by_step);
   return step;
