@@ -32,6 +32,11 @@ template <class E>
 std::string conflict_with_bodies(const E& e, std::span<const Solid* const> solids) {
   const Effect effect(e);
   bool finds_one = PairForceEffect<E> || PairMemory<E>;
+  if (finds_one && solids.front()->axisymmetric)
+    return fmt::format(
+        "{} acts on all rim nodes alike, and those of an axisymmetric body are rings of other areas; "
+        "leave it out",
+        E::name);
   for (const int b : bodies_of(effect, static_cast<int>(solids.size()))) {
     const Solid& solid = *solids[static_cast<std::size_t>(b)];
     if constexpr (requires { E::needs_anchors; })
@@ -41,6 +46,10 @@ std::string conflict_with_bodies(const E& e, std::span<const Solid* const> solid
     if (AnchorMotion<E> && solid.nodes() == 0)
       return fmt::format("{} moves nodes, and a plane has none; give a {} with interior = \"rigid\"", E::name,
                          body_name(static_cast<std::size_t>(b)));
+    if constexpr (AnchorMotion<E>)
+      if (solid.axisymmetric && e.direction() != Vec2(0, 1))
+        return fmt::format("{} takes the {} off its axis; give along = \"normal\"", E::name,
+                           body_name(static_cast<std::size_t>(b)));
     if (OnSprings<E> && solid.elements())
       return fmt::format("{} acts on springs, and the {} is of elements; let it act on another body, or leave it out",
                          E::name, body_name(static_cast<std::size_t>(b)));
