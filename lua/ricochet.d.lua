@@ -516,6 +516,15 @@ function ricochet.friction(t) end
 ---@return ricochet.effect
 function ricochet.thermal(t) end
 
+---@class ricochet.yielding_fields
+---@field yield? number yield stress in tension, in units of E; that of the body's material unless given [m0 c^2/R^2]
+---@field hardening? number rise of the yield stress with the plastic strain, in units of E; that of the body's material, else 0, unless given [m0 c^2/R^2]
+---@field on? "projectile"|"target"|"both" the bodies whose elements yield (default projectile)
+--- An effect, for the `effects` of a scene. Elements that yield, as metals do: past a von Mises stress of yield + hardening times the plastic strain they flow at constant volume, and the work of that is lost. Of plane_strain and axisymmetric bodies. Goes with verlet only: outcomes converge at order 2.
+---@param t ricochet.yielding_fields
+---@return ricochet.effect
+function ricochet.yielding(t) end
+
 --- What laws say of a scene before it runs. A table of force, overlap, contact_time, contact_length, pressure, e and wave_speed; each is a table of value (NaN where no law holds), unit, law, range and in_range. `no_law` says why none holds, or is empty. `warnings` is a list of { kind =, reason = }: coarse_contact, coarse_rim, folding, over_yield.
 ---@param scene ricochet.scene
 ---@return table

@@ -50,14 +50,25 @@ std::string conflict_with_bodies(const E& e, std::span<const Solid* const> solid
       if (solid.axisymmetric && e.direction() != Vec2(0, 1))
         return fmt::format("{} takes the {} off its axis; give along = \"normal\"", E::name,
                            body_name(static_cast<std::size_t>(b)));
+    if (ElementFlow<E> && solid.springs())
+      return fmt::format(
+          "{} acts on elements, and the {} is of springs; give it interior = \"elements\", or name "
+          "plastic instead",
+          E::name, body_name(static_cast<std::size_t>(b)));
     if (OnSprings<E> && solid.elements())
       return fmt::format("{} acts on springs, and the {} is of elements; let it act on another body, or leave it out",
                          E::name, body_name(static_cast<std::size_t>(b)));
-    finds_one = finds_one || AnchorMotion<E> || (OnSprings<E> ? solid.springs() != nullptr : solid.free > 0);
+    finds_one = finds_one || AnchorMotion<E> ||
+                (OnSprings<E>     ? solid.springs() != nullptr
+                 : ElementFlow<E> ? solid.elements() != nullptr
+                                  : solid.free > 0);
   }
   if (finds_one) return "";
   return fmt::format("{} acts on {}, and the {} is rigid: leave it out", E::name,
-                     OnSprings<E> ? "springs" : "what moves inside a body", body_name(solids.size() - 1));
+                     OnSprings<E>     ? "springs"
+                     : ElementFlow<E> ? "elements"
+                                      : "what moves inside a body",
+                     body_name(solids.size() - 1));
 }
 
 // Why springs that remember cannot start as prestress has stretched them.
@@ -137,6 +148,15 @@ Vec3 fall_of(std::span<const Effect> effects, int body, int count) {
         },
         effect);
   return fall;
+}
+
+const Yielding* flowing(std::span<const Effect> effects, int body, int count) {
+  for (const Effect& effect : effects)
+    if (const auto* yielding = std::get_if<Yielding>(&effect)) {
+      const std::vector<int> on = bodies_of(effect, count);
+      if (std::find(on.begin(), on.end(), body) != on.end()) return yielding;
+    }
+  return nullptr;
 }
 
 Vec2 displacement_at_start(std::span<const Effect> effects) {

@@ -174,8 +174,11 @@ double yields_at(const Scene& scene) { return scene.projectile->numbers.axisymme
 
 double pressure_over_yield(const Scene& scene, double pressure) {
   double over = not_given;
-  for (const Body* body : scene.bodies()) {
+  const auto bodies = scene.bodies();
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Body* body = bodies[b];
     if (!body->material || std::isnan(body->material->yield) || std::isnan(pressure)) continue;
+    if (flowing(scene.effects, static_cast<int>(b), static_cast<int>(bodies.size()))) continue;
     const bool passes = pressure > yields_at(scene) * body->material->yield;
     over = passes || over == 1 ? 1 : 0;
   }

@@ -29,7 +29,7 @@ struct Estimate {
   double slowest_wave = not_given;  ///< the least c_P of the bodies that move inside
   double spacing = not_given;       ///< of nodes: the square root of area over nodes; the coarser body's
   double radius = not_given;        ///< of curvature, of both together
-  double over_yield = not_given;    ///< 1 if something begins to yield, else 0
+  double over_yield = not_given;    ///< 1 if something would begin to yield that does not, else 0
   std::vector<Doubt> doubts;
 };
 

@@ -66,7 +66,7 @@ std::shared_ptr<const Body> scaled(const std::shared_ptr<const Body>& given, con
       body->numbers.** place /= units.worth(unit_of(*body, member.field.unit));
   if (body->rigid()) body->numbers.stiffness = BodyNumbers{}.stiffness;  // nobody gave it
   if (auto& material = body->material) {
-    for (double* per_length : {&material->E, &material->yield})
+    for (double* per_length : {&material->E, &material->yield, &material->hardening})
       *per_length /= units.worth(unit_of(*body, "m0 c^2/R^2"));
     material->density /= units.worth(unit_of(*body, "m0/R^2"));
   }

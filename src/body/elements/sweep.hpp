@@ -71,16 +71,24 @@ void with_gradient(const Solid& solid, Use&& use) {
     use(PlaneGradient<W>{});
 }
 
-/// Calls `use(law, e, F, kind)` for every element, by rising e: law of the lanes' own moduli, kind as above.
+/// Calls `use(law, e, F, kind)` for every element, by rising e: law of the lanes' own moduli, and of what it remembers;
+/// kind as above.
 template <int W, class Use>
 void each_element(const Motion<W>& body, const Elements& elements, Use&& use) {
   const Place<W, 2>* position = body.q.template places<2>();
   with_gradient<W>(*body.solid, [&](const auto& kind) {
+    const auto gradient = [&](std::size_t e) {
+      const auto& [i, j, k] = elements.nodes[e];
+      return kind.of(elements, e, position[i], position[j], position[k]);
+    };
+    if (const Flow<W>* flow = body.flow) {
+      const HenckyFlow<W> law = flow->law(elements.law, body.stiffness);
+      for (std::size_t e = 0; e < elements.nodes.size(); ++e)
+        use(RememberingLaw<W>{law, flow->memory[e]}, e, gradient(e), kind);
+      return;
+    }
     with_solid_law(elements.law, body.stiffness, [&](const auto& law) {
-      for (std::size_t e = 0; e < elements.nodes.size(); ++e) {
-        const auto& [i, j, k] = elements.nodes[e];
-        use(law, e, kind.of(elements, e, position[i], position[j], position[k]), kind);
-      }
+      for (std::size_t e = 0; e < elements.nodes.size(); ++e) use(law, e, gradient(e), kind);
     });
   });
 }

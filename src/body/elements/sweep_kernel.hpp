@@ -11,6 +11,10 @@ concept PullsEdges = requires(const Law& law, const Tensor<Lane<W>>& D, const Ed
   law.edge_pulls(D, metric);
 };
 
+/// Whether it lets elements yield, and changes what they remember.
+template <class Law, int W>
+concept Flows = std::same_as<Law, HenckyFlow<W>>;
+
 template <int W, class Law>
 [[gnu::always_inline]] inline ElementEdges<W> pulls_by_edges(const Law& law, const ElementEdges<W>& d,
                                                              const EdgeMetric& metric) {
@@ -26,7 +30,8 @@ template <int W, class Law>
 /// One force evaluation, kick and drift: v += kick F/m, x += drift v.
 /// An element is held by its lowest node, so F of a node is complete once its own row is done, and no later row needs
 /// its position: kick and drift follow at once, as in the sweep over springs. `f` must hold what else acts on the nodes
-/// (contact). A body of revolution (`rings`) takes a sweep of its own, so that those of the plane stay as they are.
+/// (contact). A body of revolution (`rings`) takes a sweep of its own, and so does one that yields, so that those of
+/// elastic plane bodies stay as they are.
 template <int W, bool rings, class Law>
 [[gnu::noinline]] void sweep(Motion<W>& body, const Elements& elements, const Law& given, const Lane<W>& kick,
                              const Lane<W>& drift) {
@@ -35,6 +40,9 @@ template <int W, bool rings, class Law>
   const EdgeMetric* metric = elements.metric.data();
   const double* per_mass = body.solid->mass.inverse().data();
   const int* first = elements.first.data();
+  [[maybe_unused]] Flow<W>* flow = body.flow;
+  [[maybe_unused]] const double* weight = elements.weight.data();
+  [[maybe_unused]] Lane<W> lost = Lane<W>::Zero();
   [[maybe_unused]] const RingShape* ring = elements.ring.data();
   [[maybe_unused]] const double* off_axis = elements.off_axis.data();
   // What is in local variables is not reloaded after every store.
@@ -52,15 +60,25 @@ template <int W, bool rings, class Law>
       const std::size_t j = static_cast<std::size_t>(nodes[e][1]), k = static_cast<std::size_t>(nodes[e][2]);
       const ElementEdges<W> d{position[j] - at, position[k] - at};
       ElementEdges<W> pulls;
-      if constexpr (rings) {
-        const Lane<W> radii = at.at[0] + position[j].at[0] + position[k].at[0];
-        const AxialTensor<Lane<W>> P =
-            law.stress(AxialTensor<Lane<W>>(gradient_of<W>(d, shape[e]), Lane<W>(radii * ring[e].per_radii)));
+      if constexpr (rings || Flows<Law, W>) {
+        Lane<W> hoop = Lane<W>::Ones();
+        if constexpr (rings) hoop = (at.at[0] + position[j].at[0] + position[k].at[0]) * ring[e].per_radii;
+        const AxialTensor<Lane<W>> F(gradient_of<W>(d, shape[e]), hoop);
+        AxialTensor<Lane<W>> P;
+        if constexpr (Flows<Law, W>) {
+          Lane<W> of_volume = Lane<W>::Zero();
+          P = law.stress(F, flow->memory[e], of_volume);
+          lost += weight[e] * of_volume;
+        } else {
+          P = law.stress(F);
+        }
         pulls = pulls_of<W>(P.plane, shape[e]);
-        const Lane<W> inwards = ring[e].hoop * P.zz;
-        force[j].at[0] -= inwards;
-        force[k].at[0] -= inwards;
-        sum.at[0] -= inwards;
+        if constexpr (rings) {
+          const Lane<W> inwards = ring[e].hoop * P.zz;
+          force[j].at[0] -= inwards;
+          force[k].at[0] -= inwards;
+          sum.at[0] -= inwards;
+        }
       } else if constexpr (PullsEdges<Law, W>) {
         pulls = pulls_by_edges<W>(law, d, metric[e]);
       } else {
@@ -78,17 +96,22 @@ template <int W, bool rings, class Law>
     for (int k = 0; k < 2; ++k) pulse += v.at[k];
   }
   body.pulse = pulse;
+  if constexpr (Flows<Law, W>) flow->lost += lost;
 }
 
 /// v += kick F/m, x += drift v.
 template <int W>
 void kick_and_drift(Motion<W>& body, const Elements& elements, const Lane<W>& kick, const Lane<W>& drift) {
-  with_solid_law(elements.law, body.stiffness, [&](const auto& law) {
+  const auto sweep_by = [&](const auto& law) {
     if (body.solid->axisymmetric)
       sweep<W, true>(body, elements, law, kick, drift);
     else
       sweep<W, false>(body, elements, law, kick, drift);
-  });
+  };
+  if (body.flow)
+    sweep_by(body.flow->law(elements.law, body.stiffness));
+  else
+    with_solid_law(elements.law, body.stiffness, sweep_by);
 }
 
 }  // namespace ricochet

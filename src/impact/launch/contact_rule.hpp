@@ -15,9 +15,10 @@ QuasiStaticImpact expected_impact(const Scene& scene, const Solids& solids, cons
 
 /// The scene's contact, with what it leaves out. It is to be hard as the bodies see it: 1/xi is a 200th of the
 /// expected indentation, of rough rims a fiftieth; where springs yield or break, it holds no more than `held` of the
-/// energy besides, since it gives back what they would have kept. A length R of rim has `strength` times the energy of
-/// the impact, so that neither the spacing of its nodes nor the impact lets one pass. The reach is 30/xi. Beside an
-/// attraction, with which it makes one potential, V0 is 150 m0 c^2 and xi 300/R. [here]
+/// energy besides, since it gives back what they would have kept; where elements yield, of what they give back. A
+/// length R of rim has `strength` times the energy of the impact, so that neither the spacing of its nodes nor the
+/// impact lets one pass. The reach is 30/xi. Beside an attraction, with which it makes one potential, V0 is 150 m0 c^2
+/// and xi 300/R. [here]
 ExponentialRepulsion acting_contact(const Scene& scene, const Solids& solids, const Placement& arrives);
 
 /// Bound of the frequency at which a node of either rim vibrates in the contact, at the greatest pressure to be

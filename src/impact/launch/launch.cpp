@@ -110,6 +110,7 @@ void settle(Start& start, const Placement& seen) {
 Start launch(const Scene& described, const Solids& solids) {
   check_bodies(solids);
   check_symmetry(described, solids);
+  check_yielding(described);
   Scene scene = described;
   Start start = bodies_at_launch(scene, solids);
   const Solid &projectile = *solids[0], &target = *solids[1];
