@@ -53,7 +53,7 @@ function ricochet.material(t) end
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; of an axisymmetric body that of the volume, in m0/R^3; a function (x, y) gives that at a node [m0/R^2]
 ---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
@@ -61,9 +61,9 @@ function ricochet.material(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
----@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
----@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
@@ -89,7 +89,7 @@ function ricochet.body(t) end
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; of an axisymmetric body that of the volume, in m0/R^3; a function (x, y) gives that at a node [m0/R^2]
 ---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
@@ -97,9 +97,9 @@ function ricochet.body(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
----@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
----@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
@@ -126,7 +126,7 @@ function ricochet.disk(t) end
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; of an axisymmetric body that of the volume, in m0/R^3; a function (x, y) gives that at a node [m0/R^2]
 ---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
@@ -134,9 +134,9 @@ function ricochet.disk(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
----@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
----@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
@@ -155,6 +155,79 @@ function ricochet.disk(t) end
 ---@return ricochet.body
 function ricochet.ellipse(t) end
 
+---@class ricochet.sphere_fields
+---@field radius? number radius [R] (default 1)
+---@field nodes? integer number of mass points, those on the outline included (default 800)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field seed? integer chooses the random lattice (default 1)
+---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
+---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; of an axisymmetric body that of the volume, in m0/R^3; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
+---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
+---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
+---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
+---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
+---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field nu? number of elements: Poisson's ratio
+---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
+---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
+---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
+---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
+---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
+---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
+---@field anchored? function function (x, y) that is true where a node is held fixed
+---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
+---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field fine_at? number[] {x, y} where the mesh by h_min is finest, before the body is turned; at the lowest point of the outline unless given [R]
+---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
+---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
+--- A sphere around the origin: an axisymmetric body of elements, of the half at x >= 0 of its section. It moves along the axis x = 0.
+---@param t ricochet.sphere_fields
+---@return ricochet.body
+function ricochet.sphere(t) end
+
+---@class ricochet.cylinder_fields
+---@field radius? number radius [R] (default 1)
+---@field height? number extent along its axis, centred [R] (default 1)
+---@field nodes? integer number of mass points, those on the outline included (default 800)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field seed? integer chooses the random lattice (default 1)
+---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
+---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; of an axisymmetric body that of the volume, in m0/R^3; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
+---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
+---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
+---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
+---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
+---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field nu? number of elements: Poisson's ratio
+---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
+---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
+---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
+---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
+---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
+---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
+---@field anchored? function function (x, y) that is true where a node is held fixed
+---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
+---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field fine_at? number[] {x, y} where the mesh by h_min is finest, before the body is turned; at the lowest point of the outline unless given [R]
+---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
+---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
+--- A cylinder around the origin that stands on its end: an axisymmetric body of elements, of the half at x >= 0 of its section. It moves along the axis x = 0.
+---@param t ricochet.cylinder_fields
+---@return ricochet.body
+function ricochet.cylinder(t) end
+
 ---@class ricochet.rectangle_fields
 ---@field width? number extent along x, centred [R] (default 2)
 ---@field height? number extent along y, centred [R] (default 1)
@@ -163,7 +236,7 @@ function ricochet.ellipse(t) end
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; of an axisymmetric body that of the volume, in m0/R^3; a function (x, y) gives that at a node [m0/R^2]
 ---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
@@ -171,9 +244,9 @@ function ricochet.ellipse(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
----@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
----@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
@@ -200,7 +273,7 @@ function ricochet.rectangle(t) end
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; of an axisymmetric body that of the volume, in m0/R^3; a function (x, y) gives that at a node [m0/R^2]
 ---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
@@ -208,9 +281,9 @@ function ricochet.rectangle(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
----@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
----@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
@@ -236,7 +309,7 @@ function ricochet.regular_polygon(t) end
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; of an axisymmetric body that of the volume, in m0/R^3; a function (x, y) gives that at a node [m0/R^2]
 ---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
@@ -244,9 +317,9 @@ function ricochet.regular_polygon(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
----@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
----@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
@@ -281,7 +354,7 @@ function ricochet.rotated(t) end
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
----@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; a function (x, y) gives that at a node [m0/R^2]
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; of an axisymmetric body that of the volume, in m0/R^3; a function (x, y) gives that at a node [m0/R^2]
 ---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
@@ -289,9 +362,9 @@ function ricochet.rotated(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
----@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
----@field state? "plane_stress"|"plane_strain" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder (default plane_stress)
+---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
@@ -452,6 +525,15 @@ function ricochet.friction(t) end
 ---@return ricochet.effect
 function ricochet.thermal(t) end
 
+---@class ricochet.yielding_fields
+---@field yield? number yield stress in tension, in units of E; that of the body's material unless given [m0 c^2/R^2]
+---@field hardening? number rise of the yield stress with the plastic strain, in units of E; that of the body's material, else 0, unless given [m0 c^2/R^2]
+---@field on? "projectile"|"target"|"both" the bodies whose elements yield (default projectile)
+--- An effect, for the `effects` of a scene. Elements that yield, as metals do: past a von Mises stress of yield + hardening times the plastic strain they flow at constant volume, and the work of that is lost. Of plane_strain and axisymmetric bodies. Goes with verlet only: outcomes converge at order 2.
+---@param t ricochet.yielding_fields
+---@return ricochet.effect
+function ricochet.yielding(t) end
+
 --- What laws say of a scene before it runs. A table of force, overlap, contact_time, contact_length, pressure, e and wave_speed; each is a table of value (NaN where no law holds), unit, law, range and in_range. `no_law` says why none holds, or is empty. `warnings` is a list of { kind =, reason = }: coarse_contact, coarse_rim, folding, over_yield.
 ---@param scene ricochet.scene
 ---@return table
@@ -569,7 +651,7 @@ function ricochet.animate(t) end
 
 ---@class ricochet.show_fields
 ---@field title? string above the picture
----@field material? "none"|"plain"|"energy_density"|"speed"|"velocity_x"|"velocity_y"|"pressure"|"von_mises"|"stretch" what colours the bodies: none (nothing is filled), plain; energy_density: energy of springs or elements per area at rest [m_0c^2/R^2]; speed: of the nodes [c]; velocity_x: of the nodes [c]; velocity_y: of the nodes [c]; pressure: minus the mean of the principal stresses [m_0c^2/R^2]; von_mises: of the stress in the plane [m_0c^2/R^2]; stretch: mean relative elongation of the springs around, or that of elements along their principal axes (default energy_density)
+---@field material? "none"|"plain"|"energy_density"|"speed"|"velocity_x"|"velocity_y"|"pressure"|"von_mises"|"stretch" what colours the bodies: none (nothing is filled), plain; energy_density: energy of springs or elements per area at rest [m_0c^2/R^2]; speed: of the nodes [c]; velocity_x: of the nodes [c]; velocity_y: of the nodes [c]; pressure: minus the mean of the principal stresses [m_0c^2/R^2]; von_mises: of the stress in the plane, or in a body of revolution [m_0c^2/R^2]; stretch: mean relative elongation of the springs around, or that of elements along their principal axes (default energy_density)
 ---@field springs? "none"|"plain"|"energy"|"tension" how springs are drawn: none, plain (thin and dark), or coloured where the material is none or plain; energy: of each spring [m_0c^2]; tension: of each spring, positive if it pulls [m_0c^2/R] (default plain)
 ---@field rims? boolean outlines of the bodies (default true)
 ---@field anchors? boolean hatching where a rim is held (default true)
@@ -684,7 +766,7 @@ function ricochet.elasticity(t) end
 
 ---@class ricochet.mesh_fields
 ---@field body ricochet.body of springs or elements
---- How the triangles of a body are: how many `nodes` and `triangles`; the `quality` of the worst, 12 sqrt(3) area/perimeter^2, 1 if it is equilateral; the `shortest` and `longest` side, in R, or in m of a body of a material; `mass_error`, by which share their area exceeds that of the outline.
+--- How the triangles of a body are: how many `nodes` and `triangles`; the `quality` of the worst, 12 sqrt(3) area/perimeter^2, 1 if it is equilateral; the `shortest` and `longest` side, in R, or in m of a body of a material; `mass_error`, by which share their area, or volume, exceeds that of the outline.
 ---@param t ricochet.mesh_fields
 ---@return table
 function ricochet.mesh(t) end

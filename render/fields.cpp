@@ -22,6 +22,9 @@ double mean_stretch(const Tensor<double>& F) {
   return std::sqrt(std::max(0.0, squares + 2 * J)) / 2 - 1;
 }
 
+// The mean of all three.
+double mean_stretch(const AxialTensor<double>& F) { return (2 * mean_stretch(F.plane) + F.zz - 1) / 3; }
+
 }  // namespace
 
 Motion motion_of(const FrameMesh& mesh, const Frame& frame, int body) {
@@ -168,7 +171,8 @@ Fields::Fields(const FrameMesh& mesh)
   }
 }
 
-// Calls `use(t, law, F, area)` for every triangle that is an element: its deformation gradient and area at rest.
+// Calls `use(t, law, F, area)` for every triangle that is an element: its deformation gradient, in space where it is of
+// a body of revolution, and its area at rest.
 template <class Use>
 void Fields::each_element(const Frame& frame, Use&& use) const {
   for (std::size_t t = 0; t < mesh_.modulus.size(); ++t) {
@@ -181,9 +185,18 @@ void Fields::each_element(const Frame& frame, Use&& use) const {
       d.col(1) = seen(mesh_, places, k) - from;
       return d;
     };
+    const auto radii = [&](const auto& places) {
+      return seen(mesh_, places, i).x() + seen(mesh_, places, j).x() + seen(mesh_, places, k).x();
+    };
     const Eigen::Matrix2d rest = edges(mesh_.rest), F = edges(frame.position) * rest.inverse();
-    with_solid_law(solid_laws_[static_cast<std::size_t>(mesh_.body_of(i))], mesh_.modulus[t], [&](const auto& law) {
-      use(t, law, Tensor<double>(F(0, 0), F(0, 1), F(1, 0), F(1, 1)), std::abs(rest.determinant()) / 2);
+    const Tensor<double> plane(F(0, 0), F(0, 1), F(1, 0), F(1, 1));
+    const double area = std::abs(rest.determinant()) / 2;
+    const auto body = static_cast<std::size_t>(mesh_.body_of(i));
+    with_solid_law(solid_laws_[body], mesh_.modulus[t], [&](const auto& law) {
+      if (mesh_.bodies[body].axisymmetric)
+        use(t, law, AxialTensor<double>(plane, radii(frame.position) / radii(mesh_.rest)), area);
+      else
+        use(t, law, plane, area);
     });
   }
 }
@@ -209,7 +222,7 @@ std::vector<double> Fields::of_springs(const std::string& name, const Frame& fra
 std::vector<double> Fields::stress(const Frame& frame, bool pressure) const {
   const std::vector<double> tension = of_springs("tension", frame);
   struct Stress {
-    double xx = 0, xy = 0, yy = 0, area = 0;
+    double xx = 0, xy = 0, yy = 0, zz = 0, area = 0;
   };
   std::vector<Stress> sums(mesh_.mass.size());
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
@@ -234,20 +247,28 @@ std::vector<double> Fields::stress(const Frame& frame, bool pressure) const {
       sums[i].area += tensor.area;
     }
   }
-  each_element(frame, [&](std::size_t t, const auto& law, const Tensor<double>& F, double area) {
-    const Tensor<double> P = law.stress(F);
+  const auto add = [&](std::size_t t, const Tensor<double>& P, const Tensor<double>& F, double zz, double area) {
     for (const int i : mesh_.triangles[t]) {
       sums[i].xx += area * (P.xx * F.xx + P.xy * F.xy);
       sums[i].xy += area * (P.xx * F.yx + P.xy * F.yy);
       sums[i].yy += area * (P.yx * F.yx + P.yy * F.yy);
+      sums[i].zz += area * zz;
     }
+  };
+  each_element(frame, [&]<class Gradient>(std::size_t t, const auto& law, const Gradient& F, double area) {
+    const Gradient P = law.stress(F);
+    if constexpr (std::is_same_v<Gradient, AxialTensor<double>>)
+      add(t, P.plane, F.plane, P.zz * F.zz, area / F.zz);
+    else
+      add(t, P, F, 0, area);
   });
   std::vector<double> values;
-  for (const Stress& s : sums) {
-    const double xx = s.xx / s.area, yy = s.yy / s.area, xy = s.xy / s.area;
-    values.push_back(s.area == 0 ? 0
-                     : pressure  ? -(xx + yy) / 2
-                                 : std::sqrt(std::max(0.0, xx * xx - xx * yy + yy * yy + 3 * xy * xy)));
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const Stress& s = sums[i];
+    const bool space = mesh_.bodies[static_cast<std::size_t>(mesh_.body_of(static_cast<int>(i)))].axisymmetric;
+    const double xx = s.xx / s.area, yy = s.yy / s.area, xy = s.xy / s.area, zz = s.zz / s.area;
+    const double square = xx * xx - xx * yy + yy * yy + 3 * xy * xy + zz * (zz - xx - yy);
+    values.push_back(s.area == 0 ? 0 : pressure ? -(xx + yy + zz) / (space ? 3 : 2) : std::sqrt(std::max(0.0, square)));
   }
   return values;
 }
@@ -267,7 +288,7 @@ std::vector<double> Fields::of_material(const std::string& name, const Frame& fr
           weight[i] += 1;
         }
       }
-    each_element(frame, [&](std::size_t t, const auto& law, const Tensor<double>& F, double area) {
+    each_element(frame, [&](std::size_t t, const auto& law, const auto& F, double area) {
       for (const int i : mesh_.triangles[t]) {
         values[i] += energy ? area * law.energy(F) : mean_stretch(F);
         weight[i] += 1;

@@ -32,6 +32,17 @@ inline Points circle(double radius = 1, int corners = 400) {
   return points;
 }
 
+/// The half at x >= 0, along the axis x = 0 from its lowest point to its highest and back.
+inline Points half_circle(double radius = 1, int corners = 400) {
+  Points points{{0, -radius}};
+  for (int i = 1; i < corners; ++i) {
+    const double angle = std::numbers::pi * i / corners;
+    points.push_back(radius * Vec2(std::sin(angle), -std::cos(angle)));
+  }
+  points.emplace_back(0, radius);
+  return points;
+}
+
 inline Points box(double width, double depth) {
   return {{-width / 2, -depth}, {width / 2, -depth}, {width / 2, 0}, {-width / 2, 0}};
 }

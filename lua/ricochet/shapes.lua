@@ -54,6 +54,39 @@ function shapes.ellipse(given)
   return core.own_body(body)
 end
 
+-- What a body of revolution is of, by the half at x >= 0 of its section, which was given as its outline.
+local function axisymmetric(body, given)
+  for field, only in pairs { interior = "elements", state = "axisymmetric" } do
+    if given[field] and given[field] ~= only then
+      core.fail(("'%s': this shape is a body of revolution, which takes %s = \"%s\"; leave it out"):format(field, field,
+        only), field)
+    end
+    body[field] = only
+  end
+  return core.own_body(body)
+end
+
+function shapes.sphere(given)
+  local t, own = core.check("sphere", given)
+  local body = body_fields(t, own, "radius")
+  local count = corners(t, math.sqrt(2 * math.pi), math.pi * t.radius)
+  body.outline = { { 0, -t.radius } }
+  for i = 1, count - 1 do
+    local angle = math.pi * i / count
+    body.outline[i + 1] = { t.radius * math.sin(angle), -t.radius * math.cos(angle) }
+  end
+  body.outline[count + 1] = { 0, t.radius }
+  return axisymmetric(body, own)
+end
+
+function shapes.cylinder(given)
+  local t, own = core.check("cylinder", given)
+  local body = body_fields(t, own, "radius", "height")
+  local y = t.height / 2
+  body.outline = { { 0, -y }, { t.radius, -y }, { t.radius, y }, { 0, y } }
+  return axisymmetric(body, own)
+end
+
 function shapes.rectangle(given)
   local t, own = core.check("rectangle", given)
   local body = body_fields(t, own, "width", "height")

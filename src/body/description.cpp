@@ -41,19 +41,22 @@ std::string text_of_law(const SpringLawNumbers& law) {
 
 const std::vector<Member<ElementNumbers>>& ElementNumbers::fields() {
   static const std::vector<Member<ElementNumbers>> list{
-      {{"E", "number", "m0 c^2/R^2", "of elements: Young's modulus, a force per length in the plane", positive, "",
-        true},
+      {{"E", "number", "m0 c^2/R^2",
+        "of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 "
+        "c^2/R^3",
+        positive, "", true},
        &ElementNumbers::E},
       {{"nu", "number", "", "of elements: Poisson's ratio", {-1, 0.5, true, true}, "", true}, &ElementNumbers::nu},
       {{"state",
         "string",
         "",
         "of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long "
-        "cylinder",
+        "cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its "
+        "section through the axis x = 0, along which it moves",
         any_number,
         "plane_stress",
         false,
-        {"plane_stress", "plane_strain"}},
+        {"plane_stress", "plane_strain", "axisymmetric"}},
        &ElementNumbers::state},
       {{"law", "string", "",
         "of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a "
@@ -97,7 +100,7 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
          &BodyNumbers::stiffness},
         {{"density", "number", "m0/R^2",
           "mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a "
-          "disk weigh m0 each on average, unless mass is given",
+          "disk weigh m0 each on average, unless mass is given; of an axisymmetric body that of the volume, in m0/R^3",
           positive, "", true},
          &BodyNumbers::density},
         {{"mass", "number", "m0", "mass of every node alike, whatever area is its own; instead of density", positive,

@@ -21,7 +21,7 @@ inline constexpr double usual_density = 800 / std::numbers::pi;
 
 /// What describes a body of elements beside its outline. Units: R, m0, c.
 struct ElementNumbers {
-  double E = not_given;   ///< Young's modulus, times the thickness; as `stiffness` of the body, once it is read
+  double E = not_given;   ///< Young's modulus, times a plane's thickness; as `stiffness` of the body, once it is read
   double nu = not_given;  ///< Poisson's ratio
   std::string state = "plane_stress";
   std::string law = "polynomial";
@@ -51,6 +51,9 @@ struct BodyNumbers : SpringLawNumbers, ElementNumbers {
   static const std::vector<Member<BodyNumbers>>& fields();
   bool rigid() const { return interior == "rigid"; }
   bool of_elements() const { return interior == "elements"; }
+  /// Its outline is the half at x >= 0 of a section through the axis x = 0; E and density are then of space, in m0
+  /// c^2/R^3 and m0/R^3.
+  bool axisymmetric() const { return state == "axisymmetric"; }
   bool meshed() const { return h_min == h_min; }  ///< by h_min, h_max and grade
   /// Of the area; NaN if every node has a mass of its own accord.
   double area_density() const;

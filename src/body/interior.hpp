@@ -87,10 +87,7 @@ Coordinates<W> stiffness_times(const Motion<W>& body, const Coordinates<W>& w) {
 inline double mean_stiffness(const Solid& solid) {
   if (const Elements* elements = solid.elements()) {
     double area = 0;
-    for (const auto& [i, j, k] : elements->nodes) {
-      const auto rest = [&](int node) { return solid.points[static_cast<std::size_t>(node)]; };
-      area += std::abs(cross(Vec2(rest(j) - rest(i)), Vec2(rest(k) - rest(i)))) / 2;
-    }
+    for (const Triangle& nodes : elements->nodes) area += measure_at_rest(solid, nodes);
     return std::sqrt(0.75) * std::accumulate(elements->weight.begin(), elements->weight.end(), 0.0) / area;
   }
   const Springs* springs = solid.springs();

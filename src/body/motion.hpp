@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "body/elements/flow.hpp"
 #include "body/solid.hpp"
 #include "core/coordinates.hpp"
 
@@ -16,6 +17,7 @@ struct Motion {
   Lane<W> stiffness = Lane<W>::Zero();  ///< of each lane: ka of springs, E of elements [m0 c^2/R^2]
   /// Sum of the free coordinates' velocities at the last kick: finite as long as they all are.
   Lane<W> pulse = Lane<W>::Zero();
+  Flow<W>* flow = nullptr;  ///< of elements that yield; whoever lets them keeps it
 };
 
 /// The bodies of a scene, by index.

@@ -32,6 +32,21 @@ void check_outline(const Points& outline, const char* field, const std::string& 
     refuse(fmt::format("encloses an area of {:g} R^2; scale it to lie between 1e-100 and 1e100", area));
 }
 
+// The half of a section that bodies of revolution are described by.
+void check_half_section(const Body& body) {
+  if (!body.numbers.axisymmetric()) return;
+  const auto refuse = [](const char* field, const std::string& message) { throw FieldError(field, message); };
+  if (!body.numbers.of_elements())
+    refuse("state", "axisymmetric is of elements; give interior = \"elements\" too, or another state");
+  for (std::size_t i = 0; i < body.outline.size(); ++i)
+    if (!(body.outline[i].x() >= 0))
+      refuse("outline", fmt::format("of an axisymmetric body is the half of its section at x >= 0, and point {} is "
+                                    "({:g}, {:g}); leave the other half out",
+                                    i + 1, body.outline[i].x(), body.outline[i].y()));
+  if (body.numbers.roughness > 0) refuse("roughness", "of an axisymmetric body would be rings around it; leave it out");
+  if (body.numbers.angle != 0) refuse("angle", "would turn an axisymmetric body off its axis; leave it out");
+}
+
 // Holes that cross nothing lie inside the outline and beside each other if each is inside of all other chains.
 void check_holes(const Body& body) {
   const auto refuse = [](std::size_t k, const char* message) {
@@ -216,12 +231,14 @@ Points plan_interior(const Body& body, const Rim& rim, const GivenNodes& nodes) 
 
 Rim plan_rim(const Body& body) {
   check_outline(body.outline, "outline", "");
+  check_half_section(body);
   check_holes(body);
   return lay_rim(body, given_nodes_of(body));
 }
 
 NodePlan plan_nodes(const Body& body, const std::vector<bool>& anchored_rim) {
   check_outline(body.outline, "outline", "");
+  check_half_section(body);
   check_holes(body);
   const GivenNodes nodes = given_nodes_of(body);
   Rim rim = lay_rim(body, nodes);

@@ -8,7 +8,7 @@ template <int W>
 using Space = Place<W, 3>;
 
 /// Momentum, angular momentum and their energies of a body, in W lanes. In the plane z and all turnings but those about
-/// z are 0.
+/// z are 0; a body of revolution moves along its axis alone.
 template <int W>
 struct RigidMotion {
   Space<W> centre, velocity;      ///< of mass
@@ -48,6 +48,12 @@ RigidMotion<W> rigid_motion(const Motion<W>& body) {
   for (int d = 0; d < 2; ++d) {
     motion.centre.at[d] /= whole;
     motion.velocity.at[d] /= whole;
+  }
+  if (solid.axisymmetric) {
+    motion.centre.at[0].setZero();
+    motion.velocity.at[0].setZero();
+    motion.translation = 0.5 * whole * motion.velocity.at[1] * motion.velocity.at[1];
+    return motion;
   }
   Lane<W> momentum = Lane<W>::Zero(), inertia = Lane<W>::Zero();
   const Space<W>&centre = motion.centre, &mean = motion.velocity;

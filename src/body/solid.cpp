@@ -1,6 +1,7 @@
 #include "body/solid.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace ricochet {
 
@@ -21,7 +22,8 @@ Vec2 Solid::centre() const {
     return sum / static_cast<double>(points.size());
   }
   for (int i = 0; i < nodes(); ++i) sum += mass[i] * points[static_cast<std::size_t>(i)];
-  return sum / total_mass();
+  const Vec2 mean = sum / total_mass();
+  return axisymmetric ? Vec2(0, mean.y()) : mean;
 }
 
 double Solid::inertia() const {
@@ -31,8 +33,19 @@ double Solid::inertia() const {
     for (const Vec2& p : points) sum += (p - middle).squaredNorm();
     return mass.each() * sum;
   }
-  for (int i = 0; i < nodes(); ++i) sum += mass[i] * (points[static_cast<std::size_t>(i)] - middle).squaredNorm();
+  for (int i = 0; i < nodes(); ++i) {
+    const Vec2 arm = points[static_cast<std::size_t>(i)] - middle;
+    // Half of a ring's mass stands off a diameter of it.
+    sum += mass[i] * (axisymmetric ? arm.x() * arm.x() / 2 + arm.y() * arm.y() : arm.squaredNorm());
+  }
   return sum;
+}
+
+double measure_at_rest(const Solid& solid, const Triangle& triangle) {
+  const auto place = [&](std::size_t k) { return solid.points[static_cast<std::size_t>(triangle[k])]; };
+  const double area = std::abs(cross(Vec2(place(1) - place(0)), Vec2(place(2) - place(0)))) / 2;
+  if (!solid.axisymmetric) return area;
+  return 2 * std::numbers::pi * ((place(0).x() + place(1).x() + place(2).x()) / 3) * area;
 }
 
 Points surface_points(const Solid& solid) {

@@ -54,6 +54,7 @@ struct Solid {
   Points smooth;                ///< [surface node] where it lay before roughness
   std::vector<int> corners;     ///< places in the surface where the smooth outline has a corner
   Interior interior = Springs{};
+  bool axisymmetric = false;  ///< a body of revolution about the axis x = 0, of which this is the half at x >= 0
 
   int nodes() const { return static_cast<int>(points.size()); }
   int free_coordinates() const { return dim * free; }
@@ -62,7 +63,7 @@ struct Solid {
   bool anchored() const { return free < nodes() || std::holds_alternative<Rigid>(interior); }
   double total_mass() const;
   Vec2 centre() const;     ///< of mass; of a plane, the point of it nearest to the origin
-  double inertia() const;  ///< moment of inertia about the centre, at rest [m0 R^2]
+  double inertia() const;  ///< moment of inertia about the centre, of a turn in the plane, at rest [m0 R^2]
   /// Spin of an angular momentum, at rest.
   template <class Number>
   Number spin_of(const Number& momentum) const {
@@ -71,6 +72,10 @@ struct Solid {
   const Springs* springs() const { return std::get_if<Springs>(&interior); }
   const Elements* elements() const { return std::get_if<Elements>(&interior); }
 };
+
+/// The area of a triangle of the solid at rest, or the volume of the ring that it is in a body of revolution, 2 pi
+/// times the mean of its corners' x times its area. [Pappus; R^2 or R^3]
+double measure_at_rest(const Solid& solid, const Triangle& triangle);
 
 /// Rest places of the surface's nodes, in their order.
 Points surface_points(const Solid& solid);

@@ -44,14 +44,17 @@ double time_to(const LinePair& pair, double a, double mass, double speed) {
   return sum / parts;
 }
 
+double pressure_of(double force, double a) { return 2 * force / (std::numbers::pi * a); }
+
 // On from `a` as a spring of the stiffness there.
-LineImpact beyond(const LinePair& pair, double a, double mass, double speed) {
+QuasiStaticImpact beyond(const LinePair& pair, double a, double mass, double speed) {
   const double stiffness = pi * pair.modulus / (2 * (std::log(pair.length / a) - 1));
   const double there = force_at(pair, a) / stiffness;
   const double left = speed * speed - 2 * energy_at(pair, a) / mass;
   const double most = std::sqrt(there * there + left * mass / stiffness);
   const double time = time_to(pair, a, mass, speed) + std::sqrt(mass / stiffness) * std::acos(there / most);
-  return {stiffness * most, approach_at(pair, a) + most - there, a, 2 * time, false};
+  const double force = stiffness * most;
+  return {force, approach_at(pair, a) + most - there, a, 2 * time, pressure_of(force, a), false};
 }
 
 }  // namespace
@@ -67,12 +70,13 @@ LinePair pressed_together(const LineBody& one, const LineBody& other) {
   return {1 / compliance, 1 / (1 / one.radius + 1 / other.radius), std::exp(logarithm)};
 }
 
-LineImpact line_impact(const LinePair& pair, double mass, double speed) {
+QuasiStaticImpact line_impact(const LinePair& pair, double mass, double speed) {
   const double energy = 0.5 * mass * speed * speed;
   const double most = std::min(pair.radius, 0.25 * pair.length);
   if (energy > energy_at(pair, most)) return beyond(pair, most, mass, speed);
   const double a = half_width_of(pair, energy, most);
-  return {force_at(pair, a), approach_at(pair, a), a, 2 * time_to(pair, a, mass, speed), true};
+  const double force = force_at(pair, a);
+  return {force, approach_at(pair, a), a, 2 * time_to(pair, a, mass, speed), pressure_of(force, a), true};
 }
 
 }  // namespace ricochet

@@ -6,6 +6,8 @@
 
 #include <limits>
 
+#include "contact/quasi_static.hpp"
+
 namespace ricochet {
 
 /// One body at the contact.
@@ -31,18 +33,10 @@ struct LinePair {
 /// bodies give an infinite modulus or radius.
 LinePair pressed_together(const LineBody& one, const LineBody& other);
 
-/// At the greatest compression; the time is that of all the contact.
-struct LineImpact {
-  double force;       ///< [m0 c^2/R]
-  double approach;    ///< of the bodies: the indentation of smooth outlines [R]
-  double half_width;  ///< a: the contact is 2a long [R]
-  double time;        ///< [R/c]
-  bool in_range;      ///< the contact is narrower than the bodies
-};
-
 /// The impact at that relative normal speed of a pair of that reduced mass. From where the contact would be as wide as
 /// the bodies (a = radius, or a = length/4 in a thin one) it goes on with the stiffness that it has there, `in_range`
-/// is false, and the numbers give no more than the order of magnitude. All arguments positive and finite.
-LineImpact line_impact(const LinePair& pair, double mass, double speed);
+/// is false, and the numbers give no more than the order of magnitude. p = 2 F/(pi a). All arguments positive and
+/// finite.
+QuasiStaticImpact line_impact(const LinePair& pair, double mass, double speed);
 
 }  // namespace ricochet

@@ -23,6 +23,7 @@ struct BodyMesh {
   std::vector<double> law;          ///< numbers of its springs' law, as material/spring_law.hpp lists them
   std::vector<MeshChain> surface;   ///< a plane is an open chain of two held nodes, far apart
   std::vector<double> solid_law{};  ///< numbers of its elements' law, as material/solid_law.hpp lists them
+  bool axisymmetric = false;        ///< a body of revolution about x = 0, by the half of its section at x >= 0
 };
 
 /// What stays the same over a sequence. Nodes are those of the bodies, one after another; vectors by node lie flat:

@@ -17,6 +17,7 @@
 #include "core/error.hpp"
 #include "core/turn.hpp"
 #include "effect/catalogue.hpp"
+#include "effect/flows.hpp"
 
 namespace ricochet {
 
@@ -32,7 +33,7 @@ class ActingEffects {
   using Energies = std::array<Lane<W>, effect_kinds>;
 
   ActingEffects(const std::vector<Effect>& effects, const std::vector<const Solid*>& solids)
-      : rates_(solids.size()), kept_(solids.size()), vibrations_(solids.size()) {
+      : rates_(solids.size()), kept_(solids.size()), vibrations_(solids.size()), flows_(solids.size()) {
     lost_.fill(Lane<W>::Zero());
     for (const Effect& effect : effects) {
       acting_.push_back({effect, bodies_of(effect, static_cast<int>(solids.size())), {}});
@@ -64,6 +65,9 @@ class ActingEffects {
   /// True if something depends on velocities: `dissipate` is then called before and after every step.
   bool split() const { return split_; }
 
+  /// What elements that yield remember; State lets bodies know theirs.
+  const Flows<W>& flows() const { return flows_; }
+
   /// True if anchors move.
   bool shakes() const { return shaken_ >= 0; }
 
@@ -76,6 +80,7 @@ class ActingEffects {
     for (Acting& acting : acting_)
       for (auto& springs : acting.memory)
         for (SpringMemory<W>& m : springs) m[0][lane] = m[1][lane] = 0;
+    flows_.begin(lane);
     time_[lane] = 0;
     for (const Effect& effect : own)
       std::visit(
@@ -102,6 +107,7 @@ class ActingEffects {
       for (auto& springs : acting.memory)
         for (SpringMemory<W>& m : springs)
           for (Lane<W>& number : m) carrier.pass(number[lane]);
+    flows_.carry(lane, carrier);
     carrier.pass(time_[lane]);
   }
   /// How the anchors of an impact move, which is passed on as it is.
@@ -195,13 +201,14 @@ class ActingEffects {
     return sum;
   }
 
-  /// How many springs of a lane an effect of springs has changed, by kind; NaN for other kinds.
+  /// How many springs or elements of a lane an effect of those has changed, by kind; NaN for other kinds.
   std::array<double, effect_kinds> counts(int lane) const {
     std::array<double, effect_kinds> counts;
     counts.fill(std::numeric_limits<double>::quiet_NaN());
     for (const Acting& acting : acting_)
       std::visit(
           [&]<class E>(const E&) {
+            if constexpr (ElementFlow<E>) counts[acting.effect.index()] = flows_.count(lane);
             if constexpr (SpringChange<E>) {
               double& count = counts[acting.effect.index()];
               if (std::isnan(count)) count = 0;
@@ -224,6 +231,7 @@ class ActingEffects {
             Lane<W>& energy = energies[acting.effect.index()];
             if constexpr (NodeForce<E>)
               for (const int b : acting.bodies) energy += e.energy(bodies[at(b)]);
+            if constexpr (ElementFlow<E>) flows_.add_lost(acting.bodies, energy);
             if constexpr (PairForceEffect<E>) energy += contacts.energy_of(pair_forces++, bodies);
             if constexpr (PairMemory<E>) {
               const auto grip = contacts.grip_energies(bodies);
@@ -260,6 +268,8 @@ class ActingEffects {
       if constexpr (SpringChange<E>)
         if (const Springs* springs = solid.springs())
           acting.memory[at(b)].assign(springs->list.size(), {Lane<W>::Zero(), Lane<W>::Zero()});
+      if constexpr (ElementFlow<E>)
+        if (const Elements* elements = solid.elements()) flows_.let(at(b), *elements, e.yield, e.hardening);
       if constexpr (NodeDamping<E>) rates_[at(b)].push_back({acting.effect.index(), e.rates(solid)});
       if constexpr (AnchorMotion<E>) {
         shaken_ = b;
@@ -381,6 +391,7 @@ class ActingEffects {
   std::vector<std::vector<Rates>> rates_;   // [body]
   std::vector<std::vector<Lane<W>>> kept_;  // [body][free node] share of a velocity that is left after half a step
   std::vector<std::shared_ptr<const Vibrations>> vibrations_;  // [body] factorised when first wanted
+  Flows<W> flows_;
   Energies lost_;
 };
 

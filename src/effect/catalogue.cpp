@@ -32,6 +32,11 @@ template <class E>
 std::string conflict_with_bodies(const E& e, std::span<const Solid* const> solids) {
   const Effect effect(e);
   bool finds_one = PairForceEffect<E> || PairMemory<E>;
+  if (finds_one && solids.front()->axisymmetric)
+    return fmt::format(
+        "{} acts on all rim nodes alike, and those of an axisymmetric body are rings of other areas; "
+        "leave it out",
+        E::name);
   for (const int b : bodies_of(effect, static_cast<int>(solids.size()))) {
     const Solid& solid = *solids[static_cast<std::size_t>(b)];
     if constexpr (requires { E::needs_anchors; })
@@ -41,6 +46,18 @@ std::string conflict_with_bodies(const E& e, std::span<const Solid* const> solid
     if (AnchorMotion<E> && solid.nodes() == 0)
       return fmt::format("{} moves nodes, and a plane has none; give a {} with interior = \"rigid\"", E::name,
                          body_name(static_cast<std::size_t>(b)));
+    if constexpr (AnchorMotion<E>)
+      if (solid.axisymmetric && e.direction() != Vec2(0, 1))
+        return fmt::format("{} takes the {} off its axis; give along = \"normal\"", E::name,
+                           body_name(static_cast<std::size_t>(b)));
+    if ((ElementDamping<E> || AtStart<E>)&&solid.axisymmetric)
+      return fmt::format("{} is of bodies in the plane, and the {} is axisymmetric; leave it out", E::name,
+                         body_name(static_cast<std::size_t>(b)));
+    if (ElementFlow<E> && solid.springs())
+      return fmt::format(
+          "{} acts on elements, and the {} is of springs; give it interior = \"elements\", or name "
+          "plastic instead",
+          E::name, body_name(static_cast<std::size_t>(b)));
     if (solid.free > 0 && !acts_inside<E>(solid))
       return fmt::format("{} acts on springs, and the {} has none; let it act on another body, or leave it out",
                          E::name, body_name(static_cast<std::size_t>(b)));
@@ -48,7 +65,10 @@ std::string conflict_with_bodies(const E& e, std::span<const Solid* const> solid
   }
   if (finds_one) return "";
   return fmt::format("{} acts on {}, and the {} is rigid: leave it out", E::name,
-                     SpringChange<E> ? "springs" : "what moves inside a body", body_name(solids.size() - 1));
+                     SpringChange<E>  ? "springs"
+                     : ElementFlow<E> ? "elements"
+                                      : "what moves inside a body",
+                     body_name(solids.size() - 1));
 }
 
 // Why springs that remember cannot start as prestress has stretched them.
@@ -128,6 +148,15 @@ Vec3 fall_of(std::span<const Effect> effects, int body, int count) {
         },
         effect);
   return fall;
+}
+
+const Yielding* flowing(std::span<const Effect> effects, int body, int count) {
+  for (const Effect& effect : effects)
+    if (const auto* yielding = std::get_if<Yielding>(&effect)) {
+      const std::vector<int> on = bodies_of(effect, count);
+      if (std::find(on.begin(), on.end(), body) != on.end()) return yielding;
+    }
+  return nullptr;
 }
 
 Vec2 displacement_at_start(std::span<const Effect> effects) {

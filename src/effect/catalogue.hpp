@@ -11,6 +11,7 @@
 
 #include "body/springs/memory.hpp"
 #include "contact/contact_laws.hpp"
+#include "effect/element/yielding.hpp"
 #include "effect/node/absorbing.hpp"
 #include "effect/node/drag.hpp"
 #include "effect/node/gravity.hpp"
@@ -24,8 +25,8 @@ namespace ricochet {
 
 /// A new effect is its header and its name here; everything else (the Lua function, its checks and documentation, the
 /// column of its energy, the tests of all effects) follows from what it says it is, by the concepts below.
-using Effect =
-    std::variant<Gravity, Drag, Absorbing, MovingAnchor, Damping, Plastic, Breaking, Adhesion, Friction, Thermal>;
+using Effect = std::variant<Gravity, Drag, Absorbing, MovingAnchor, Damping, Plastic, Breaking, Adhesion, Friction,
+                            Thermal, Yielding>;
 
 inline constexpr std::size_t effect_kinds = std::variant_size_v<Effect>;
 
@@ -85,6 +86,12 @@ concept PairMemory = std::same_as<E, GripLaw>;
 template <class E>
 concept AtStart = requires {
   E::only_at_start;
+};
+
+/// Lets elements flow, by a law of its own.
+template <class E>
+concept ElementFlow = requires {
+  E::lets_elements_flow;
 };
 
 /// Acts on springs.
@@ -154,6 +161,9 @@ std::string conflict_with(std::span<const Effect> effects, std::span<const Solid
 
 /// Acceleration of a body that touches nothing. [c^2/R] `body`: its index, of `count`.
 Vec3 fall_of(std::span<const Effect> effects, int body, int count);
+
+/// The effect that lets the elements of a body flow, or nullptr. `body`: its index, of `count`.
+const Yielding* flowing(std::span<const Effect> effects, int body, int count);
 
 /// Where anchors are moved to before an impact begins. [R]
 Vec2 displacement_at_start(std::span<const Effect> effects);

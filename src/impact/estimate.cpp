@@ -10,6 +10,8 @@
 #include <optional>
 
 #include "body/elasticity.hpp"
+#include "contact/line_contact.hpp"
+#include "contact/point_contact.hpp"
 #include "impact/axes.hpp"
 #include "shape/curvature.hpp"
 #include "shape/outline.hpp"
@@ -20,7 +22,7 @@ namespace {
 
 constexpr double boundless = std::numeric_limits<double>::infinity();
 
-/// A body as the law sees it.
+/// A body as the laws see it.
 struct Elastic {
   double modulus = boundless, poisson = 0, density = boundless;
   bool held = true;  ///< infinitely heavy
@@ -70,7 +72,8 @@ double height_of(const Points& outline, double x, bool upper) {
 // Nothing if the bodies pass beside each other.
 std::optional<Touch> touch_of(const Scene& scene) {
   Points above = scene.projectile->outline;
-  const double shift = scene.launch.at - figure_of(above).centre.x();
+  const bool on_axis = scene.projectile->numbers.axisymmetric();
+  const double shift = on_axis ? 0 : scene.launch.at - figure_of(above).centre.x();
   for (Vec2& p : above) p.x() += shift;
   const bool plane = scene.target->plane.has_value();
   double lift = -boundless;
@@ -100,12 +103,43 @@ struct Side {
   double slowness = 0;  ///< 1 over the mass that the normal speed of its point at the touch has [1/m0]
 };
 
+// The outline on both sides of the axis x = 0 of a half that reaches it at the height of `at`; the half itself if it
+// does not.
+Points mirrored(const Points& half, const Vec2& at) {
+  const std::size_t n = half.size();
+  const auto on_axis = [&](std::size_t i) { return half[i % n].x() == 0; };
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!on_axis(i) || !on_axis(i + 1) || on_axis(i + 2)) continue;
+    Points whole{half[(i + 1) % n]};
+    for (std::size_t k = i + 2; whole.size() == 1 || whole.back().x() != 0; ++k) whole.push_back(half[k % n]);
+    const double rounding = 1e-9 * whole.front().norm();
+    if (std::min(std::abs(normal(whole.front()) - normal(at)), std::abs(normal(whole.back()) - normal(at))) > rounding)
+      continue;
+    for (std::size_t back = whole.size() - 1; back-- > 1;)
+      whole.emplace_back(-tangential(whole[back]), normal(whole[back]));
+    return whole;
+  }
+  return half;
+}
+
+// A body of revolution at a touch on its axis. Its volume is the area of the half times the way of its centre around
+// the axis. [Pappus]
+Side side_of_revolution(const Body& body, const Points& half, const Vec2& at) {
+  Side side{elastic_of(body)};
+  const Figure figure = figure_of(half);
+  const double volume = 2 * std::numbers::pi * figure.centre.x() * figure.area;
+  side.outline = outline_at(mirrored(half, at), at, 0.1 * std::cbrt(3 * volume / (4 * std::numbers::pi)));
+  if (!side.elastic.held) side.slowness = 1 / (volume * side.elastic.density);
+  return side;
+}
+
 Side side_of(const Body& body, const Points& outline, const Vec2& at) {
   Side side{elastic_of(body)};
   if (body.plane) {
     side.outline = {{0, 1}, boundless, false};
     return side;
   }
+  if (body.numbers.axisymmetric()) return side_of_revolution(body, outline, at);
   const Figure figure = figure_of(outline);
   const double size = std::sqrt(figure.area / std::numbers::pi);
   side.outline = outline_at(outline, at, 0.1 * size);
@@ -119,10 +153,10 @@ Side side_of(const Body& body, const Points& outline, const Vec2& at) {
   return side;
 }
 
-std::string why_no_law(const Side& one, const Side& other, const LinePair& pair) {
+std::string why_no_law(const Side& one, const Side& other, double radius) {
   if (one.outline.corner || other.outline.corner) return "a corner touches, and the law is of smooth outlines";
-  if (!(pair.radius > 0)) return "the outlines fit into each other";
-  if (std::isinf(pair.radius)) return "a flat side touches a flat one, and the law is of round outlines";
+  if (!(radius > 0)) return "the outlines fit into each other";
+  if (std::isinf(radius)) return "a flat side touches a flat one, and the law is of round outlines";
   return "";
 }
 
@@ -135,11 +169,17 @@ double spacing_of(const Scene& scene) {
   return spacing;
 }
 
+// Greatest pressure over the yield stress where yielding begins.
+double yields_at(const Scene& scene) { return scene.projectile->numbers.axisymmetric() ? 1.60 : 1.67; }
+
 double pressure_over_yield(const Scene& scene, double pressure) {
   double over = not_given;
-  for (const Body* body : scene.bodies()) {
+  const auto bodies = scene.bodies();
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Body* body = bodies[b];
     if (!body->material || std::isnan(body->material->yield) || std::isnan(pressure)) continue;
-    const bool passes = pressure > 1.67 * body->material->yield;
+    if (flowing(scene.effects, static_cast<int>(b), static_cast<int>(bodies.size()))) continue;
+    const bool passes = pressure > yields_at(scene) * body->material->yield;
     over = passes || over == 1 ? 1 : 0;
   }
   return over;
@@ -175,8 +215,9 @@ void add_doubts(const Scene& scene, Estimate& e) {
                       share, body->numbers.placement, most));
   }
   if (e.over_yield == 1)
-    add("over_yield",
-        "the greatest pressure passes 1.67 times a yield stress, where yielding begins, and nothing yields here");
+    add("over_yield", fmt::format("the greatest pressure passes {:g} times a yield stress, where yielding begins, and "
+                                  "nothing yields here",
+                                  yields_at(scene)));
 }
 
 void set_speeds(const Scene& scene, Estimate& e) {
@@ -187,7 +228,7 @@ void set_speeds(const Scene& scene, Estimate& e) {
 
 Estimate without_law(Estimate e, std::string why) {
   e.no_law = std::move(why);
-  e.impact = {not_given, not_given, not_given, not_given, false};
+  e.impact = {not_given, not_given, not_given, not_given, not_given, false};
   return e;
 }
 
@@ -204,12 +245,18 @@ Estimate estimate(const Scene& scene) {
   const Vec2 normal =
       std::isinf(one.outline.radius) || one.outline.corner ? other.outline.normal : Vec2(-one.outline.normal);
   e.normal_speed = -scene.launch.velocity().dot(normal);
-  const LinePair pair = pressed_together(one.line, other.line);
-  e.radius = pair.radius;
-  if (const std::string why = why_no_law(one, other, pair); !why.empty()) return without_law(e, why);
+  const bool revolved = scene.projectile->numbers.axisymmetric();
+  if (revolved && tangential(touch->at) != 0)
+    return without_law(e, "the bodies touch along a ring, and the law is of a touch on their axis");
+  const LinePair line = pressed_together(one.line, other.line);
+  const PointBody point = pressed_together(PointBody{one.elastic.modulus, one.outline.radius},
+                                           PointBody{other.elastic.modulus, other.outline.radius});
+  e.radius = revolved ? point.radius : line.radius;
+  if (const std::string why = why_no_law(one, other, e.radius); !why.empty()) return without_law(e, why);
   if (!(e.normal_speed > 0)) return without_law(e, "the outlines slide past each other");
-  e.impact = line_impact(pair, 1 / (one.slowness + other.slowness), e.normal_speed);
-  e.pressure = 2 * e.impact.force / (std::numbers::pi * e.impact.half_width);
+  const double mass = 1 / (one.slowness + other.slowness);
+  e.impact = revolved ? point_impact(point, mass, e.normal_speed) : line_impact(line, mass, e.normal_speed);
+  e.pressure = e.impact.pressure;
   e.over_yield = pressure_over_yield(scene, e.pressure);
   const double most = !scene.target->rigid() && other.elastic.held ? 0.05 : 0.1;
   e.in_range = e.impact.in_range && e.normal_speed <= most * e.slowest_wave;

@@ -204,6 +204,13 @@ const Columns& of_run() {
         "1 if the greatest pressure that ricochet.estimate gives passes 1.67 times the yield stress of a body's "
         "material, 0 if not: nothing yields here; undefined without a yield stress, or a law"},
        [](O o) { return o.over_yield; }},
+      {{"plastic_strain_most", "number", "",
+        "greatest plastic strain of an element; undefined without ricochet.yielding"},
+       [](O o) { return o.plastic_strain_most; }},
+      {{"dent", "number", "R",
+        "by how much less far the projectile reaches from its centre of mass towards the target at the end than at "
+        "rest, as it vibrates then; undefined without ricochet.yielding"},
+       [](O o) { return o.dent; }},
   };
   return columns;
 }
@@ -221,6 +228,8 @@ void add_effect(const E&, Columns& columns) {
          std::move(value)});
   };
   if (E::energy_doc) add("_energy", "m0 c^2", E::energy_doc, [kind](O o) { return of_kind(o.effect_energy, kind); });
+  if constexpr (ElementFlow<E>)
+    add("_elements", "", E::count_doc, [kind](O o) { return of_kind(o.effect_count, kind); });
   if constexpr (SpringChange<E>)
     add("_springs", "", E::count_doc, [kind](O o) { return of_kind(o.effect_count, kind); });
 }

@@ -21,6 +21,7 @@ struct State {
         effects(beside, of) {
     for (const Solid* solid : solids) {
       bodies.push_back(at_rest<W>(*solid));  // idle lanes rest
+      bodies.back().flow = effects.flows().of(bodies.size() - 1);
       displacement.emplace_back().resize(solid->coordinates());
     }
     end = bodies;

@@ -19,9 +19,9 @@ const std::vector<Member<Material>>& Material::fields() {
 }
 
 PlaneMaterial in_plane(const Material& m, const std::string& state, double thickness) {
-  const bool strain = state == "plane_strain";
+  const bool strain = state != "plane_stress";
   const double E = strain ? m.E / (1 - m.nu * m.nu) : m.E, nu = strain ? m.nu / (1 - m.nu) : m.nu;
-  return {E * thickness, nu, m.density * thickness, m.yield * thickness, thickness};
+  return {E * thickness, nu, m.density * thickness, m.yield * thickness, m.hardening * thickness, thickness};
 }
 
 }  // namespace ricochet

@@ -11,6 +11,9 @@ namespace ricochet {
 /// stays finite where a triangle is turned over; linear in uniaxial strain. Written by |F|^2 - 2 J =
 /// (F_xx - F_yy)^2 + (F_xy + F_yx)^2, which a rotation leaves 0 to the last digit. [here: a
 /// neo-Hookean law whose resistance to a change of area is a polynomial of it]
+/// In a body of revolution F and J are those of space, and the first term is mu/2 (|F|^2 - 3); with A the determinant
+/// in the plane, |F|^2 - 1 - 2 J = (F_xx - F_yy)^2 + (F_xy + F_yx)^2 + (F_zz - 1)(F_zz + 1 - 2 A). At F_zz = 1 it is
+/// the law of the plane.
 template <class Number>
 struct Polynomial {
   Number lambda, mu;
@@ -40,6 +43,32 @@ struct Polynomial {
     const Number ds = (lambda + mu) * (F.yy * dF.xx + F.xx * dF.yy - F.yx * dF.xy - F.xy * dF.yx);
     return {da + ds * F.yy + s * dF.yy, db - ds * F.yx - s * dF.yx, db - ds * F.xy - s * dF.xy,
             ds * F.xx + s * dF.xx - da};
+  }
+
+  Number energy(const AxialTensor<Number>& G) const {
+    const Tensor<Number>& F = G.plane;
+    const Number difference = F.xx - F.yy, sum = F.xy + F.yx, area = F.xx * F.yy - F.xy * F.yx;
+    const Number swelling = area * G.zz - 1.0;
+    return 0.5 * mu * (difference * difference + sum * sum + (G.zz - 1.0) * (G.zz + 1.0 - 2.0 * area)) +
+           0.5 * (lambda + mu) * swelling * swelling;
+  }
+  [[gnu::always_inline]] AxialTensor<Number> stress(const AxialTensor<Number>& G) const {
+    const Tensor<Number>& F = G.plane;
+    const Number a = mu * (F.xx - F.yy), b = mu * (F.xy + F.yx), area = F.xx * F.yy - F.xy * F.yx;
+    const Number pressure = (lambda + mu) * (area * G.zz - 1.0);
+    const Number s = pressure * G.zz - mu * (G.zz - 1.0), minus = -s;
+    return {{a + s * F.yy, b + minus * F.yx, b + minus * F.xy, s * F.xx - a}, mu * (G.zz - area) + pressure * area};
+  }
+  AxialTensor<Number> tangent(const AxialTensor<Number>& G, const AxialTensor<Number>& dG) const {
+    const Tensor<Number>&F = G.plane, &dF = dG.plane;
+    const Number da = mu * (dF.xx - dF.yy), db = mu * (dF.xy + dF.yx), area = F.xx * F.yy - F.xy * F.yx;
+    const Number darea = F.yy * dF.xx + F.xx * dF.yy - F.yx * dF.xy - F.xy * dF.yx;
+    const Number pressure = (lambda + mu) * (area * G.zz - 1.0),
+                 dpressure = (lambda + mu) * (darea * G.zz + area * dG.zz);
+    const Number s = pressure * G.zz - mu * (G.zz - 1.0), ds = dpressure * G.zz + (pressure - mu) * dG.zz;
+    return {{da + ds * F.yy + s * dF.yy, db - ds * F.yx - s * dF.yx, db - ds * F.xy - s * dF.xy,
+             ds * F.xx + s * dF.xx - da},
+            mu * (dG.zz - darea) + dpressure * area + pressure * darea};
   }
 };
 

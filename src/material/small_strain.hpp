@@ -23,10 +23,29 @@ struct SmallStrain {
     return of(dF.xx, dF.yy, Number(mu * (dF.xy + dF.yx)));
   }
 
+  Number energy(const AxialTensor<Number>& G) const {
+    const Tensor<Number>& F = G.plane;
+    const Number xx = F.xx - 1.0, yy = F.yy - 1.0, zz = G.zz - 1.0, xy = 0.5 * (F.xy + F.yx), trace = xx + yy + zz;
+    return 0.5 * lambda * trace * trace + mu * (xx * xx + yy * yy + zz * zz + 2.0 * xy * xy);
+  }
+  [[gnu::always_inline]] AxialTensor<Number> stress(const AxialTensor<Number>& G) const {
+    const Tensor<Number>& F = G.plane;
+    const Number xx = F.xx - 1.0, yy = F.yy - 1.0, zz = G.zz - 1.0, shear = mu * (F.xy + F.yx);
+    return of(xx, yy, zz, shear);
+  }
+  AxialTensor<Number> tangent(const AxialTensor<Number>&, const AxialTensor<Number>& dG) const {
+    return of(dG.plane.xx, dG.plane.yy, dG.zz, Number(mu * (dG.plane.xy + dG.plane.yx)));
+  }
+
  private:
   [[gnu::always_inline]] Tensor<Number> of(const Number& xx, const Number& yy, const Number& shear) const {
     const Number pressure = lambda * (xx + yy), twice = 2.0 * mu;
     return {pressure + twice * xx, shear, shear, pressure + twice * yy};
+  }
+  [[gnu::always_inline]] AxialTensor<Number> of(const Number& xx, const Number& yy, const Number& zz,
+                                                const Number& shear) const {
+    const Number pressure = lambda * (xx + yy + zz), twice = 2.0 * mu;
+    return {{pressure + twice * xx, shear, shear, pressure + twice * yy}, pressure + twice * zz};
   }
 };
 

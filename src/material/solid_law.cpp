@@ -5,7 +5,7 @@
 namespace ricochet {
 
 Lame lame_of(double nu, const std::string& state) {
-  const double lambda = state == "plane_strain" ? nu / ((1 + nu) * (1 - 2 * nu)) : nu / (1 - nu * nu);
+  const double lambda = state == "plane_stress" ? nu / (1 - nu * nu) : nu / ((1 + nu) * (1 - 2 * nu));
   return {lambda, 1 / (2 * (1 + nu))};
 }
 

@@ -12,23 +12,27 @@
 
 namespace ricochet {
 
-/// Energy per area at rest, the first stress of Piola and Kirchhoff P = dW/dF, and its change by a change of F.
+/// Energy per area at rest, the first stress of Piola and Kirchhoff P = dW/dF, and its change by a change of F; per
+/// volume in a body of revolution.
 template <class L>
-concept SolidLaw = requires(const L& law, const Tensor<double>& F) {
+concept SolidLaw = requires(const L& law, const Tensor<double>& F, const AxialTensor<double>& G) {
   { law.energy(F) } -> std::convertible_to<double>;
   { law.stress(F) } -> std::same_as<Tensor<double>>;
   { law.tangent(F, F) } -> std::same_as<Tensor<double>>;
+  { law.energy(G) } -> std::convertible_to<double>;
+  { law.stress(G) } -> std::same_as<AxialTensor<double>>;
+  { law.tangent(G, G) } -> std::same_as<AxialTensor<double>>;
 };
 
 static_assert(SolidLaw<Polynomial<double>> && SolidLaw<SmallStrain<double>> && SolidLaw<StVenantKirchhoff<double>>);
 
-/// Lame's constants of a plane, per unit of Young's modulus E.
+/// Lame's constants, of a plane or of space, per unit of Young's modulus E.
 struct Lame {
   double lambda = 0, mu = 0;
 };
 
 /// mu = 1/(2 (1 + nu)); lambda = nu/(1 - nu^2) of a sheet that is free to bulge (plane_stress), nu/((1 + nu)(1 - 2 nu))
-/// of a long cylinder (plane_strain).
+/// of a long cylinder (plane_strain) and of a body of revolution (axisymmetric), as of any body in space.
 Lame lame_of(double nu, const std::string& state);
 
 /// The law of a body's elements, per unit of E.

@@ -26,4 +26,22 @@ struct Tensor {
   }
 };
 
+/// A tensor of a body of revolution: that of the plane through its axis, and across the plane, where it has no shear.
+/// F_zz is the circumference of a ring over that at rest.
+template <class Number>
+struct AxialTensor {
+  Tensor<Number> plane;
+  Number zz;
+
+  [[gnu::always_inline]] AxialTensor() {}
+  [[gnu::always_inline]] AxialTensor(const Tensor<Number>& plane_, const Number& zz_) : plane(plane_) { zz = zz_; }
+  [[gnu::always_inline]] AxialTensor(const AxialTensor& other) { *this = other; }
+  // NOLINTNEXTLINE(bugprone-unhandled-self-assignment): it owns nothing
+  [[gnu::always_inline]] AxialTensor& operator=(const AxialTensor& other) {
+    plane = other.plane;
+    zz = other.zz;
+    return *this;
+  }
+};
+
 }  // namespace ricochet

@@ -116,9 +116,8 @@ std::vector<double> relative_moduli(const Solid& solid, const Elements& elements
       moduli.push_back(0);
       continue;
     }
-    const auto rest = [&](int corner) { return solid.points[static_cast<std::size_t>(t[corner])]; };
-    const double area = std::abs(cross(Vec2(rest(1) - rest(0)), Vec2(rest(2) - rest(0)))) / 2;
-    moduli.push_back(elements.weight[static_cast<std::size_t>(found - elements.nodes.begin())] / area);
+    const auto e = static_cast<std::size_t>(found - elements.nodes.begin());
+    moduli.push_back(elements.weight[e] / measure_at_rest(solid, t));
   }
   return moduli;
 }
@@ -127,6 +126,7 @@ std::vector<double> relative_moduli(const Solid& solid, const Elements& elements
 void add_body(FrameMesh& mesh, const Solid& solid, const Points& points, double stiffness) {
   const bool plane = std::holds_alternative<Plane>(solid.surface);
   BodyMesh body{mesh.nodes(), static_cast<int>(points.size()), {}, {}};
+  body.axisymmetric = solid.axisymmetric;
   for (int i = 0; i < body.nodes; ++i) {
     append(mesh.rest, points[static_cast<std::size_t>(i)]);
     mesh.mass.push_back(plane ? 1 : solid.mass[i]);

@@ -95,8 +95,9 @@ double turn_of(const Solid& solid, const Turn& at_start, const Points& places, c
   return std::atan2(sine, cosine);
 }
 
-// Along the surface, between the outermost nodes that bear more than 1 % of the strongest force.
-double length_of(const BodyShot& body) {
+// Along the surface, between the outermost nodes that bear more than 1 % of the strongest force; a half that an axis
+// parts from the other begins there.
+double length_of(const BodyShot& body, bool half) {
   double strongest = 0;
   for (const Vec2& force : body.force) strongest = std::max(strongest, force.norm());
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -105,7 +106,7 @@ double length_of(const BodyShot& body) {
     low = std::min(low, tangential(body.place[i]));
     high = std::max(high, tangential(body.place[i]));
   }
-  return high > low ? high - low : 0.0;
+  return half ? 2 * std::max(0.0, high) : high > low ? high - low : 0.0;
 }
 
 }  // namespace
@@ -148,7 +149,7 @@ Sample Sampler::operator()(const Snapshot& shot) {
   for (const std::size_t b : {role::projectile, role::target}) {
     BodySample& body = b == role::projectile ? sample.projectile : sample.target;
     body = {shot.rigid[b].centre, shot.rigid[b].velocity, 0, shot.rigid[b].spin, shot.energy.bodies[b]};
-    if (solids_[b]->anchored()) continue;
+    if (solids_[b]->anchored() || solids_[b]->axisymmetric) continue;
     // Whole turns are those that the spin has made since the last time.
     const double since = std::isnan(last_time_) ? shot.time : shot.time - last_time_;
     const double expected = angle_[b] + since * (std::isnan(last_time_) ? body.spin : spin_[b]);
@@ -161,12 +162,14 @@ Sample Sampler::operator()(const Snapshot& shot) {
   last_time_ = shot.time;
   const BodyShot& projectile = shot.bodies[role::projectile];
   for (const Vec2& force : projectile.force) sample.force += force;
+  const bool half = solids_[role::projectile]->axisymmetric;
+  if (half) sample.force = normal(sample.force) * upwards();  // what is radial balances itself
   const double height = normal(sample.projectile.centre) - normal(sample.target.centre);
   sample.indentation = start_.overlap_height - height;
   sample.first_touch = shot.first_touch;
   sample.touch_height = height_at(shot.first_touch);
   sample.overlap = sample.touch_height - height;
-  if (shot.energy.contact > touch_share * start_.energy) sample.contact_length = length_of(projectile);
+  if (shot.energy.contact > touch_share * start_.energy) sample.contact_length = length_of(projectile, half);
   sample.contact_energy = shot.energy.contact;
   sample.effects_energy = shot.energy.effects;
   sample.total_energy = shot.energy.total();

@@ -99,12 +99,22 @@ std::vector<Function> sized_shapes() {
                                 {"b", "number", "R", "half axis along y", positive, "0.5"}};
   const std::vector<Field> sides{{"width", "number", "R", "extent along x, centred", positive, "2"},
                                  {"height", "number", "R", "extent along y, centred", positive, "1"}};
+  const std::vector<Field> round{{"radius", "number", "R", "radius", positive, "1"},
+                                 {"height", "number", "R", "extent along its axis, centred", positive, "1"}};
   const std::vector<Field> corners{{"sides", "integer", "", "how many sides, of equal length", {3, 1000}, "6"},
                                    {"radius", "number", "R", "of its corners from the centre", positive, "1"}};
   return {
       shape("disk", "A disk around the origin.", radius, "ricochet.disk { nodes = 800, roughness = 0.03, seed = 7 }"),
       shape("ellipse", "An ellipse around the origin.", axes,
             "ricochet.ellipse { a = 1.2, b = 0.8, nodes = 800, placement = \"poisson_disk\" }"),
+      shape("sphere",
+            "A sphere around the origin: an axisymmetric body of elements, of the half at x >= 0 of its section. It "
+            "moves along the axis x = 0.",
+            radius, "ricochet.sphere { E = 1e4, nu = 0.3, h_min = 0.02 }"),
+      shape("cylinder",
+            "A cylinder around the origin that stands on its end: an axisymmetric body of elements, of the half at "
+            "x >= 0 of its section. It moves along the axis x = 0.",
+            round, "ricochet.cylinder { radius = 1, height = 4, E = 1e4, nu = 0.3, nodes = 400 }"),
       shape("rectangle", "A rectangle around the origin.", sides,
             "ricochet.rectangle { width = 2, height = 0.5, velocity = {0, 0.02}, spin = 0.01 }"),
       shape("regular_polygon",

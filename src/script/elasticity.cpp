@@ -24,6 +24,8 @@ int elasticity(lua_State* L) {
     throw_here(L, FieldError("body", "must have no anchored nodes"));
   Elasticity result{};
   try {
+    if (band.numbers.axisymmetric())
+      throw FieldError("body", "must be of a plane: a band of state = \"plane_strain\" has the same moduli");
     const auto solid = build_solid(band);
     if (band.rigid()) throw FieldError("body", "must give way; a rigid one has no modulus");
     result = stretch_band(*solid, band.numbers.stiffness);

@@ -20,6 +20,13 @@ constexpr const char* line_range =
     "round, smooth outlines; contact narrower than the bodies; normal speed up to 0.1 of the least c_P (0.05 beside an "
     "elastic wall, a block held at its depth): then within 20 % of fine lattices";
 
+constexpr const char* point_law =
+    "Hertz: point contact of smooth bodies of revolution on their axis, quasi-static [Johnson 1985, sections 4.2, "
+    "11.4]";
+constexpr const char* point_range =
+    "round, smooth outlines; contact narrower than half of the radius; normal speed up to 0.1 of the least c_P (0.05 "
+    "beside an elastic block that is held)";
+
 /// One number of the table.
 struct Told {
   const char* name;
@@ -100,6 +107,8 @@ void push_warnings(lua_State* L, const Estimate& e) {
 // A force per length as a stress, in Pa; in the paper's units, which know no thickness, as it is.
 Told pressure_of(const Scene& scene, double pressure) {
   constexpr const char *name = "pressure", *law = "greatest pressure of a line contact, 2 F/(pi a)";
+  if (scene.projectile->numbers.axisymmetric())
+    return {name, pressure, "m0 c^2/R^3", "greatest pressure of Hertz, 3 F/(2 pi a^2)"};
   if (!scene.units.si) return {name, pressure, "m0 c^2/R^2", law};
   return {name, pressure * scene.units.length / scene.projectile->material->thickness, "m0 c^2/R^3", law};
 }
@@ -107,7 +116,7 @@ Told pressure_of(const Scene& scene, double pressure) {
 int estimate_from_lua(lua_State* L) {
   const Scene& scene = scene_at(L, 1).scene;
   const Estimate e = estimate(scene);
-  const Told numbers[] = {
+  Told numbers[] = {
       {"force", e.impact.force, "m0 c^2/R"},
       {"overlap", e.impact.approach, "R"},
       {"contact_time", e.impact.time, "R/c"},
@@ -117,7 +126,10 @@ int estimate_from_lua(lua_State* L) {
        "an effect ricochet.damping, a rigid target, e above 0.5; waves left in the disk take some 0.02 more"},
       {"wave_speed", e.wave_speed, "c", "c_P = sqrt(E2/(rho (1 - nu2^2))) of the projectile", "small strains"}};
   lua_newtable(L);
-  for (const Told& told : numbers) {
+  const bool revolved = scene.projectile->numbers.axisymmetric();
+  for (Told& told : numbers) {
+    if (revolved && told.law == line_law) told.law = point_law;
+    if (revolved && told.range == line_range) told.range = point_range;
     push_told(L, told, scene.units, e.in_range);
     lua_setfield(L, -2, told.name);
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "impact/batch.hpp"
+#include "record/whole_section.hpp"
 #include "script/fields.hpp"
 #include "script/objects.hpp"
 #include "script/run_files.hpp"
@@ -136,15 +137,18 @@ std::vector<double> equal_times(double from, double until, int count, double ste
 
 Source source_of(const FilmedScene& filmed, std::vector<double> times) {
   Source source;
-  source.subject = std::make_shared<render::Subject>(frame_mesh(filmed.scene, filmed.solids));
+  const FrameMesh mesh = frame_mesh(filmed.scene, filmed.solids);
+  source.subject = std::make_shared<render::Subject>(whole_section(mesh));
   source.subject->title = filmed.title;
   source.hash = filmed.scene.hash();
-  source.play = [&filmed, times = std::move(times)](const std::atomic<bool>& stop,
-                                                    const std::function<void(Frame)>& use,
-                                                    const std::function<void(const Sample&)>& between) {
+  source.play = [&filmed, mesh, times = std::move(times)](const std::atomic<bool>& stop,
+                                                          const std::function<void(Frame)>& use,
+                                                          const std::function<void(const Sample&)>& between) {
     Sampling sampling;
     if (between) sampling = {equal_times(times.front(), times.back(), points_of_a_plot, filmed.course.step), between};
-    film_scene(filmed.solids, filmed.scene, times, stop, use, sampling);
+    film_scene(
+        filmed.solids, filmed.scene, times, stop, [&](const Frame& frame) { use(whole_section(mesh, frame)); },
+        sampling);
   };
   return source;
 }

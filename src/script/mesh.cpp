@@ -2,19 +2,33 @@
 
 #include "shape/mesh.hpp"
 
+#include <numbers>
+
 #include "body/solid.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
+#include "shape/curvature.hpp"
 #include "shape/outline.hpp"
 
 namespace ricochet {
 namespace {
 
-// Of the described outline and holes. [R^2]
-double area_of(const Body& body) {
-  double area = signed_area(body.outline);
-  for (const Points& hole : body.holes) area += signed_area(hole);
-  return area;
+// Of the described outline and holes: their area, or the volume that it goes through around the axis. [R^2, R^3]
+double measure_of(const Body& body) {
+  const auto of = [&](const Points& chain) {
+    if (!body.numbers.axisymmetric()) return signed_area(chain);
+    const Figure figure = figure_of(chain);
+    return 2 * std::numbers::pi * figure.centre.x() * figure.area;
+  };
+  double sum = of(body.outline);
+  for (const Points& hole : body.holes) sum += of(hole);
+  return sum;
+}
+
+double measure_of(const Solid& solid) {
+  double sum = 0;
+  for (const Triangle& t : solid.cells) sum += measure_at_rest(solid, t);
+  return sum;
 }
 
 int mesh(lua_State* L) {
@@ -35,7 +49,7 @@ int mesh(lua_State* L) {
                                     {"quality", quality.worst},
                                     {"shortest", quality.shortest},
                                     {"longest", quality.longest},
-                                    {"mass_error", quality.area / area_of(body) - 1}}) {
+                                    {"mass_error", measure_of(*solid) / measure_of(body) - 1}}) {
     lua_pushnumber(L, value);
     lua_setfield(L, -2, name);
   }
@@ -50,7 +64,7 @@ Group mesh_functions() {
                          .doc = "How the triangles of a body are: how many `nodes` and `triangles`; the `quality` of "
                                 "the worst, 12 sqrt(3) area/perimeter^2, 1 if it is equilateral; the `shortest` and "
                                 "`longest` side, in R, or in m of a body of a material; `mass_error`, by which share "
-                                "their area exceeds that of the outline.",
+                                "their area, or volume, exceeds that of the outline.",
                          .fields = {{"body", "body", "", "of springs or elements"}},
                          .returns = "table",
                          .example = "ricochet.mesh { body = disk }.quality",

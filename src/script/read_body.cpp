@@ -246,6 +246,9 @@ void read_material(lua_State* L, Body& made) {
   }
   for (const char* field : {"stiffness", "density", "mass", "E", "nu"})
     if (given(field)) throw FieldError(field, "follows from the material; give one of them");
+  if (given("thickness") && made.numbers.axisymmetric())
+    throw FieldError("thickness",
+                     "says nothing of an axisymmetric body, which is as thick as it is round; leave it out");
   if (made.rigid())
     throw FieldError("material", "says nothing of a rigid body, inside which nothing moves; leave it out");
   Section section;

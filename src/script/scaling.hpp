@@ -9,7 +9,8 @@
 namespace ricochet {
 
 /// The units in which a projectile in SI has the numbers of the paper's disk: half its greater extent is R, and its
-/// density and stiffness are the defaults. Throws FieldError if it is of no material.
+/// density and stiffness are the defaults; of a body of revolution those of the volume. Throws FieldError if it is of
+/// no material.
 Units si_units(const Body& projectile);
 
 /// A body whose numbers are in these units, in R, m0 and c. Throws FieldError, at `field`, for a body that is of no

@@ -59,6 +59,25 @@ void check_scene(const Scene& scene) {
     throw FieldError("projectile", "must be free, but this body has anchored nodes");
 }
 
+// What yields as a body's material does, and where the body is in space, whose stresses are no forces per length.
+Yielding yielding_of(Yielding given, const Scene& scene, const Body& body, const char* name) {
+  given.on = name;
+  if (body.numbers.axisymmetric())
+    for (double* stress : {&given.yield, &given.hardening})
+      *stress *= scene.units.worth("m0 c^2/R^2") / scene.units.worth("m0 c^2/R^3");
+  if (std::isnan(given.yield) && body.material) given.yield = body.material->yield;
+  if (std::isnan(given.hardening) && body.material) given.hardening = body.material->hardening;
+  if (std::isnan(given.hardening)) given.hardening = 0;
+  return given;
+}
+
+// One for each body that it is on, which may be of different materials.
+void add_yielding(const Yielding& given, Scene& scene) {
+  if (given.on != "target") scene.effects.push_back(yielding_of(given, scene, *scene.projectile, "projectile"));
+  if (given.on == "target" || (given.on == "both" && !scene.target->rigid()))
+    scene.effects.push_back(yielding_of(given, scene, *scene.target, "target"));
+}
+
 // The effect on top of the stack, from the table that it was made of, in these units.
 Effect read_effect(lua_State* L, const Units& units) {
   Effect effect = effect_at(L, -1).effect;
@@ -90,7 +109,13 @@ Scene read_scene(lua_State* L) {
     throw FieldError("launch", "a scene in SI has no usual speed: give launch = { speed = ... } in m/s");
   read_inner_members(L, 1, "contact", scene.contact, scene.units);
   read_inner_members(L, 1, "ending", scene.ending, scene.units);
-  each_in_field(L, 1, "effects", [&](lua_Integer) { scene.effects.push_back(read_effect(L, scene.units)); });
+  each_in_field(L, 1, "effects", [&](lua_Integer) {
+    const Effect effect = read_effect(L, scene.units);
+    if (const auto* yielding = std::get_if<Yielding>(&effect))
+      add_yielding(*yielding, scene);
+    else
+      scene.effects.push_back(effect);
+  });
   return scene;
 }
 

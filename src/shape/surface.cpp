@@ -1,5 +1,7 @@
 #include "shape/surface.hpp"
 
+#include <numbers>
+
 namespace ricochet {
 
 Cells<2> ring(int count, int first) {
@@ -41,6 +43,17 @@ std::vector<double> rim_shares(const Mesh<2>& mesh, const Points& places) {
     const double half = (places[static_cast<std::size_t>(a)] - places[static_cast<std::size_t>(b)]).norm() / 2;
     shares[static_cast<std::size_t>(a)] += half;
     shares[static_cast<std::size_t>(b)] += half;
+  }
+  return shares;
+}
+
+std::vector<double> ring_shares(const Mesh<2>& mesh, const Points& places) {
+  std::vector<double> shares(mesh.node.size(), 0.0);
+  for (const auto& [a, b] : mesh.cell) {
+    const Vec2 &p = places[static_cast<std::size_t>(a)], &q = places[static_cast<std::size_t>(b)];
+    const double sixth = 2 * std::numbers::pi * (p - q).norm() / 6;
+    shares[static_cast<std::size_t>(a)] += sixth * (2 * p.x() + q.x());
+    shares[static_cast<std::size_t>(b)] += sixth * (p.x() + 2 * q.x());
   }
   return shares;
 }

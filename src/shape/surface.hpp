@@ -20,7 +20,7 @@ template <int D>
 struct Mesh {
   std::vector<int> node;       ///< [surface node] its number in the body
   Cells<D> cell;               ///< [cell]
-  std::vector<double> weight;  ///< [surface node] its share of the rim: half of each cell at it [R]; empty: 1
+  std::vector<double> weight;  ///< [surface node] its share of the rim: rim_shares() or ring_shares(); empty: 1
 };
 
 /// A half-space whose inside is normal . x <= offset, of unit normal.
@@ -46,6 +46,10 @@ struct Rim {
 
 /// Half of the length of each cell at a surface node, at these places. [surface node] [R]
 std::vector<double> rim_shares(const Mesh<2>& mesh, const Points& places);
+
+/// The same of a body of revolution about the axis x = 0: of the area of each cell's ring, 2 pi l (2 x + x')/6 at the
+/// end at x. [surface node] [R^2]
+std::vector<double> ring_shares(const Mesh<2>& mesh, const Points& places);
 
 /// A run of cells each of which begins where the one before ended.
 struct Chain {

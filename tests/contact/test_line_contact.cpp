@@ -16,7 +16,7 @@ TEST_CASE("line contact: a disk on a rigid plane has Johnson's force, depth, wid
   const double R = 2, E = 3, nu = 0.3, rho = 0.7;
   const auto theirs = theory::disk_impact({R, E, nu, rho, v * std::sqrt(E / (1 - nu * nu) / rho)});
   const LinePair pair = pressed_together(LineBody::disk(E / (1 - nu * nu), R), LineBody::rigid_plane());
-  const LineImpact ours = line_impact(pair, pi * R * R * rho, v * theirs.c);
+  const QuasiStaticImpact ours = line_impact(pair, pi * R * R * rho, v * theirs.c);
   CHECK(ours.in_range);
   CHECK_THAT(ours.force, WithinRel(theirs.F, 1e-9));
   CHECK_THAT(ours.approach, WithinRel(theirs.delta, 1e-9));
@@ -38,7 +38,7 @@ TEST_CASE("line contact: two disks share the approach by their compliances", "[c
 TEST_CASE("line contact: beyond its range force, depth and time go on without a jump", "[contact]") {
   const LinePair pair = pressed_together(LineBody::disk(1, 1), LineBody::rigid_plane());
   const double v = std::sqrt((std::log(4) - 0.75) / 8);  // the contact becomes as wide as the disk
-  const LineImpact below = line_impact(pair, pi, v * (1 - 1e-9)), above = line_impact(pair, pi, v * (1 + 1e-9));
+  const QuasiStaticImpact below = line_impact(pair, pi, v * (1 - 1e-9)), above = line_impact(pair, pi, v * (1 + 1e-9));
   CHECK(below.in_range);
   CHECK_FALSE(above.in_range);
   CHECK_THAT(above.force, WithinRel(below.force, 1e-6));

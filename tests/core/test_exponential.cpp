@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "core/exponential.hpp"
+#include "core/logarithm.hpp"
 #include "core/rng.hpp"
 
 using namespace ricochet;
@@ -16,4 +17,20 @@ TEST_CASE("exponential agrees with the C library to 2 units in the last place") 
   }
   CHECK(worst <= 2);
   CHECK(exponential(0) == 1);
+}
+
+TEST_CASE("logarithm agrees with the C library to 2 units in the last place, also near 1") {
+  Random random(2, 0);
+  double worst = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const double far = std::exp(random.uniform(-300, 300)),
+                 near = 1 + std::pow(10, random.uniform(-15, -0.5)) * (i % 2 - 0.5);
+    for (const double x : {far, near}) {
+      const double exact = std::log(x), unit = std::nextafter(std::abs(exact), INFINITY) - std::abs(exact);
+      worst = std::max(worst, std::abs(logarithm(x) - exact) / unit);
+    }
+  }
+  CHECK(worst <= 2.5);
+  CHECK(logarithm(1) == 0);
+  for (const double none : {0.0, -1.0, double(INFINITY), double(NAN)}) CHECK(std::isnan(logarithm(none)));
 }

@@ -43,7 +43,7 @@ TEST_CASE("a contact that nobody gives gives way by a 200th of the expected inde
     INFO(speed << ": " << o.reason);
     REQUIRE(o.status == Status::finished);
     const BuiltSolids built(scene);
-    const LineImpact expected = expected_impact(scene, built, arriving(scene, built));
+    const QuasiStaticImpact expected = expected_impact(scene, built, arriving(scene, built));
     CHECK(o.xi == Catch::Detail::Approx(200 / expected.approach));
     CHECK(o.V0 == Catch::Detail::Approx(1000 * o.before.total()));
     CHECK(o.certified == 1);

@@ -65,6 +65,47 @@ TEST_CASE("stress is the slope of the energy and the tangent that of the stress,
   CHECK(turned_over > 50);
 }
 
+TEST_CASE("in a body of revolution stress is the slope of the energy too, and the tangent that of the stress") {
+  using F3 = AxialTensor<double>;
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> number(-1.5, 1.5);
+  const double h = 1e-3;
+  const auto five_points = [&](auto&& f) { return (f(-2) - 8 * f(-1) + 8 * f(1) - f(2)) / (12 * h); };
+  const auto along = [&](const F3& F, const F3& dF, double by) {
+    return F3({F.plane.xx + by * h * dF.plane.xx, F.plane.xy + by * h * dF.plane.xy, F.plane.yx + by * h * dF.plane.yx,
+               F.plane.yy + by * h * dF.plane.yy},
+              F.zz + by * h * dF.zz);
+  };
+  const auto contract = [](const F3& a, const F3& b) {
+    return a.plane.xx * b.plane.xx + a.plane.xy * b.plane.xy + a.plane.yx * b.plane.yx + a.plane.yy * b.plane.yy +
+           a.zz * b.zz;
+  };
+  const auto any = [&] { return F3({number(random), number(random), number(random), number(random)}, number(random)); };
+  for (int k = 0; k < 200; ++k) {
+    const F3 F = any(), dF = any(), other = any();
+    with_every_law(lame_of(0.3, "axisymmetric"), [&](const auto& law) {
+      const double work = five_points([&](double by) { return law.energy(along(F, dF, by)); });
+      CHECK(contract(law.stress(F), dF) == Catch::Detail::Approx(work).epsilon(1e-7).margin(1e-7));
+      const double change = five_points([&](double by) { return contract(law.stress(along(F, dF, by)), other); });
+      CHECK(contract(law.tangent(F, dF), other) == Catch::Detail::Approx(change).epsilon(1e-7).margin(1e-7));
+      // A ring that keeps its length is a slice of a long cylinder.
+      const F3 slice(F.plane, 1.0);
+      CHECK(law.energy(slice) == Catch::Detail::Approx(law.energy(F.plane)).epsilon(1e-12));
+      CHECK(law.stress(slice).plane.xy == Catch::Detail::Approx(law.stress(F.plane).xy).epsilon(1e-12).margin(1e-12));
+    });
+  }
+}
+
+TEST_CASE("a bar of revolution that is drawn has Young's modulus, and contracts by Poisson's ratio") {
+  const double E = 1.7, nu = 0.3, strain = 1e-7, across = 1 - nu * strain;
+  with_every_law(lame_of(nu, "axisymmetric"), [&](const auto& law) {
+    const AxialTensor<double> P = law.stress({{across, 0, 0, 1 + strain}, across});
+    CHECK(P.plane.yy == Catch::Detail::Approx(E * strain).epsilon(1e-6));
+    CHECK(std::abs(P.plane.xx) < 1e-6 * E * strain);
+    CHECK(std::abs(P.zz) < 1e-6 * E * strain);
+  });
+}
+
 TEST_CASE("a rigid rotation leaves no stress, but by the law of small strains") {
   for (const double angle : {1e-3, 0.4, 2.0, 3.1}) {
     with_every_law(lame_of(0.3, "plane_stress"), [&]<class Law>(const Law& law) {

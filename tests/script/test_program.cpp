@@ -280,6 +280,7 @@ TEST_CASE("scripts and examples of the project run short") {
                                     "examples/effects/moving_anchor.lua samples=1 phase=0,90",
                                     "examples/effects/damping.lua nodes=100 samples=1 speed=0.04,0.08,0.16",
                                     "examples/effects/plastic.lua nodes=100 samples=1 speed=0.05,0.1,0.2",
+                                    "examples/effects/yielding.lua speed=3000,10000 h_min=0.5",
                                     "examples/effects/breaking.lua nodes=60 samples=1 speed=0.1,0.3 frames=2",
                                     "examples/effects/adhesion.lua samples=1 speed=0.05,0.1",
                                     "examples/effects/friction.lua nodes=60 samples=1 psi1=1,2",

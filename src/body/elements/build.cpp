@@ -29,6 +29,12 @@ EdgeMetric metric_of(const Vec2& d1, const Vec2& d2, double weight) {
   return {share * d2.squaredNorm(), -share * d1.dot(d2), share * d1.squaredNorm(), 1 / twice_area, weight / twice_area};
 }
 
+RingShape ring_of(const Solid& solid, const std::array<int, 3>& nodes, double weight) {
+  double radii = 0;
+  for (const int node : nodes) radii += solid.points[at(node)].x();
+  return {1 / radii, weight / radii};
+}
+
 // By rising number, those that move.
 std::vector<std::array<int, 3>> moving_triangles(const Solid& solid) {
   std::vector<std::array<int, 3>> triangles;
@@ -67,14 +73,17 @@ Elements build_elements(const Body& body, const JoinedNodes& joined) {
   const std::vector<double> moduli = moduli_of(body, joined.number);
   for (const auto& [i, j, k] : elements.nodes) {
     const Vec2 d1 = solid.points[at(j)] - solid.points[at(i)], d2 = solid.points[at(k)] - solid.points[at(i)];
-    const double weight = std::abs(cross(d1, d2)) / 2 * ((moduli[at(i)] + moduli[at(j)] + moduli[at(k)]) / 3);
+    const double weight = measure_at_rest(solid, {i, j, k}) * ((moduli[at(i)] + moduli[at(j)] + moduli[at(k)]) / 3);
     elements.weight.push_back(weight);
     elements.shape.push_back(shape_of(d1, d2, weight));
     elements.metric.push_back(metric_of(d1, d2, weight));
+    if (solid.axisymmetric) elements.ring.push_back(ring_of(solid, {i, j, k}, weight));
     ++elements.first[at(i) + 1];
   }
   for (std::size_t i = 0; i + 1 < elements.first.size(); ++i) elements.first[i + 1] += elements.first[i];
   number_edges(elements);
+  if (solid.axisymmetric)
+    for (const Vec2& p : solid.points) elements.off_axis.push_back(p.x() == 0 ? 0 : 1);
   return elements;
 }
 

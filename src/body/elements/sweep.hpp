@@ -41,16 +41,55 @@ template <int W>
   return pulls;
 }
 
-/// Calls `use(law, e, F)` for every element, by rising e: law of the lanes' own moduli.
+/// The deformation gradient of a plane element, or its change, at its corners' places or displacements.
+template <int W>
+struct PlaneGradient {
+  using Gradient = Tensor<Lane<W>>;
+  static Gradient of(const Elements& elements, std::size_t e, const Place<W, 2>& i, const Place<W, 2>& j,
+                     const Place<W, 2>& k) {
+    return gradient_of<W>(ElementEdges<W>{j - i, k - i}, elements.shape[e]);
+  }
+};
+
+/// The same of a ring of a body of revolution.
+template <int W>
+struct RingGradient {
+  using Gradient = AxialTensor<Lane<W>>;
+  static Gradient of(const Elements& elements, std::size_t e, const Place<W, 2>& i, const Place<W, 2>& j,
+                     const Place<W, 2>& k) {
+    return {gradient_of<W>(ElementEdges<W>{j - i, k - i}, elements.shape[e]),
+            Lane<W>((i.at[0] + j.at[0] + k.at[0]) * elements.ring[e].per_radii)};
+  }
+};
+
+/// Calls `use(kind)`, kind: PlaneGradient or RingGradient, as the body is; chosen once a sweep.
+template <int W, class Use>
+void with_gradient(const Solid& solid, Use&& use) {
+  if (solid.axisymmetric)
+    use(RingGradient<W>{});
+  else
+    use(PlaneGradient<W>{});
+}
+
+/// Calls `use(law, e, F, kind)` for every element, by rising e: law of the lanes' own moduli, and of what it remembers;
+/// kind as above.
 template <int W, class Use>
 void each_element(const Motion<W>& body, const Elements& elements, Use&& use) {
   const Place<W, 2>* position = body.q.template places<2>();
-  with_solid_law(elements.law, body.stiffness, [&](const auto& law) {
-    for (int e = 0; e < elements.size(); ++e) {
-      const auto& [i, j, k] = elements.nodes[static_cast<std::size_t>(e)];
-      const ElementEdges<W> d{position[j] - position[i], position[k] - position[i]};
-      use(law, static_cast<std::size_t>(e), gradient_of<W>(d, elements.shape[static_cast<std::size_t>(e)]));
+  with_gradient<W>(*body.solid, [&](const auto& kind) {
+    const auto gradient = [&](std::size_t e) {
+      const auto& [i, j, k] = elements.nodes[e];
+      return kind.of(elements, e, position[i], position[j], position[k]);
+    };
+    if (const Flow<W>* flow = body.flow) {
+      const HenckyFlow<W> law = flow->law(elements.law, body.stiffness);
+      for (std::size_t e = 0; e < elements.nodes.size(); ++e)
+        use(RememberingLaw<W>{law, flow->memory[e]}, e, gradient(e), kind);
+      return;
     }
+    with_solid_law(elements.law, body.stiffness, [&](const auto& law) {
+      for (std::size_t e = 0; e < elements.nodes.size(); ++e) use(law, e, gradient(e), kind);
+    });
   });
 }
 
@@ -58,7 +97,7 @@ void each_element(const Motion<W>& body, const Elements& elements, Use&& use) {
 template <int W>
 Lane<W> element_energy(const Motion<W>& body, const Elements& elements) {
   Lane<W> sum = Lane<W>::Zero();
-  each_element(body, elements, [&](const auto& law, std::size_t e, const Tensor<Lane<W>>& F) {
+  each_element(body, elements, [&](const auto& law, std::size_t e, const auto& F, const auto&) {
     sum += elements.weight[e] * law.energy(F);
   });
   return sum;
@@ -74,16 +113,25 @@ void take_pulls(const Elements& elements, std::size_t e, const Tensor<Lane<W>>& 
   sum[k] -= pulls.second;
 }
 
-/// force += F of the elements. [m0 c^2/R]
+template <int W>
+void take_pulls(const Elements& elements, std::size_t e, const AxialTensor<Lane<W>>& P, Place<W, 2>* sum) {
+  take_pulls<W>(elements, e, P.plane, sum);
+  const Lane<W> inwards = elements.ring[e].hoop * P.zz;
+  for (const int node : elements.nodes[e]) sum[node].at[0] -= inwards;
+}
+
+/// force += F of the elements; across its axis a node of it feels none. [m0 c^2/R]
 template <int W>
 void add_element_forces(const Motion<W>& body, const Elements& elements, Coordinates<W>& force) {
   Place<W, 2>* sum = force.template places<2>();
-  each_element(body, elements, [&](const auto& law, std::size_t e, const Tensor<Lane<W>>& F) {
+  each_element(body, elements, [&](const auto& law, std::size_t e, const auto& F, const auto&) {
     take_pulls<W>(elements, e, law.stress(F), sum);
   });
+  for (std::size_t i = 0; i < elements.off_axis.size(); ++i) sum[i].at[0] *= elements.off_axis[i];
 }
 
-/// product += K w: K the second derivatives of the elements' energy where the nodes are; held nodes count as 0.
+/// product += K w: K the second derivatives of the elements' energy where the nodes are; held nodes count as 0, and so
+/// does what would take a node off its axis.
 template <int W>
 void add_stiffness_times(const Motion<W>& body, const Elements& elements, const Coordinates<W>& w,
                          Coordinates<W>& product) {
@@ -92,15 +140,18 @@ void add_stiffness_times(const Motion<W>& body, const Elements& elements, const 
     Place<W, 2> by;
     by.set_zero();
     if (node < body.solid->free) by += given[node];
+    if (body.solid->axisymmetric) by.at[0] *= elements.off_axis[static_cast<std::size_t>(node)];
     return by;
   };
   Coordinates<W> pulled;
   pulled.resize(product.size());
-  each_element(body, elements, [&](const auto& law, std::size_t e, const Tensor<Lane<W>>& F) {
+  each_element(body, elements, [&](const auto& law, std::size_t e, const auto& F, const auto& kind) {
     const auto& [i, j, k] = elements.nodes[e];
-    const ElementEdges<W> d{moved(j) - moved(i), moved(k) - moved(i)};
-    take_pulls<W>(elements, e, law.tangent(F, gradient_of<W>(d, elements.shape[e])), pulled.template places<2>());
+    take_pulls<W>(elements, e, law.tangent(F, kind.of(elements, e, moved(i), moved(j), moved(k))),
+                  pulled.template places<2>());
   });
+  for (std::size_t i = 0; i < elements.off_axis.size(); ++i)
+    pulled.template places<2>()[i].at[0] *= elements.off_axis[i];
   for (int c = 0; c < product.size(); ++c) product[c] -= pulled[c];
 }
 

@@ -11,6 +11,10 @@ concept PullsEdges = requires(const Law& law, const Tensor<Lane<W>>& D, const Ed
   law.edge_pulls(D, metric);
 };
 
+/// Whether it lets elements yield, and changes what they remember.
+template <class Law, int W>
+concept Flows = std::same_as<Law, HenckyFlow<W>>;
+
 template <int W, class Law>
 [[gnu::always_inline]] inline ElementEdges<W> pulls_by_edges(const Law& law, const ElementEdges<W>& d,
                                                              const EdgeMetric& metric) {
@@ -26,8 +30,9 @@ template <int W, class Law>
 /// One force evaluation, kick and drift: v += kick F/m, x += drift v.
 /// An element is held by its lowest node, so F of a node is complete once its own row is done, and no later row needs
 /// its position: kick and drift follow at once, as in the sweep over springs. `f` must hold what else acts on the nodes
-/// (contact).
-template <int W, class Law>
+/// (contact). A body of revolution (`rings`) takes a sweep of its own, and so does one that yields, so that those of
+/// elastic plane bodies stay as they are.
+template <int W, bool rings, class Law>
 [[gnu::noinline]] void sweep(Motion<W>& body, const Elements& elements, const Law& given, const Lane<W>& kick,
                              const Lane<W>& drift) {
   const std::array<int, 3>* nodes = elements.nodes.data();
@@ -35,6 +40,11 @@ template <int W, class Law>
   const EdgeMetric* metric = elements.metric.data();
   const double* per_mass = body.solid->mass.inverse().data();
   const int* first = elements.first.data();
+  [[maybe_unused]] Flow<W>* flow = body.flow;
+  [[maybe_unused]] const double* weight = elements.weight.data();
+  [[maybe_unused]] Lane<W> lost = Lane<W>::Zero();
+  [[maybe_unused]] const RingShape* ring = elements.ring.data();
+  [[maybe_unused]] const double* off_axis = elements.off_axis.data();
   // What is in local variables is not reloaded after every store.
   Place<W, 2>*position = body.q.template places<2>(), *velocity = body.v.template places<2>(),
            *force = body.f.template places<2>();
@@ -50,27 +60,58 @@ template <int W, class Law>
       const std::size_t j = static_cast<std::size_t>(nodes[e][1]), k = static_cast<std::size_t>(nodes[e][2]);
       const ElementEdges<W> d{position[j] - at, position[k] - at};
       ElementEdges<W> pulls;
-      if constexpr (PullsEdges<Law, W>)
+      if constexpr (rings || Flows<Law, W>) {
+        Lane<W> hoop = Lane<W>::Ones();
+        if constexpr (rings) hoop = (at.at[0] + position[j].at[0] + position[k].at[0]) * ring[e].per_radii;
+        const AxialTensor<Lane<W>> F(gradient_of<W>(d, shape[e]), hoop);
+        AxialTensor<Lane<W>> P;
+        if constexpr (Flows<Law, W>) {
+          Lane<W> of_volume = Lane<W>::Zero();
+          P = law.stress(F, flow->memory[e], of_volume);
+          lost += weight[e] * of_volume;
+        } else {
+          P = law.stress(F);
+        }
+        pulls = pulls_of<W>(P.plane, shape[e]);
+        if constexpr (rings) {
+          const Lane<W> inwards = ring[e].hoop * P.zz;
+          force[j].at[0] -= inwards;
+          force[k].at[0] -= inwards;
+          sum.at[0] -= inwards;
+        }
+      } else if constexpr (PullsEdges<Law, W>) {
         pulls = pulls_by_edges<W>(law, d, metric[e]);
-      else
+      } else {
         pulls = pulls_of<W>(law.stress(gradient_of<W>(d, shape[e])), shape[e]);
+      }
       force[j] -= pulls.first;
       force[k] -= pulls.second;
       sum += pulls.first + pulls.second;
     }
-    const Place<W, 2> v = velocity[i] + Lane<W>(kick_ * per_mass[i]) * sum;
+    Place<W, 2> v = velocity[i] + Lane<W>(kick_ * per_mass[i]) * sum;
+    if constexpr (rings) v.at[0] *= off_axis[i];
     velocity[i] = v;
     position[i] = at + drift_ * v;
     force[i].set_zero();
     for (int k = 0; k < 2; ++k) pulse += v.at[k];
   }
   body.pulse = pulse;
+  if constexpr (Flows<Law, W>) flow->lost += lost;
 }
 
 /// v += kick F/m, x += drift v.
 template <int W>
 void kick_and_drift(Motion<W>& body, const Elements& elements, const Lane<W>& kick, const Lane<W>& drift) {
-  with_solid_law(elements.law, body.stiffness, [&](const auto& law) { sweep(body, elements, law, kick, drift); });
+  const auto sweep_by = [&](const auto& law) {
+    if (body.solid->axisymmetric)
+      sweep<W, true>(body, elements, law, kick, drift);
+    else
+      sweep<W, false>(body, elements, law, kick, drift);
+  };
+  if (body.flow)
+    sweep_by(body.flow->law(elements.law, body.stiffness));
+  else
+    with_solid_law(elements.law, body.stiffness, sweep_by);
 }
 
 }  // namespace ricochet

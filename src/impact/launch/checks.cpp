@@ -64,6 +64,30 @@ void check_effects(const Scene& scene, const Solids& solids) {
     throw FieldError("effects", conflict);
 }
 
+void check_yielding(const Scene& scene) {
+  const auto bodies = scene.bodies();
+  const int count = static_cast<int>(bodies.size());
+  for (int b = 0; b < count; ++b) {
+    const BodyNumbers& numbers = bodies[static_cast<std::size_t>(b)]->numbers;
+    const Yielding* yielding = flowing(scene.effects, b, count);
+    if (!yielding || !numbers.of_elements() || bodies[static_cast<std::size_t>(b)]->plane) continue;
+    const std::string of = "yielding: the " + body_name(static_cast<std::size_t>(b));
+    if (std::isnan(yielding->yield + yielding->hardening))
+      throw FieldError("effects", of + " is of no material with a yield stress; give yield and hardening");
+    if (numbers.state == "plane_stress")
+      throw FieldError("effects", of + " is free to bulge, and would flow across the plane too; give it state = "
+                                       "\"plane_strain\" or \"axisymmetric\"");
+    if (numbers.law != BodyNumbers{}.law)
+      throw FieldError("effects", fmt::format("{} has the law {}, and what yields has one of its own; leave law out",
+                                              of, numbers.law));
+    if (scene.method().evaluations() != 1)
+      throw FieldError("method",
+                       fmt::format("{} evaluates places that are no places of the motion, where elements would "
+                                   "yield; give verlet or leave method out",
+                                   scene.method().name));
+  }
+}
+
 void check_contact_is_seen(const Scene& scene, double step, double fastest, double radius) {
   const Integration& wanted = scene.integration;
   const char* given = given_step(wanted);

@@ -18,6 +18,9 @@ void check_small_turns(const Solids& solids, const Start& start);
 /// The repulsion is cut neither where it shows nor beyond the smallest number.
 void check_contact(const ExponentialRepulsion& contact);
 
+/// Elements that yield are in space, follow no law beside that of yielding, and are evaluated once a step.
+void check_yielding(const Scene& scene);
+
 /// The effects can stand together, on these bodies, beside this contact.
 void check_effects(const Scene& scene, const Solids& solids);
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "body/elasticity.hpp"
+#include "contact/plastic_contact.hpp"
 #include "impact/axes.hpp"
 #include "shape/outline.hpp"
 
@@ -15,22 +16,18 @@ namespace {
 
 constexpr double softness = 0.005;       // 1/xi over the expected indentation, of smooth rims
 constexpr double rough_softness = 0.02;  // of rough ones, whose contact lasts as its asperities do
-constexpr double held = 0.005;           // F/xi over the energy of the impact, where springs yield
-constexpr double strength = 1000;        // V0 R over the energy of the impact
-constexpr double ranges = 30;            // xi reach
-constexpr double most_ranges = 699;      // beyond it there is nothing
-constexpr double on_asperity = 0.25;     // of the force, on one node of a rough rim
-constexpr double least_slope = 0.1;  // the normal speed counts as no less of the speed: a rough rim meets asperities
+constexpr double held = 0.005;        // F/xi over the energy of the impact, where springs yield; over e^2 of it, metals
+constexpr double strength = 1000;     // V0 R over the energy of the impact
+constexpr double ranges = 30;         // xi reach
+constexpr double most_ranges = 699;   // beyond it there is nothing
+constexpr double on_asperity = 0.25;  // of the force, on one node of a rough rim
+constexpr double least_slope = 0.1;   // the normal speed counts as no less of the speed: a rough rim meets asperities
 
-double area_of(const Solid& solid) {
-  double area = 0;
-  for (const Triangle& t : solid.cells) {
-    const auto place = [&](int corner) {
-      return solid.points[static_cast<std::size_t>(t[static_cast<std::size_t>(corner)])];
-    };
-    area += cross(place(1) - place(0), place(2) - place(0)) / 2;
-  }
-  return area;
+// Area, or volume of a body of revolution.
+double measure_of(const Solid& solid) {
+  double sum = 0;
+  for (const Triangle& t : solid.cells) sum += measure_at_rest(solid, t);
+  return sum;
 }
 
 // Of the springs, on average. [m0 c^2/R^2]
@@ -44,9 +41,16 @@ LineBody line_body(const Body& body, const Solid& solid) {
   if (body.rigid()) return LineBody::rigid_plane();
   const PlaneModuli moduli = usual_moduli(body.numbers);
   const double modulus = moduli.per_stiffness * stiffness_of(body);
-  if (!solid.anchored()) return LineBody::disk(modulus, std::sqrt(area_of(solid) / std::numbers::pi));
+  if (!solid.anchored()) return LineBody::disk(modulus, std::sqrt(measure_of(solid) / std::numbers::pi));
   const Box box = bounding_box(solid.points);
   return LineBody::block(modulus, moduli.poisson_ratio, normal(Vec2(box.high - box.low)));
+}
+
+PointBody point_body(const Body& body, const Solid& solid) {
+  if (body.rigid()) return {};
+  const double modulus = usual_moduli(body.numbers).per_stiffness * stiffness_of(body);
+  if (solid.anchored()) return {modulus};
+  return {modulus, std::cbrt(3 * measure_of(solid) / (4 * std::numbers::pi))};
 }
 
 double reduced_mass(const Solid& projectile, const Solid& target) {
@@ -86,20 +90,52 @@ bool rough(const Scene& scene) {
   return std::any_of(bodies.begin(), bodies.end(), [](const Body* body) { return body->numbers.roughness > 0; });
 }
 
+// The least yield stress of the bodies whose elements yield; infinite if none do. [m0 c^2/R^2, m0 c^2/R^3]
+double least_yield(const Scene& scene) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Effect& effect : scene.effects)
+    if (const auto* yielding = std::get_if<Yielding>(&effect)) least = std::min(least, yielding->yield);
+  return least;
+}
+
+// Where elements yield, if the energy is more than what is elastic.
+PlasticImpact expected_flow(const Scene& scene, const Solids& solids, double energy, double pressure) {
+  const auto bodies = scene.bodies();
+  if (solids[0]->axisymmetric)
+    return plastic_point_impact(
+        pressed_together(point_body(*bodies[0], *solids[0]), point_body(*bodies[1], *solids[1])), energy, pressure);
+  return plastic_line_impact(pressed_together(line_body(*bodies[0], *solids[0]), line_body(*bodies[1], *solids[1])),
+                             energy, pressure);
+}
+
+// xi of a contact that gives back no more than `held` of what the bodies do themselves, where they flow; else 0. [1/R]
+double hard_where_it_flows(const Scene& scene, const Solids& solids, double force, double energy) {
+  const double yield = least_yield(scene);
+  if (std::isinf(yield)) return 0;
+  const PlasticImpact flow = expected_flow(scene, solids, energy, flow_pressure(yield));
+  return std::min(force, flow.force) / (held * std::min(energy, flow.kept));
+}
+
 double rule_of_xi(const Scene& scene, const Solids& solids, const Placement& arrives) {
-  const LineImpact impact = expected_impact(scene, solids, arrives);
+  const QuasiStaticImpact impact = expected_impact(scene, solids, arrives);
   const double hard = 1 / ((rough(scene) ? rough_softness : softness) * impact.approach);
-  return yields(scene) ? std::max(hard, impact.force / (held * energy_of(scene, solids, arrives))) : hard;
+  const double energy = energy_of(scene, solids, arrives);
+  if (yields(scene)) return std::max(hard, impact.force / (held * energy));
+  return std::max(hard, hard_where_it_flows(scene, solids, impact.force, energy));
 }
 
 }  // namespace
 
-LineImpact expected_impact(const Scene& scene, const Solids& solids, const Placement& arrives) {
+QuasiStaticImpact expected_impact(const Scene& scene, const Solids& solids, const Placement& arrives) {
   const Vec2 velocity = in_plane(arrives.velocity);
   const double speed = std::max(std::abs(normal(velocity)), least_slope * velocity.norm());
   const auto bodies = scene.bodies();
-  return line_impact(pressed_together(line_body(*bodies[0], *solids[0]), line_body(*bodies[1], *solids[1])),
-                     reduced_mass(*solids[0], *solids[1]), speed);
+  const double mass = reduced_mass(*solids[0], *solids[1]);
+  if (solids[0]->axisymmetric)
+    return point_impact(pressed_together(point_body(*bodies[0], *solids[0]), point_body(*bodies[1], *solids[1])), mass,
+                        speed);
+  return line_impact(pressed_together(line_body(*bodies[0], *solids[0]), line_body(*bodies[1], *solids[1])), mass,
+                     speed);
 }
 
 ExponentialRepulsion acting_contact(const Scene& scene, const Solids& solids, const Placement& arrives) {
@@ -116,7 +152,7 @@ ExponentialRepulsion acting_contact(const Scene& scene, const Solids& solids, co
 double contact_frequency(const Scene& scene, const Solids& solids, const Placement& arrives,
                          const ExponentialRepulsion& acts) {
   if (!acts.by_length) return 0;
-  const LineImpact impact = expected_impact(scene, solids, arrives);
+  const QuasiStaticImpact impact = expected_impact(scene, solids, arrives);
   double most = 0, lightest = std::numeric_limits<double>::infinity();
   for (const Solid* solid : solids) {
     const auto* mesh = std::get_if<Mesh<2>>(&solid->surface);
@@ -126,7 +162,7 @@ double contact_frequency(const Scene& scene, const Solids& solids, const Placeme
         lightest = std::min(lightest, solid->mass[mesh->node[k]]);
       }
   }
-  const double pressure = 2 * impact.force / (std::numbers::pi * impact.half_width);
+  const double pressure = std::min(impact.pressure, flow_pressure(least_yield(scene)));
   double omega2 = 2 * acts.xi * pressure * most;
   if (rough(scene)) omega2 = std::max(omega2, 2 * acts.xi * impact.force * on_asperity / lightest);
   return std::sqrt(omega2);

@@ -11,6 +11,7 @@
 #include "impact/launch/checks.hpp"
 #include "impact/launch/contact_rule.hpp"
 #include "impact/launch/step.hpp"
+#include "impact/launch/symmetry.hpp"
 
 namespace ricochet {
 namespace {
@@ -108,6 +109,8 @@ void settle(Start& start, const Placement& seen) {
 
 Start launch(const Scene& described, const Solids& solids) {
   check_bodies(solids);
+  check_symmetry(described, solids);
+  check_yielding(described);
   Scene scene = described;
   Start start = bodies_at_launch(scene, solids);
   const Solid &projectile = *solids[0], &target = *solids[1];

@@ -7,6 +7,7 @@
 
 #include "contact/pair.hpp"
 #include "core/turn.hpp"
+#include "impact/axes.hpp"
 #include "impact/watch/run.hpp"
 #include "impact/watch/smooth_outline.hpp"
 
@@ -20,11 +21,12 @@ struct Pose {
   Facing operator()(const Facing& at_rest) const { return {turned(at_rest.normal, cosine, sine), at_rest.curvature}; }
 };
 
-/// The turn that brings the surface's nodes nearest to where they are, by least squares; none of a held body.
+/// The turn that brings the surface's nodes nearest to where they are, by least squares; none of a held body, and of
+/// one of revolution.
 template <int W>
 Pose pose_of(const Motion<W>& body, int lane, const Vec2& centre) {
   const Solid& solid = *body.solid;
-  if (solid.anchored()) return {1, 0, centre};
+  if (solid.anchored() || solid.axisymmetric) return {1, 0, centre};
   const std::vector<int>& nodes = surface_nodes(solid.surface);
   Vec2 then = Vec2::Zero(), now = Vec2::Zero();
   for (const int node : nodes) {
@@ -39,6 +41,15 @@ Pose pose_of(const Motion<W>& body, int lane, const Vec2& centre) {
   }
   const double size = std::hypot(along, across);
   return {along / size, across / size, centre};
+}
+
+/// What a half of a contact that its axis parts has in common with the other half.
+inline void make_symmetric(ContactFrame& frame) {
+  frame.normal = normal(frame.normal) * upwards();
+  for (int side : {0, 1}) {
+    frame.arm[side] = normal(frame.arm[side]) * upwards();
+    frame.arms2[side](0, 1) = frame.arms2[side](1, 0) = 0;
+  }
 }
 
 /// Adds what pushes now to the contact's frame. `outline`, `pose`: of the pair's bodies, the projectile first.
@@ -61,6 +72,7 @@ void add_to_frame(const Pair<W>& pair, int lane, const Motions<W>& bodies,
     }
   });
   if (!(now.load > 0)) return;
+  if (bodies[static_cast<std::size_t>(pair.body(0))].solid->axisymmetric) make_symmetric(now);
   ContactFrame& frame = run.frame;
   frame.heaviest = std::max(frame.heaviest, now.load);
   frame.load += now.load;

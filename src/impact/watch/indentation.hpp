@@ -31,7 +31,8 @@ inline ContactEnds contact_ends(const std::vector<PushedPlace>& pushes, double s
   return {*a, *b};
 }
 
-/// Takes the contact's shape if there is one now. `centre`: of the projectile, along the surface.
+/// Takes the contact's shape if there is one now; that of a body of revolution is as wide on either side of its axis.
+/// `centre`: of the projectile, along the surface.
 template <int W>
 void measure_contact(const Pair<W>& pair, int lane, const Motions<W>& bodies, double centre, double overlap, Run& run) {
   std::vector<PushedPlace> pushes;
@@ -42,7 +43,8 @@ void measure_contact(const Pair<W>& pair, int lane, const Motions<W>& bodies, do
     strongest = std::max(strongest, pushes.back().force);
   });
   if (strongest * run.start.contact.reach < run.threshold) return;  // between two touches
-  const auto [a, b] = contact_ends(pushes, strongest);
+  auto [a, b] = contact_ends(pushes, strongest);
+  if (first.solid->axisymmetric) a = {-tangential(b), normal(b)};
   Indentation& i = run.indentation;
   i.seen = true;
   i.depth = overlap;

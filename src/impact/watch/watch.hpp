@@ -136,10 +136,6 @@ class Watch {
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-  static double reach_from_centre(const Solid& solid, const Vec2& direction) {
-    return PlacedSurface(solid.surface, solid.smooth).support(direction) - direction.dot(solid.centre());
-  }
-
   [[noreturn]] static void refuse_contact(const Scene& scene) {
     std::string warm;
     for (const Effect& effect : scene.effects)
@@ -383,6 +379,10 @@ class Watch {
     if (effects.empty()) return facts;
     const auto counts = effects.counts(lane);
     facts.effect_count.assign(counts.begin(), counts.end());
+    facts.plastic_strain_most = effects.flows().most_strain(lane);
+    if (effects.flows().any())
+      facts.dent = run.projectile_radius -
+                   depth_below(fact(now.motions[role::projectile].centre, lane), state_.end[role::projectile], lane);
     facts.effect_energy.assign(effect_kinds, Outcome::undefined);
     for (const Effect& effect : run.scene->effects)
       facts.effect_energy[effect.index()] =

@@ -1,0 +1,95 @@
+// Bodies of revolution as scripts describe them.
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+
+#include "script/program.hpp"
+
+using namespace ricochet::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+Ended script(const std::string& text) {
+  const Workplace here;
+  return here.script("local ricochet = require \"ricochet\"\n" + text);
+}
+
+}  // namespace
+
+TEST_CASE("scripts: a sphere of elements meets a plane as Hertz says, in SI and in the paper's units") {
+  const Ended ended = script(R"(
+local magnesium, R, speed = ricochet.material { E = 40e9, nu = 0.35, density = 1800 }, 0.1, 0.2
+local c0 = math.sqrt(40e9 / 1800)
+local function scene(t, speed, units)
+  t.h_min, t.h_max = 0.05 * t.radius, 0.2 * t.radius
+  return ricochet.scene { projectile = ricochet.sphere(t), target = ricochet.plane {}, units = units,
+    launch = { speed = speed } }
+end
+local function near(a, b, share) assert(math.abs(a / b - 1) < share, a .. " " .. b) end
+local slow = ricochet.estimate(scene({ radius = R, material = magnesium }, speed, "SI"))
+assert(slow.force.unit == "N" and slow.pressure.unit == "Pa" and slow.force.in_range)
+near(slow.force.value, 7232.7, 1e-4)
+near(slow.contact_time.value, 2.9432752 * slow.overlap.value / speed, 1e-9)
+near(slow.wave_speed.value, c0 * math.sqrt(0.65 / (1.35 * 0.3)), 1e-9)
+local si = scene({ radius = R, material = magnesium }, 0.02 * c0, "SI"):run()
+local paper = scene({ radius = 1, E = 1e4, nu = 0.35 }, 0.02 * math.sqrt(1e4 / (800 / math.pi))):run()
+assert(si.status == "finished" and paper.status == "finished")
+assert(math.abs(si.e - paper.e) < 1e-8 and si.e > 0.99 and si.e < 1, si.e .. " " .. paper.e)
+near(si.contact_time, paper.contact_time * R * math.sqrt(1e4 / (800 / math.pi)) / c0, 1e-8)
+local hertz = ricochet.estimate(scene({ radius = R, material = magnesium }, 0.02 * c0, "SI"))
+near(si.contact_time, hertz.contact_time.value, 0.1)
+near(si.contact_length, hertz.contact_length.value, 0.2)
+assert(math.abs(si.inertia - 0.4) < 0.01 and si.omega == 0 and si.vt == 0)
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
+
+TEST_CASE("scripts: cylinders and spheres of revolution are as heavy as their outlines, and are drawn whole") {
+  const Ended ended = script(R"(
+local sphere = ricochet.sphere { E = 1e4, nu = 0.3, h_min = 0.05 }
+for name, body in pairs { sphere = sphere, cylinder = ricochet.cylinder { height = 3, E = 1e4, nu = 0.3, nodes = 200 } } do
+  local mesh = ricochet.mesh { body = body }
+  assert(mesh.quality > 0.3 and math.abs(mesh.mass_error) < 0.01, name .. " " .. mesh.mass_error)
+end
+local scene = ricochet.scene { projectile = sphere, target = ricochet.plane {}, launch = { speed = 0.1 } }
+ricochet.still { scene = scene, size = { 160, 90 }, show = { material = "von_mises" } }
+local rows = ricochet.series { scene = scene, of = { "force_n", "force_t", "contact_length" } }
+assert(#rows > 100 and rows[#rows].force_t == 0)
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
+
+TEST_CASE("scripts: what breaks the symmetry of an axisymmetric body is refused by name") {
+  const auto refused = [](const std::string& fields, const std::string& target = "ricochet.plane {}") {
+    const Ended ended = script(
+        "local ball = ricochet.sphere { E = 1e4, nu = 0.3, h_min = 0.2 }\n"
+        "ricochet.scene { projectile = ball, target = " +
+        target + ", " + fields + " }:run()");
+    CHECK(ended.status != 0);
+    return ended.err;
+  };
+  CHECK_THAT(refused("launch = { psi1 = 1 }"), Contains("'psi1': slants the flight"));
+  CHECK_THAT(refused("launch = { angle = 10 }"), Contains("'angle': slants the flight"));
+  CHECK_THAT(refused("launch = { normal_speed = 0.1, tangential_speed = 0.1 }"),
+             Contains("'tangential_speed': slants"));
+  CHECK_THAT(refused("launch = { spin = 0.1 }"), Contains("'spin': turns the projectile off its axis"));
+  CHECK_THAT(refused("launch = { at = 0.1 }"), Contains("'at': takes the projectile beside"));
+  CHECK_THAT(refused("contact = { V0 = 150 }"), Contains("'V0': is that of a rim node"));
+  CHECK_THAT(refused("effects = { ricochet.friction { mu = 0.3 } }"), Contains("friction acts on all rim nodes alike"));
+  CHECK_THAT(refused("", "ricochet.wall { nodes = 100 }"),
+             Contains("'target': is of a plane section, and another body is axisymmetric"));
+  CHECK_THAT(refused("", "ricochet.disk { interior = 'rigid' }"), Contains("'target': is of a plane section"));
+  CHECK_THAT(script("ricochet.sphere { E = 1, nu = 0.3, h_min = 0.2, state = 'plane_strain' }").err,
+             Contains("'state': this shape is a body of revolution"));
+  CHECK_THAT(script("ricochet.disk { interior = 'elements', state = 'axisymmetric', E = 1, nu = 0.3 }").err,
+             Contains("'outline': of an axisymmetric body is the half of its section at x >= 0"));
+  CHECK_THAT(
+      script("ricochet.sphere { radius = 1, thickness = 1, material = ricochet.materials.steel, h_min = 0.1 }").err,
+      Contains("'thickness': says nothing of an axisymmetric body"));
+  CHECK_THAT(script("ricochet.elasticity { body = ricochet.cylinder { E = 1, nu = 0.3 } }").err,
+             Contains("must be of a plane"));
+}
