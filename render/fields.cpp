@@ -25,6 +25,41 @@ double mean_stretch(const Tensor<double>& F) {
 // The mean of all three.
 double mean_stretch(const AxialTensor<double>& F) { return (2 * mean_stretch(F.plane) + F.zz - 1) / 3; }
 
+// Of a triangle; 0 where nothing yields.
+double plastic_strain(const Frame& frame, std::size_t triangle) {
+  return frame.plastic.empty() ? 0 : static_cast<double>(frame.plastic[5 * triangle + 4]);
+}
+
+// An element that has flowed, as it stands, asked as the elastic laws are.
+class Flowed {
+ public:
+  Flowed(const SolidLawNumbers& numbers, double E, const float* plastic) {
+    constexpr double never = 1e300;  // it has done so by now
+    law_ = {one(numbers.lame.lambda * E), one(numbers.lame.mu * E), never, 0};
+    for (Lane<1>* number : {&memory_.xx, &memory_.xy, &memory_.yy, &memory_.zz, &memory_.strain})
+      *number = one(static_cast<double>(*plastic++));
+  }
+
+  double energy(const AxialTensor<double>& F) const { return law_.energy(lanes(F), memory_)[0]; }
+  AxialTensor<double> stress(const AxialTensor<double>& F) const {
+    PlasticMemory<1> memory = memory_;
+    Lane<1> lost = one(0);
+    const AxialTensor<Lane<1>> P = law_.stress(lanes(F), memory, lost);
+    return {{P.plane.xx[0], P.plane.xy[0], P.plane.yx[0], P.plane.yy[0]}, P.zz[0]};
+  }
+  double energy(const Tensor<double>& F) const { return energy(AxialTensor<double>(F, 1.0)); }
+  Tensor<double> stress(const Tensor<double>& F) const { return stress(AxialTensor<double>(F, 1.0)).plane; }
+
+ private:
+  static Lane<1> one(double value) { return Lane<1>::Constant(value); }
+  static AxialTensor<Lane<1>> lanes(const AxialTensor<double>& F) {
+    return {{one(F.plane.xx), one(F.plane.xy), one(F.plane.yx), one(F.plane.yy)}, one(F.zz)};
+  }
+
+  HenckyFlow<1> law_;
+  PlasticMemory<1> memory_;
+};
+
 }  // namespace
 
 Motion motion_of(const FrameMesh& mesh, const Frame& frame, int body) {
@@ -191,13 +226,18 @@ void Fields::each_element(const Frame& frame, Use&& use) const {
     const Eigen::Matrix2d rest = edges(mesh_.rest), F = edges(frame.position) * rest.inverse();
     const Tensor<double> plane(F(0, 0), F(0, 1), F(1, 0), F(1, 1));
     const double area = std::abs(rest.determinant()) / 2;
-    const auto body = static_cast<std::size_t>(mesh_.body_of(i));
-    with_solid_law(solid_laws_[body], mesh_.modulus[t], [&](const auto& law) {
-      if (mesh_.bodies[body].axisymmetric)
+    const auto with_law = [&](const auto& law, bool revolved) {
+      if (revolved)
         use(t, law, AxialTensor<double>(plane, radii(frame.position) / radii(mesh_.rest)), area);
       else
         use(t, law, plane, area);
-    });
+    };
+    const auto body = static_cast<std::size_t>(mesh_.body_of(i));
+    const bool revolved = mesh_.bodies[body].axisymmetric;
+    if (plastic_strain(frame, t) > 0)
+      with_law(Flowed(solid_laws_[body], mesh_.modulus[t], &frame.plastic[5 * t]), revolved);
+    else
+      with_solid_law(solid_laws_[body], mesh_.modulus[t], [&](const auto& law) { with_law(law, revolved); });
   }
 }
 
@@ -273,9 +313,22 @@ std::vector<double> Fields::stress(const Frame& frame, bool pressure) const {
   return values;
 }
 
+std::vector<double> Fields::plastic_strains(const Frame& frame) const {
+  std::vector<double> values(mesh_.mass.size(), 0.0), triangles(mesh_.mass.size(), 0.0);
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (const int i : mesh_.triangles[t]) {
+      values[i] += plastic_strain(frame, t);
+      triangles[i] += 1;
+    }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (triangles[i] > 0) values[i] /= triangles[i];
+  return values;
+}
+
 std::vector<double> Fields::of_material(const std::string& name, const Frame& frame) const {
   if (name == "pressure" || name == "von_mises") return stress(frame, name == "pressure");
   std::vector<double> values(mesh_.mass.size(), 0.0);
+  if (name == "plastic_strain") return plastic_strains(frame);
   if (name == "energy_density" || name == "stretch") {
     const bool energy = name == "energy_density";
     const std::vector<double> springs = of_springs(energy ? "energy" : "stretch", frame);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/frame.hpp"
+#include "material/hencky_flow.hpp"
 #include "material/solid_law.hpp"
 #include "material/spring_law.hpp"
 
@@ -48,7 +49,8 @@ class Fields {
 
   /// A quantity of material_quantities() at every node: the mean over the triangles around it. [node]
   /// Stress of a triangle of area A: (1/A) sum over its springs of T r n n / (how many triangles share the spring), r
-  /// the spring's length and n its direction.   [here: the virial theorem] That of an element is P F^T/J.
+  /// the spring's length and n its direction.   [here: the virial theorem] That of an element is P F^T/J,
+  /// of one that has flowed by what it remembers.
   std::vector<double> of_material(const std::string& name, const Frame& frame) const;
   /// A quantity of spring_quantities(); NaN for broken springs. [spring]
   std::vector<double> of_springs(const std::string& name, const Frame& frame) const;
@@ -60,6 +62,7 @@ class Fields {
  private:
   double elongation(const Frame& frame, std::size_t spring, double distance) const;
   std::vector<double> stress(const Frame& frame, bool pressure) const;
+  std::vector<double> plastic_strains(const Frame& frame) const;
   template <class Use>
   void each_element(const Frame& frame, Use&& use) const;
 

@@ -38,6 +38,7 @@ std::span<const Quantity> material_quantities() {
       {"velocity_y", "velocity along y", "c", "of the nodes", true},
       {"pressure", "pressure", "m_0c^2/R^2", "minus the mean of the principal stresses", true},
       {"von_mises", "von Mises stress", "m_0c^2/R^2", "of the stress in the plane, or in a body of revolution", false},
+      {"plastic_strain", "plastic strain", "", "of elements that yield; 0 of all else", false},
       {"stretch", "stretch", "",
        "mean relative elongation of the springs around, or that of elements along their principal axes", true},
   };

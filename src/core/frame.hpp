@@ -71,7 +71,9 @@ struct Frame {
   double time = 0;  ///< since the rims came within reach of each other; negative in free flight before [R/c]
   std::int64_t step = 0;
   std::vector<float> position, velocity, contact_force;  ///< [dim node + k] [R, c, m0 c^2/R]
-  std::vector<float> elongation;   ///< [spring] elastic, NaN if broken; empty if the places tell it [R]
+  std::vector<float> elongation;  ///< [spring] elastic, NaN if broken; empty if the places tell it [R]
+  /// [5 triangle + k] C_p^-1 (xx, xy, yy, zz) and plastic strain of an element; empty unless elements yield.
+  std::vector<float> plastic;
   std::array<double, 8> energy{};  ///< [m0 c^2]
 };
 

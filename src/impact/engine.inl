@@ -69,6 +69,9 @@ Snapshot Engine<W>::snapshot(int lane) {
       seen.velocity.push_back(body.v.at(i, lane));
       seen.force.push_back(pushed[b].f.at(i, lane));
     }
+    if (body.flow)
+      for (const PlasticMemory<W>& m : body.flow->memory)
+        seen.plastic.push_back({m.xx[lane], m.xy[lane], m.yy[lane], m.zz[lane], m.strain[lane]});
     const Springs* springs = body.solid->springs();
     if (!springs || !state_.effects.changes_springs(static_cast<int>(b))) continue;
     each_spring<2>(body, *springs,

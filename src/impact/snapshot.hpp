@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -13,6 +14,8 @@ namespace ricochet {
 struct BodyShot {
   Points place, velocity, force;            ///< [node] [R], [c], of contact [m0 c^2/R]
   std::vector<SpringRest<double>> springs;  ///< [spring] what effects have left of each; empty without such effects
+  /// [element] C_p^-1 (xx, xy, yy, zz) and plastic strain, as PlasticMemory; empty unless elements yield.
+  std::vector<std::array<double, 5>> plastic;
 };
 
 /// What an observer sees of a body's rigid motion; a held body has none.

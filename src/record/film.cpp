@@ -72,7 +72,8 @@ void add_elongations(Frame& frame, const Snapshot& shot, const Solids& solids) {
   for (std::size_t b = 0; b < solids.size(); ++b) {
     const Springs* springs = solids[b]->springs();
     if (!springs) continue;
-    const auto& [places, velocities, forces, rests] = shot.bodies[b];
+    const Points& places = shot.bodies[b].place;
+    const std::vector<SpringRest<double>>& rests = shot.bodies[b].springs;
     for (std::size_t s = 0; s < springs->list.size(); ++s) {
       const Spring spring = springs->list[s];
       if (rests.empty())
@@ -82,6 +83,34 @@ void add_elongations(Frame& frame, const Snapshot& shot, const Solids& solids) {
         frame.elongation.push_back(rests[s].share > 0 ? static_cast<float>(rests[s].elastic)
                                                       : std::numeric_limits<float>::quiet_NaN());
     }
+  }
+}
+
+// [cell] the place of its element in the list, -1 of cells that never strain, which are no elements.
+std::vector<int> elements_of_cells(const Solid& solid, const Elements& elements) {
+  std::vector<int> of_cells;
+  for (Triangle t : solid.cells) {
+    std::sort(t.begin(), t.end());
+    const auto found = std::lower_bound(elements.nodes.begin(), elements.nodes.end(), t);
+    const bool strains = found != elements.nodes.end() && *found == t;
+    of_cells.push_back(strains ? static_cast<int>(found - elements.nodes.begin()) : -1);
+  }
+  return of_cells;
+}
+
+// What elements that yield remember, triangle by triangle for all bodies; the others have never flowed.
+void add_plastic(Frame& frame, const Snapshot& shot, const Solids& solids) {
+  if (std::all_of(shot.bodies.begin(), shot.bodies.end(), [](const BodyShot& body) { return body.plastic.empty(); }))
+    return;
+  constexpr std::array<double, 5> never{1, 0, 1, 1, 0};
+  for (std::size_t b = 0; b < solids.size(); ++b) {
+    const std::vector<std::array<double, 5>>& plastic = shot.bodies[b].plastic;
+    std::vector<int> element(solids[b]->cells.size(), -1);
+    if (const Elements* elements = solids[b]->elements(); elements && !plastic.empty())
+      element = elements_of_cells(*solids[b], *elements);
+    for (const int e : element)
+      for (const double number : e < 0 ? never : plastic[static_cast<std::size_t>(e)])
+        frame.plastic.push_back(static_cast<float>(number));
   }
 }
 
@@ -109,16 +138,11 @@ std::vector<MeshChain> chains_in_mesh(const Solid& solid, int first) {
 // [cell] E of its element over the body's; 0 of cells that never strain, which are no elements.
 std::vector<double> relative_moduli(const Solid& solid, const Elements& elements) {
   std::vector<double> moduli;
-  for (Triangle t : solid.cells) {
-    std::sort(t.begin(), t.end());
-    const auto found = std::lower_bound(elements.nodes.begin(), elements.nodes.end(), t);
-    if (found == elements.nodes.end() || *found != t) {
-      moduli.push_back(0);
-      continue;
-    }
-    const auto e = static_cast<std::size_t>(found - elements.nodes.begin());
-    moduli.push_back(elements.weight[e] / measure_at_rest(solid, t));
-  }
+  const std::vector<int> of_cells = elements_of_cells(solid, elements);
+  for (std::size_t k = 0; k < of_cells.size(); ++k)
+    moduli.push_back(of_cells[k] < 0 ? 0
+                                     : elements.weight[static_cast<std::size_t>(of_cells[k])] /
+                                           measure_at_rest(solid, solid.cells[k]));
   return moduli;
 }
 
@@ -257,6 +281,7 @@ bool film_scene(const Solids& solids, const Scene& scene, const std::vector<doub
   const auto hand_over_frame = [&](const Snapshot& shot, const Snapshot& now) {
     Frame frame = frame_of(shot);
     add_elongations(frame, now, solids);
+    add_plastic(frame, now, solids);
     use(std::move(frame));
     frames.take();
   };

@@ -75,6 +75,21 @@ void add_body(FrameMesh& whole, const FrameMesh& halves, const BodyMesh& half) {
   whole.bodies.push_back(body);
 }
 
+// Triangles in the order of add_body(); in an image the shear has the other sign.
+std::vector<float> plastic_of_both(const FrameMesh& halves, const std::vector<float>& plastic) {
+  std::vector<float> all;
+  for (const BodyMesh& half : halves.bodies)
+    for (const float side : {1.0f, -1.0f}) {
+      if (side < 0 && !half.axisymmetric) continue;
+      for (std::size_t t = 0; t < halves.triangles.size() && !plastic.empty(); ++t) {
+        const int corner = halves.triangles[t][0];
+        if (corner < half.first || corner >= half.first + half.nodes) continue;
+        for (std::size_t k = 0; k < 5; ++k) all.push_back((k == 1 ? side : 1.0f) * plastic[5 * t + k]);
+      }
+    }
+  return all;
+}
+
 bool any_half(const FrameMesh& mesh) {
   return std::any_of(mesh.bodies.begin(), mesh.bodies.end(), [](const BodyMesh& body) { return body.axisymmetric; });
 }
@@ -98,6 +113,7 @@ Frame whole_section(const FrameMesh& halves, const Frame& frame) {
   whole.position = both(halves, frame.position);
   whole.velocity = both(halves, frame.velocity);
   whole.contact_force = both(halves, frame.contact_force, 0.5f);
+  whole.plastic = plastic_of_both(halves, frame.plastic);
   return whole;
 }
 

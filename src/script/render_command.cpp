@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/spelling.hpp"
+#include "record/whole_section.hpp"
 #include "script/report.hpp"
 #include "script/value_types.hpp"
 #include "store/files.hpp"
@@ -127,11 +128,11 @@ void render_file(const RenderOptions& options) {
     for (const fs::path& path : {sequence.folder, sequence.film}) refuse_what_is_there(path);
   if (!sequence.folder.empty()) make_folder(sequence.folder);
   if (sequence.film.has_parent_path()) make_folder(sequence.film.parent_path());
-  const Source source{std::make_shared<render::Subject>(trajectory.mesh()), provenance["scene_hash"],
+  const Source source{std::make_shared<render::Subject>(whole_section(trajectory.mesh())), provenance["scene_hash"],
                       [&](const std::atomic<bool>& stop, const std::function<void(Frame)>& use,
                           const std::function<void(const Sample&)>&) {
                         for (const Frame& frame : trajectory.frames())
-                          if (!stop) use(frame);
+                          if (!stop) use(whole_section(trajectory.mesh(), frame));
                       }};
   const int count = shoot_sequence(shooting, {source}, sequence);
   if (options.quiet) return;

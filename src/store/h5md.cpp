@@ -66,7 +66,7 @@ std::string energy_doc(const std::string& name) {
 // these. A law of solids: its body, how many numbers, these. A chain: its body, 1 if it is closed, how many nodes,
 // these.
 void write_bodies(const hdf5::Handle& own, const FrameMesh& mesh) {
-  std::vector<double> bodies, chains, solid_laws;
+  std::vector<double> bodies, chains, solid_laws, axisymmetric;
   for (std::size_t b = 0; b < mesh.bodies.size(); ++b) {
     const BodyMesh& body = mesh.bodies[b];
     bodies.insert(bodies.end(), {static_cast<double>(body.first), static_cast<double>(body.nodes),
@@ -76,6 +76,7 @@ void write_bodies(const hdf5::Handle& own, const FrameMesh& mesh) {
       solid_laws.insert(solid_laws.end(), {static_cast<double>(b), static_cast<double>(body.solid_law.size())});
       solid_laws.insert(solid_laws.end(), body.solid_law.begin(), body.solid_law.end());
     }
+    if (body.axisymmetric) axisymmetric.push_back(static_cast<double>(b));
     for (const MeshChain& chain : body.surface) {
       chains.insert(chains.end(),
                     {static_cast<double>(b), chain.closed ? 1.0 : 0.0, static_cast<double>(chain.node.size())});
@@ -85,6 +86,17 @@ void write_bodies(const hdf5::Handle& own, const FrameMesh& mesh) {
   hdf5::numbers(own, "bodies", bodies);
   hdf5::numbers(own, "chains", chains);
   if (!solid_laws.empty()) hdf5::numbers(own, "solid_laws", solid_laws);
+  if (!axisymmetric.empty()) hdf5::numbers(own, "axisymmetric", axisymmetric);
+}
+
+// What the places do not tell of springs or elements with a past: as many numbers in every frame, or none.
+void write_past(const hdf5::Handle& own, const std::vector<Frame>& frames, const char* name,
+                std::vector<float> Frame::*member) {
+  if (frames.empty() || (frames.front().*member).empty()) return;
+  std::vector<float> all;
+  for (const Frame& frame : frames) all.insert(all.end(), (frame.*member).begin(), (frame.*member).end());
+  const std::size_t count = (frames.front().*member).size();
+  hdf5::dataset(own, name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, Shape{frames.size(), count}, Shape{1, count}, all.data());
 }
 
 // What pictures need beyond H5MD.
@@ -103,12 +115,8 @@ void write_drawing(const hdf5::Handle& file, const FrameMesh& mesh, const std::v
   const Shape per_node{frames.size(), mesh.mass.size(), 3};
   hdf5::dataset(own, "contact_force", H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, per_node, Shape{1, mesh.mass.size(), 3},
                 gathered(mesh.dim, frames, &Frame::contact_force).data());
-  if (frames.empty() || frames.front().elongation.empty()) return;
-  std::vector<float> elongation;
-  for (const Frame& frame : frames)
-    elongation.insert(elongation.end(), frame.elongation.begin(), frame.elongation.end());
-  hdf5::dataset(own, "elongation", H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, Shape{frames.size(), mesh.springs.size()},
-                Shape{1, mesh.springs.size()}, elongation.data());
+  write_past(own, frames, "elongation", &Frame::elongation);
+  write_past(own, frames, "plastic", &Frame::plastic);
 }
 
 void write_head(const hdf5::Handle& file, const Provenance& provenance) {

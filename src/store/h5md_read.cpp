@@ -74,6 +74,9 @@ std::vector<BodyMesh> read_bodies(const hdf5::Handle& own, std::size_t nodes) {
       law.push_back(static_cast<double>(list.whole(2)));
       for (int n = 0; n < 2; ++n) law.push_back(list.number());
     }
+  if (H5Lexists(own, "axisymmetric", H5P_DEFAULT) > 0)
+    for (Ragged list(hdf5::read_numbers(own, "axisymmetric"), "the axisymmetric bodies"); !list.ended();)
+      bodies[list.whole(bodies.size() - 1)].axisymmetric = true;
   for (Ragged list(hdf5::read_numbers(own, "chains"), "the chains"); !list.ended();) {
     BodyMesh& body = bodies[list.whole(bodies.size() - 1)];
     MeshChain chain{{}, list.whole(1) == 1};
@@ -121,6 +124,18 @@ FrameMesh read_mesh(const hdf5::Handle& file) {
   return mesh;
 }
 
+// `count` numbers of every frame, if there are any.
+void read_past(const hdf5::Handle& own, std::vector<Frame>& frames, const char* name, std::vector<float> Frame::*member,
+               std::size_t count, const char* what) {
+  if (H5Lexists(own, name, H5P_DEFAULT) <= 0) return;
+  const std::vector<float> values = hdf5::read_floats(own, name);
+  must_be(values.size() == frames.size() * count, what);
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    (frames[k].*member)
+        .assign(values.begin() + static_cast<std::ptrdiff_t>(k * count),
+                values.begin() + static_cast<std::ptrdiff_t>((k + 1) * count));
+}
+
 std::vector<Frame> read_frames(const hdf5::Handle& file, const FrameMesh& mesh) {
   const hdf5::Handle particles = hdf5::open_group(file, "particles"), all = hdf5::open_group(particles, "trajectory"),
                      own = hdf5::open_group(file, "ricochet");
@@ -151,13 +166,8 @@ std::vector<Frame> read_frames(const hdf5::Handle& file, const FrameMesh& mesh) 
     must_be(values.size() == frames.size(), "frames and energies");
     for (std::size_t k = 0; k < frames.size(); ++k) frames[k].energy[e] = values[k];
   }
-  if (H5Lexists(own, "elongation", H5P_DEFAULT) > 0) {
-    const std::vector<float> values = hdf5::read_floats(own, "elongation");
-    must_be(values.size() == frames.size() * mesh.springs.size(), "frames and springs");
-    for (std::size_t k = 0; k < frames.size(); ++k)
-      frames[k].elongation.assign(values.begin() + static_cast<std::ptrdiff_t>(k * mesh.springs.size()),
-                                  values.begin() + static_cast<std::ptrdiff_t>((k + 1) * mesh.springs.size()));
-  }
+  read_past(own, frames, "elongation", &Frame::elongation, mesh.springs.size(), "frames and springs");
+  read_past(own, frames, "plastic", &Frame::plastic, 5 * mesh.triangles.size(), "frames and triangles");
   return frames;
 }
 

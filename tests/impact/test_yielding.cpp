@@ -10,6 +10,8 @@
 #include "impact/launch/launch.hpp"
 #include "impact/sweep.hpp"
 #include "record/film.hpp"
+#include "record/whole_section.hpp"
+#include "render/fields.hpp"
 #include "scenes.hpp"
 
 using namespace ricochet;
@@ -100,6 +102,27 @@ TEST_CASE("a contact twice as hard changes e of a sphere that yields by less tha
   const Outcome twice = run(scene);
   fmt::print("xi {:g}: e {:.5f}; {:g}: {:.5f}\n", once.xi, once.e, twice.xi, twice.e);
   CHECK(twice.e == Catch::Detail::Approx(once.e).epsilon(0.01));
+}
+
+TEST_CASE("no element of a sphere that yields without hardening is shown beyond its yield stress") {
+  const Scene scene = sphere(3e-3, 0.06, 0.005);
+  const BuiltSolids built(scene);
+  const Course course = follow_course(built, scene, go_on);
+  const FrameMesh half = frame_mesh(scene, built), mesh = whole_section(half);
+  const render::Fields fields(mesh);
+  CHECK(mesh.nodes() == 2 * (half.nodes() - 2) + 2);  // the plane is two nodes
+  int frames = 0;
+  film_scene(built, scene, {course.tightest, course.last_touch}, go_on, [&](const Frame& seen) {
+    const Frame frame = whole_section(half, seen);
+    const std::vector<double> stress = fields.of_material("von_mises", frame);
+    const double most = *std::max_element(stress.begin(), stress.end());
+    CHECK(most < 1.005 * 0.005 * E);
+    if (frames == 0) CHECK(most > 0.99 * 0.005 * E);
+    const std::vector<double> strain = fields.of_material("plastic_strain", frame);
+    CHECK(*std::max_element(strain.begin(), strain.end()) > 0.03);
+    ++frames;
+  });
+  CHECK(frames == 2);
 }
 
 TEST_CASE("bodies that yield have the same bits alone, in lanes and on threads") {
