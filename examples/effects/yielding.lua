@@ -1,5 +1,5 @@
--- A metal sphere on a rigid plane. It is elastic until the middle of its contact yields; from then on most of the energy
--- goes into the dent, and e falls with the speed as about v^(-1/4) (Johnson, Contact Mechanics, 1985, section 11.5; Wu,
+-- A metal sphere on a rigid plane. It is elastic until the middle of its contact yields; from then on most of the
+-- energy goes into the dent, and e falls with the speed as about v^(-1/4) (Johnson, Contact Mechanics, 1985, 11.5; Wu,
 -- Li & Thornton 2003: e = 2.08 (v/v_y)^(-1/4) where the whole contact flows). The speeds are in units of v_y, at which
 -- yielding begins.
 local ricochet = require "ricochet"

@@ -233,7 +233,7 @@ TEST_CASE("mistakes in pictures are found at their own line, before anything run
        "error: s.lua:5: animate: show: unknown field 'materal' (did you mean 'material'?)"},
       {"ricochet.animate { scene = scene(),\n  show = { material = 'sped' } }",
        "error: s.lua:5: animate: show: 'material' must be one of none, plain, energy_density, speed, velocity_x, "
-       "velocity_y, pressure, von_mises, stretch, is 'sped' (did you mean 'speed'?)"},
+       "velocity_y, pressure, von_mises, plastic_strain, stretch, is 'sped' (did you mean 'speed'?)"},
       {"ricochet.animate { scene = scene(), ledger = true }",
        "error: s.lua:4: animate: unknown field 'ledger' (it belongs in show = { ledger = ... })"},
       {"ricochet.animate { scene = scene(),\n  show = { springs = 'tension' } }",

@@ -27,6 +27,21 @@ template <int W, class Law>
   return {Place<W, 2>(H.xx, H.yx), Place<W, 2>(H.xy, H.yy)};
 }
 
+/// The stress of an element with a third stretch; one that flows remembers it, and adds what it loses to `lost`.
+template <int W, class Law>
+[[gnu::always_inline]] inline AxialTensor<Lane<W>> axial_stress(const Law& law, Motion<W>& body,
+                                                                const Elements& elements, std::size_t e,
+                                                                const AxialTensor<Lane<W>>& F, Lane<W>& lost) {
+  if constexpr (Flows<Law, W>) {
+    Lane<W> of_volume = Lane<W>::Zero();
+    const AxialTensor<Lane<W>> P = law.stress(F, body.flow->memory[e], of_volume);
+    lost += elements.weight[e] * of_volume;
+    return P;
+  } else {
+    return law.stress(F);
+  }
+}
+
 /// One force evaluation, kick and drift: v += kick F/m, x += drift v.
 /// An element is held by its lowest node, so F of a node is complete once its own row is done, and no later row needs
 /// its position: kick and drift follow at once, as in the sweep over springs. `f` must hold what else acts on the nodes
@@ -40,10 +55,7 @@ template <int W, bool rings, class Law>
   const EdgeMetric* metric = elements.metric.data();
   const double* per_mass = body.solid->mass.inverse().data();
   const int* first = elements.first.data();
-  [[maybe_unused]] Flow<W>* flow = body.flow;
-  [[maybe_unused]] const double* weight = elements.weight.data();
   [[maybe_unused]] Lane<W> lost = Lane<W>::Zero();
-  [[maybe_unused]] const RingShape* ring = elements.ring.data();
   [[maybe_unused]] const double* off_axis = elements.off_axis.data();
   // What is in local variables is not reloaded after every store.
   Place<W, 2>*position = body.q.template places<2>(), *velocity = body.v.template places<2>(),
@@ -62,19 +74,12 @@ template <int W, bool rings, class Law>
       ElementEdges<W> pulls;
       if constexpr (rings || Flows<Law, W>) {
         Lane<W> hoop = Lane<W>::Ones();
-        if constexpr (rings) hoop = (at.at[0] + position[j].at[0] + position[k].at[0]) * ring[e].per_radii;
+        if constexpr (rings) hoop = (at.at[0] + position[j].at[0] + position[k].at[0]) * elements.ring[e].per_radii;
         const AxialTensor<Lane<W>> F(gradient_of<W>(d, shape[e]), hoop);
-        AxialTensor<Lane<W>> P;
-        if constexpr (Flows<Law, W>) {
-          Lane<W> of_volume = Lane<W>::Zero();
-          P = law.stress(F, flow->memory[e], of_volume);
-          lost += weight[e] * of_volume;
-        } else {
-          P = law.stress(F);
-        }
+        const AxialTensor<Lane<W>> P = axial_stress<W>(law, body, elements, e, F, lost);
         pulls = pulls_of<W>(P.plane, shape[e]);
         if constexpr (rings) {
-          const Lane<W> inwards = ring[e].hoop * P.zz;
+          const Lane<W> inwards = elements.ring[e].hoop * P.zz;
           force[j].at[0] -= inwards;
           force[k].at[0] -= inwards;
           sum.at[0] -= inwards;
@@ -96,7 +101,7 @@ template <int W, bool rings, class Law>
     for (int k = 0; k < 2; ++k) pulse += v.at[k];
   }
   body.pulse = pulse;
-  if constexpr (Flows<Law, W>) flow->lost += lost;
+  if constexpr (Flows<Law, W>) body.flow->lost += lost;
 }
 
 /// v += kick F/m, x += drift v.
