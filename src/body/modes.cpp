@@ -1,11 +1,10 @@
 #include "body/modes.hpp"
 
-#include <Spectra/MatOp/SparseSymShiftSolve.h>
 #include <Spectra/SymEigsShiftSolver.h>
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SparseCore>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -33,12 +32,34 @@ Spectrum whole_spectrum(const Matrix& matrix) {
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
+/// What Spectra asks of (matrix - shift)^-1, by Cholesky's factors: the shift lies below all eigenvalues.
+class ShiftedInverse {
+ public:
+  using Scalar = double;
+  explicit ShiftedInverse(const Matrix& matrix) : matrix_(matrix) {}
+  Eigen::Index rows() const { return matrix_.rows(); }
+  Eigen::Index cols() const { return matrix_.cols(); }
+  void set_shift(double shift) {
+    Matrix shifted = matrix_;
+    for (int c = 0; c < shifted.outerSize(); ++c) shifted.coeffRef(c, c) -= shift;
+    factors_.compute(shifted);
+    if (factors_.info() != Eigen::Success)
+      throw Error("the body is not stable where it is: its springs are pressed together");
+  }
+  void perform_op(const double* x, double* y) const {
+    Eigen::Map<Eigen::VectorXd>(y, rows()) = factors_.solve(Eigen::Map<const Eigen::VectorXd>(x, rows()));
+  }
+
+ private:
+  const Matrix& matrix_;
+  Eigen::SimplicialLLT<Matrix> factors_;
+};
+
 // The `count` eigenvalues next to `shift`, which lies below them all.
 Spectrum slowest_part(const Matrix& matrix, int count, double shift) {
-  Spectra::SparseSymShiftSolve<double> inverse(matrix);
+  ShiftedInverse inverse(matrix);
   const int size = static_cast<int>(matrix.rows());
-  Spectra::SymEigsShiftSolver<Spectra::SparseSymShiftSolve<double>> solver(inverse, count,
-                                                                           std::min(size, 2 * count + 20), shift);
+  Spectra::SymEigsShiftSolver<ShiftedInverse> solver(inverse, count, std::min(size, 2 * count + 20), shift);
   solver.init();
   solver.compute(Spectra::SortRule::LargestMagn, 1000, precision, Spectra::SortRule::SmallestAlge);
   if (solver.info() != Spectra::CompInfo::Successful)
