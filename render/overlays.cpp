@@ -60,13 +60,30 @@ int power_of(double most) {
 
 int time_power(const Units& units, double last) { return units.si ? power_of(last * units.worth("R/c")) : 0; }
 
+namespace {
+
+// "m0 c^2/R" with its index set low.
+std::string typeset(std::string unit) {
+  for (std::size_t at = unit.find("m0 "); at != std::string::npos; at = unit.find("m0 ")) unit.replace(at, 3, "m_0");
+  return unit;
+}
+
+}  // namespace
+
+std::string unit_of(const Quantity& quantity, const FrameMesh& mesh) {
+  const auto& bodies = mesh.bodies;
+  const bool in_space =
+      std::any_of(bodies.begin(), bodies.end(), [](const BodyMesh& body) { return body.axisymmetric; });
+  return in_space && quantity.unit == "m0 c^2/R^2" ? "m0 c^2/R^3" : quantity.unit;
+}
+
 std::string unit_text(const std::string& unit, int power) {
   const std::string factor = power == 0 ? "" : fmt::format("10^{{{}}}", number_text(power));
   return factor + (factor.empty() || unit.empty() ? "" : " ") + unit;
 }
 
-std::string label_of(const Quantity& quantity, int power, const Units& units) {
-  const std::string unit = unit_text(units.name(quantity.unit), power);
+std::string label_of(const Quantity& quantity, int power, const FrameMesh& mesh) {
+  const std::string unit = unit_text(typeset(mesh.units.name(unit_of(quantity, mesh))), power);
   return unit.empty() ? quantity.label : fmt::format("{} [{}]", quantity.label, unit);
 }
 
@@ -169,7 +186,7 @@ void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const
   const double thin = std::max(1.0, size / 18.0);
   const double first = survey.times.front(), last = survey.times.back() > first ? survey.times.back() : first + 1;
   const Units& units = tile.subject->mesh.units;
-  const double worth = units.worth(quantity.unit);
+  const double worth = units.worth(unit_of(quantity, tile.subject->mesh));
   const int power = power_of(worth * std::max(high, -low));
   const double factor = std::pow(10.0, power) / worth;
   const Box in{box.x + 3.4 * size, box.y + 1.3 * size, box.width - 4.2 * size, box.height - 2.8 * size};
@@ -182,7 +199,7 @@ void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const
                 number_text(mark, marks.size() > 1 ? marks[1] - marks[0] : 0), size, black, Align::right);
   }
   draw_moments(canvas, in, size, units, first, last);
-  canvas.text({box.x, box.y + 0.8 * size}, label_of(quantity, power, units), size, black);
+  canvas.text({box.x, box.y + 0.8 * size}, label_of(quantity, power, tile.subject->mesh), size, black);
   canvas.line({in.x, in.y}, {in.x, in.y + in.height}, thin, grey);
   canvas.line({in.x, in.y + in.height}, {in.x + in.width, in.y + in.height}, thin, grey);
   Points curve;

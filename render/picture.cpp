@@ -69,11 +69,11 @@ struct ColourBar {
 };
 
 ColourBar colour_bar_of(const Sheet& sheet, const Brush& brush, Canvas& over, const Quantity* quantity,
-                        const Units& units) {
+                        const FrameMesh& mesh) {
   if (!quantity || !sheet.show.colour_bar) return {nullptr, "", {}, sheet.pad};
-  const double worth = units.worth(quantity->unit);
+  const double worth = mesh.units.worth(unit_of(*quantity, mesh));
   const int power = power_of(worth * std::max(std::abs(brush.scale.low), std::abs(brush.scale.high)));
-  ColourBar bar{quantity, label_of(*quantity, power, units), {}, sheet.pad};
+  ColourBar bar{quantity, label_of(*quantity, power, mesh), {}, sheet.pad};
   bar.marks = bar_marks(brush.scale, std::pow(10.0, power) / worth, sheet.layout.height > 15 * sheet.text);
   for (const BarMark& mark : bar.marks)
     bar.width = std::max(bar.width, std::round(over.text_width(mark.text, sheet.text) + 2.6 * sheet.text));
@@ -153,7 +153,7 @@ Painting paint(const Show& show, const Layout& layout, Font& font, const std::ve
     for (int i = 0; i < 256; ++i) painting.colours.push_back(colour_of(map_of(show, *quantity), i / 255.0));
 
   Canvas over(font);
-  const ColourBar bar = colour_bar_of(sheet, brush, over, quantity, tiles[0].subject->mesh.units);
+  const ColourBar bar = colour_bar_of(sheet, brush, over, quantity, tiles[0].subject->mesh);
   const double top = draw_head(over, sheet, bar, clock);
   if (bar.quantity)
     draw_colour_bar(over,

@@ -66,7 +66,9 @@ int power_of(double most);
 int time_power(const Units& units, double last);
 /// A unit behind its power of ten.
 std::string unit_text(const std::string& unit, int power);
-/// "name [unit]", with the power of ten.
-std::string label_of(const Quantity& quantity, int power, const Units& units);
+/// That of a quantity in these bodies: what is per area in the plane is per volume in bodies of revolution.
+std::string unit_of(const Quantity& quantity, const FrameMesh& mesh);
+/// "name [unit]", with the power of ten, in the user's units.
+std::string label_of(const Quantity& quantity, int power, const FrameMesh& mesh);
 
 }  // namespace ricochet::render

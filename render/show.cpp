@@ -31,13 +31,13 @@ const Quantity* named(std::span<const Quantity> quantities, const std::string& n
 
 std::span<const Quantity> material_quantities() {
   static const std::vector<Quantity> list{
-      {"energy_density", "strain energy density", "m_0c^2/R^2", "energy of springs or elements per area at rest",
+      {"energy_density", "strain energy density", "m0 c^2/R^2", "energy of springs or elements per area at rest",
        false},
       {"speed", "speed", "c", "of the nodes", false},
       {"velocity_x", "velocity along x", "c", "of the nodes", true},
       {"velocity_y", "velocity along y", "c", "of the nodes", true},
-      {"pressure", "pressure", "m_0c^2/R^2", "minus the mean of the principal stresses", true},
-      {"von_mises", "von Mises stress", "m_0c^2/R^2", "of the stress in the plane, or in a body of revolution", false},
+      {"pressure", "pressure", "m0 c^2/R^2", "minus the mean of the principal stresses", true},
+      {"von_mises", "von Mises stress", "m0 c^2/R^2", "of the stress in the plane, or in a body of revolution", false},
       {"plastic_strain", "plastic strain", "", "of elements that yield; 0 of all else", false},
       {"stretch", "stretch", "",
        "mean relative elongation of the springs around, or that of elements along their principal axes", true},
@@ -47,8 +47,8 @@ std::span<const Quantity> material_quantities() {
 
 std::span<const Quantity> spring_quantities() {
   static const std::vector<Quantity> list{
-      {"energy", "energy of a spring", "m_0c^2", "of each spring", false},
-      {"tension", "tension of a spring", "m_0c^2/R", "of each spring, positive if it pulls", true},
+      {"energy", "energy of a spring", "m0 c^2", "of each spring", false},
+      {"tension", "tension of a spring", "m0 c^2/R", "of each spring, positive if it pulls", true},
   };
   return list;
 }
@@ -59,9 +59,9 @@ std::span<const Quantity> plot_quantities() {
       {"vt", "v_t", "c", "tangential velocity of the projectile", true},
       {"omega", "ω", "c/R", "spin of the projectile", true},
       {"height", "y", "R", "height of the projectile's centre", true},
-      {"force_n", "F_n", "m_0c^2/R", "normal force of contact on the projectile", true},
-      {"force_t", "F_t", "m_0c^2/R", "tangential force of contact on the projectile", true},
-      {"vibration", "E_{vib}", "m_0c^2", "energy of the vibration of both bodies", false},
+      {"force_n", "F_n", "m0 c^2/R", "normal force of contact on the projectile", true},
+      {"force_t", "F_t", "m0 c^2/R", "tangential force of contact on the projectile", true},
+      {"vibration", "E_{vib}", "m0 c^2", "energy of the vibration of both bodies", false},
   };
   return list;
 }

@@ -32,7 +32,7 @@ struct FrameMesh {
   int dim = 2;                              ///< of the bodies' space
   Units units;                              ///< of the user, in which pictures write numbers
   std::vector<BodyMesh> bodies;             ///< by index: the projectile first
-  double psi1 = 0;                          ///< tangent of the incident angle, NaN if the launch has none
+  double psi1 = 0;                          ///< tangent of the incident angle, NaN if there is none
   std::vector<double> rest;                 ///< [dim node + k] [R]
   std::vector<double> mass;                 ///< [node] [m0]
   std::vector<bool> anchored;               ///< [node]

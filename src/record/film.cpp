@@ -10,6 +10,7 @@
 #include "impact/axes.hpp"
 #include "impact/batch.hpp"
 #include "impact/launch/launch.hpp"
+#include "impact/roles.hpp"
 
 namespace ricochet {
 namespace {
@@ -191,7 +192,8 @@ FrameMesh frame_mesh(const Scene& scene, const Solids& solids) {
   FrameMesh mesh;
   mesh.units = scene.units;
   const Vec2 velocity = scene.launch.velocity();
-  mesh.psi1 = normal(velocity) < 0 ? tangential(velocity) / -normal(velocity) : not_given;
+  const bool slanted = normal(velocity) < 0 && !solids[role::projectile]->axisymmetric;
+  mesh.psi1 = slanted ? tangential(velocity) / -normal(velocity) : not_given;
   const auto bodies = scene.bodies();
   for (std::size_t b = 0; b < solids.size(); ++b) {
     const Plane* plane = std::get_if<Plane>(&solids[b]->surface);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "body/modes.hpp"
 #include "impact/batch.hpp"
 #include "impact/roles.hpp"
@@ -34,10 +36,24 @@ struct Rung {
          before = not_given;  ///< all that vibrates; the projectile's energy of translation [m0 c^2]
 };
 
+// Where springs or elements keep a strain, or anchors a displacement, the places of the nodes tell no vibration.
+void check_elastic(const Scene& scene, std::size_t body) {
+  for (const Effect& effect : scene.effects) {
+    const std::vector<int> on = bodies_of(effect, static_cast<int>(scene.bodies().size()));
+    const bool moves_rest =
+        std::visit([]<class E>(const E&) { return SpringChange<E> || ElementFlow<E> || AnchorMotion<E>; }, effect);
+    if (moves_rest && std::find(on.begin(), on.end(), static_cast<int>(body)) != on.end())
+      throw FieldError("effects", fmt::format("{} leaves the {} at rest elsewhere than where its modes are those of; "
+                                              "leave it out to see what rings",
+                                              name_of(effect), body_name(body)));
+  }
+}
+
 Rung ring(Session& session, const Scene& scene, const RingingAsked& asked) {
   const BuiltSolids solids(scene);
   const std::size_t b = asked.of == "projectile" ? role::projectile : role::target;
   const Solid& solid = *Solids(solids)[b];
+  check_elastic(scene, b);
   Rung rung;
   try {
     rung.modes = slowest_modes(solid, scene.bodies()[b]->numbers.stiffness, asked.count);

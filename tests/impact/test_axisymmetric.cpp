@@ -8,9 +8,8 @@
 #include "contact/point_contact.hpp"
 #include "core/error.hpp"
 #include "impact/estimate.hpp"
-#include "impact/sweep.hpp"
 #include "record/film.hpp"
-#include "scenes.hpp"
+#include "same_bits.hpp"
 
 using namespace ricochet;
 using namespace ricochet::test;
@@ -152,16 +151,8 @@ TEST_CASE("every method moves a sphere to the same rebound, and multirate is ref
 TEST_CASE("impacts of spheres have the same bits alone, in lanes and on threads") {
   std::vector<Scene> list;
   for (const double speed : {0.01, 0.02, 0.03, 0.05, 0.08}) list.push_back(scene_of(sphere(0.3, 0.1), plane(), speed));
-  const auto texts = [&](int threads, int batch) {
-    std::vector<std::string> of(list.size());
-    run_sweep(list, std::vector<bool>(list.size(), true), {threads, batch}, go_on,
-              [&](const std::vector<Result>& results) {
-                for (const Result& r : results) of[r.index] = exact_text(r.outcome);
-              });
-    return of;
-  };
-  const std::vector<std::string> alone = texts(1, 1);
-  for (const int batch : {2, 3, 4}) CHECK(texts(2, batch) == alone);
+  const std::vector<std::string> alone = exact_texts(list, 1, 1);
+  for (const int batch : {2, 3, 4}) CHECK(exact_texts(list, 2, batch) == alone);
 }
 
 TEST_CASE("1 - e of a sphere rises with its speed as another program of finite elements says", "[.slow]") {

@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "impact/sweep.hpp"
-#include "scenes.hpp"
+#include "same_bits.hpp"
 
 using namespace ricochet;
 using namespace ricochet::test;
@@ -113,16 +112,8 @@ TEST_CASE("impacts of elements have the same bits alone, in lanes and on threads
   std::vector<Scene> list;
   for (const double speed : {0.02, 0.05, 0.07, 0.1, 0.03})
     for (const char* law : {"polynomial", "linear"}) list.push_back(onto_plane(0.3, speed, sanitized ? 0.4 : 0.1, law));
-  const auto texts = [&](int threads, int batch) {
-    std::vector<std::string> of(list.size());
-    run_sweep(list, std::vector<bool>(list.size(), true), {threads, batch}, go_on,
-              [&](const std::vector<Result>& results) {
-                for (const Result& r : results) of[r.index] = exact_text(r.outcome);
-              });
-    return of;
-  };
-  const std::vector<std::string> alone = texts(1, 1);
-  for (const int batch : {2, 3, 4}) CHECK(texts(2, batch) == alone);
+  const std::vector<std::string> alone = exact_texts(list, 1, 1);
+  for (const int batch : {2, 3, 4}) CHECK(exact_texts(list, 2, batch) == alone);
 }
 
 TEST_CASE("a rough disk of elements keeps its ledger on a wall of elements, with friction and gravity") {

@@ -8,11 +8,10 @@
 
 #include "core/error.hpp"
 #include "impact/launch/launch.hpp"
-#include "impact/sweep.hpp"
 #include "record/film.hpp"
 #include "record/whole_section.hpp"
 #include "render/fields.hpp"
-#include "scenes.hpp"
+#include "same_bits.hpp"
 
 using namespace ricochet;
 using namespace ricochet::test;
@@ -128,16 +127,8 @@ TEST_CASE("no element of a sphere that yields without hardening is shown beyond 
 TEST_CASE("bodies that yield have the same bits alone, in lanes and on threads") {
   std::vector<Scene> list;
   for (const double speed : {1e-3, 2e-3, 3e-3, 5e-3, 8e-3}) list.push_back(sphere(speed, 0.1, 0.005));
-  const auto texts = [&](int threads, int batch) {
-    std::vector<std::string> of(list.size());
-    run_sweep(list, std::vector<bool>(list.size(), true), {threads, batch}, go_on,
-              [&](const std::vector<Result>& results) {
-                for (const Result& r : results) of[r.index] = exact_text(r.outcome);
-              });
-    return of;
-  };
-  const std::vector<std::string> alone = texts(1, 1);
-  for (const int batch : {2, 3, 4}) CHECK(texts(2, batch) == alone);
+  const std::vector<std::string> alone = exact_texts(list, 1, 1);
+  for (const int batch : {2, 3, 4}) CHECK(exact_texts(list, 2, batch) == alone);
 }
 
 TEST_CASE("yielding is refused by name where it is none") {

@@ -1,9 +1,11 @@
 // What pictures show of elements: a square of two triangles, sheared and stretched by known amounts.
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "render/fields.hpp"
+#include "render/picture.hpp"
 
 using namespace ricochet;
 using namespace ricochet::render;
@@ -48,4 +50,20 @@ TEST_CASE("pictures show the stress of elements in space, whatever they turned b
     for (const double s : fields.of_material("stretch", frame))
       CHECK(s == Catch::Detail::Approx((1 - nu) * strain / 2).epsilon(1e-3));
   }
+}
+
+TEST_CASE("pictures say each quantity in the units of their user: per area in the plane, per volume of revolution") {
+  FrameMesh plane = square("polynomial", 50), ring = plane;
+  ring.bodies[0].axisymmetric = true;
+  const auto von_mises = std::find_if(material_quantities().begin(), material_quantities().end(),
+                                      [](const Quantity& q) { return q.name == "von_mises"; });
+  CHECK(label_of(*von_mises, 0, plane) == "von Mises stress [m_0c^2/R^2]");
+  CHECK(label_of(*von_mises, 0, ring) == "von Mises stress [m_0c^2/R^3]");
+  plane.units = ring.units = {2, 3, 5, true};
+  CHECK(label_of(*von_mises, 0, plane) == "von Mises stress [N/m]");
+  CHECK(label_of(*von_mises, 6, ring) == "von Mises stress [10^{6} Pa]");
+  CHECK(ring.units.worth(unit_of(*von_mises, ring)) == Catch::Detail::Approx(3 / (2.0 * 25)));
+  for (const auto& quantities : {material_quantities(), spring_quantities(), plot_quantities()})
+    for (const Quantity& q : quantities)
+      if (!q.unit.empty()) CHECK(plane.units.name(unit_of(q, plane)) != q.unit);
 }

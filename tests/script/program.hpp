@@ -61,6 +61,12 @@ class Workplace {
   fs::path path;
 };
 
+/// Runs a script that has the module as `ricochet`, in a folder of its own.
+inline Ended script_with_module(const std::string& text) {
+  const Workplace here;
+  return here.script("local ricochet = require \"ricochet\"\n" + text);
+}
+
 /// A sweep of small scenes: 4 samples, 3 angles, some tenths of a second.
 inline const char* small_sweep = R"(local ricochet = require "ricochet"
 local p = ricochet.parameters { samples = { 4, int = true, min = 1, doc = "lattices" } }

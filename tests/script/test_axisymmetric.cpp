@@ -9,17 +9,8 @@
 using namespace ricochet::test;
 using Catch::Matchers::Contains;
 
-namespace {
-
-Ended script(const std::string& text) {
-  const Workplace here;
-  return here.script("local ricochet = require \"ricochet\"\n" + text);
-}
-
-}  // namespace
-
 TEST_CASE("scripts: a sphere of elements meets a plane as Hertz says, in SI and in the paper's units") {
-  const Ended ended = script(R"(
+  const Ended ended = script_with_module(R"(
 local magnesium, R, speed = ricochet.material { E = 40e9, nu = 0.35, density = 1800 }, 0.1, 0.2
 local c0 = math.sqrt(40e9 / 1800)
 local function scene(t, speed, units)
@@ -48,7 +39,7 @@ assert(math.abs(si.inertia - 0.4) < 0.01 and si.omega == 0 and si.vt == 0)
 }
 
 TEST_CASE("scripts: cylinders and spheres of revolution are as heavy as their outlines, and are drawn whole") {
-  const Ended ended = script(R"(
+  const Ended ended = script_with_module(R"(
 local sphere = ricochet.sphere { E = 1e4, nu = 0.3, h_min = 0.05 }
 for name, body in pairs { sphere = sphere, cylinder = ricochet.cylinder { height = 3, E = 1e4, nu = 0.3, nodes = 200 } } do
   local mesh = ricochet.mesh { body = body }
@@ -65,7 +56,7 @@ assert(#rows > 100 and rows[#rows].force_t == 0)
 
 TEST_CASE("scripts: what breaks the symmetry of an axisymmetric body is refused by name") {
   const auto refused = [](const std::string& fields, const std::string& target = "ricochet.plane {}") {
-    const Ended ended = script(
+    const Ended ended = script_with_module(
         "local ball = ricochet.sphere { E = 1e4, nu = 0.3, h_min = 0.2 }\n"
         "ricochet.scene { projectile = ball, target = " +
         target + ", " + fields + " }:run()");
@@ -83,14 +74,15 @@ TEST_CASE("scripts: what breaks the symmetry of an axisymmetric body is refused 
   CHECK_THAT(refused("", "ricochet.wall { nodes = 100 }"),
              Contains("'target': is of a plane section, and another body is axisymmetric"));
   CHECK_THAT(refused("", "ricochet.disk { interior = 'rigid' }"), Contains("'target': is of a plane section"));
-  CHECK_THAT(script("ricochet.sphere { E = 1, nu = 0.3, h_min = 0.2, state = 'plane_strain' }").err,
+  CHECK_THAT(script_with_module("ricochet.sphere { E = 1, nu = 0.3, h_min = 0.2, state = 'plane_strain' }").err,
              Contains("'state': this shape is a body of revolution"));
-  CHECK_THAT(script("ricochet.disk { interior = 'elements', state = 'axisymmetric', E = 1, nu = 0.3 }").err,
+  CHECK_THAT(script_with_module("ricochet.disk { interior = 'elements', state = 'axisymmetric', E = 1, nu = 0.3 }").err,
              Contains("'outline': of an axisymmetric body is the half of its section at x >= 0"));
-  CHECK_THAT(
-      script("ricochet.sphere { radius = 1, thickness = 1, material = ricochet.materials.steel, h_min = 0.1 }").err,
-      Contains("'thickness': says nothing of an axisymmetric body"));
-  CHECK_THAT(script("ricochet.elasticity { body = ricochet.cylinder { E = 1, nu = 0.3 } }").err,
+  CHECK_THAT(script_with_module(
+                 "ricochet.sphere { radius = 1, thickness = 1, material = ricochet.materials.steel, h_min = 0.1 }")
+                 .err,
+             Contains("'thickness': says nothing of an axisymmetric body"));
+  CHECK_THAT(script_with_module("ricochet.elasticity { body = ricochet.cylinder { E = 1, nu = 0.3 } }").err,
              Contains("must be of a plane"));
 }
 

@@ -9,17 +9,8 @@
 using namespace ricochet::test;
 using Catch::Matchers::Contains;
 
-namespace {
-
-Ended script(const std::string& text) {
-  const Workplace here;
-  return here.script("local ricochet = require \"ricochet\"\n" + text);
-}
-
-}  // namespace
-
 TEST_CASE("scripts: elasticity of elements returns E and nu, in units of the paper and in SI") {
-  const Ended ended = script(R"(
+  const Ended ended = script_with_module(R"(
 local function band(t, size)
   t.interior, t.outline = "elements", { { 0, 0 }, { size, 0 }, { size, 4 * size }, { 0, 4 * size } }
   return ricochet.elasticity { body = ricochet.body(t) }
@@ -41,7 +32,7 @@ end
 }
 
 TEST_CASE("scripts: a mesh is fine where it is asked to be, good, and as heavy as its outline") {
-  const Ended ended = script(R"(
+  const Ended ended = script_with_module(R"(
 local hole = {}
 for i = 1, 60 do hole[i] = { 0.4 * math.cos(i * math.pi / 30), 0.4 * math.sin(i * math.pi / 30) } end
 for name, body in pairs {
@@ -63,7 +54,7 @@ assert(m.shortest < 0.02 and m.longest > 0.1 and m.longest < 0.25)
 }
 
 TEST_CASE("scripts: a meshed body in SI is that of the paper's units, scaled") {
-  const Ended ended = script(R"(
+  const Ended ended = script_with_module(R"(
 local steel, R, E, density = ricochet.materials.steel, 0.007, 1e4, 800 / math.pi
 local function wave_speed(modulus, mass) return math.sqrt(modulus / mass / (1 - steel.nu ^ 2)) end
 local function row(t, speed, xi, units)
@@ -82,7 +73,7 @@ end
 }
 
 TEST_CASE("scripts: E and density of elements may depend on the place, and a scene of them may be refined") {
-  const Ended ended = script(R"(
+  const Ended ended = script_with_module(R"(
 local disk = ricochet.disk { interior = "elements", h_min = 0.1, nu = 0.3,
   E = function(x, y) return y < 0 and 1e4 or 2e4 end, density = function(x, y) return 200 + x end }
 local scene = ricochet.scene { projectile = disk, target = ricochet.plane {}, launch = { speed = 0.05 } }
@@ -95,7 +86,7 @@ assert(math.abs(coarse.e - fine.e) < 0.01, coarse.e .. " " .. fine.e)
 }
 
 TEST_CASE("scripts: accuracy of a body of elements tells what the size of its mesh changes") {
-  const Ended ended = script(R"(
+  const Ended ended = script_with_module(R"(
 local scene = ricochet.scene { target = ricochet.plane {}, launch = { speed = 0.3 },
   projectile = ricochet.disk { interior = "elements", E = 1e4, nu = 0.3, h_min = 0.08, h_max = 0.16 } }
 local study = ricochet.accuracy { scene = scene, methods = { "verlet", "pefrl" }, steps = { 8e-4, 4e-4, 2e-4 }, lattices = { 0.5, 1, 2 },
@@ -115,7 +106,7 @@ local scene = ricochet.scene { target = ricochet.plane {}, launch = { speed = 0.
   projectile = ricochet.disk { interior = "elements", E = 1e4, nu = 0.3, nodes = 150, roughness = 0.02 } }
 local springs = { ricochet.plastic { yield = 0.02, on = "projectile" }, ricochet.breaking { strain = 0.1, on = "projectile" } }
 )";
-  const Ended some = script(scene + R"(
+  const Ended some = script_with_module(scene + R"(
 local result = ricochet.relevance { scene = scene, of = { "e" }, samples = 3,
   effects = { springs[1], ricochet.drag { rate = 0.02 }, springs[2] } }
 assert(result[1].name == "plastic" and result[1].left_out:find("acts on springs", 1, true) and not result[1].e)
@@ -126,14 +117,14 @@ assert(result[3].name == "breaking" and result[3].left_out)
   CHECK(some.status == 0);
   CHECK_THAT(some.out, Contains("plastic    left out: plastic acts on springs, and the projectile has none") &&
                            Contains("breaking   left out: "));
-  const Ended none = script(scene + "ricochet.relevance { scene = scene, effects = springs }");
+  const Ended none = script_with_module(scene + "ricochet.relevance { scene = scene, effects = springs }");
   CHECK(none.status != 0);
   CHECK_THAT(none.err, Contains("relevance: 'effects': none of them can act: plastic acts on springs"));
 }
 
 TEST_CASE("scripts: what says nothing of elements, or of springs, is refused with a remedy") {
   const auto refused = [](const std::string& fields) {
-    const Ended ended = script("ricochet.disk { " + fields + " }");
+    const Ended ended = script_with_module("ricochet.disk { " + fields + " }");
     CHECK(ended.status != 0);
     return ended.err;
   };
@@ -161,7 +152,7 @@ TEST_CASE("scripts: what says nothing of elements, or of springs, is refused wit
 }
 
 TEST_CASE("scripts: LAMMPS files refuse elements by name") {
-  const Ended ended = script(R"(
+  const Ended ended = script_with_module(R"(
 ricochet.lammps { scene = ricochet.scene { target = ricochet.wall { nodes = 100 },
   projectile = ricochet.disk { interior = "elements", E = 1e4, nu = 0.3, nodes = 60 } } })");
   CHECK(ended.status != 0);

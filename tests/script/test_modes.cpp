@@ -35,6 +35,13 @@ TEST_CASE("scripts: what has no modes, or fewer, is refused by name") {
     CHECK(ended.status == 1);
     return ended.err;
   };
+  // What has a dent does not vibrate about where its modes are.
+  const Ended dented = here.script(R"(local ricochet = require "ricochet"
+local scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.plane {},
+  effects = { ricochet.plastic { yield = 0.02, on = "projectile" } } }
+ricochet.ringing { scene = scene, count = 3 })");
+  CHECK(dented.status == 1);
+  CHECK_THAT(dented.err, Contains("plastic leaves the projectile at rest elsewhere"));
   CHECK_THAT(refused("body = ricochet.plane {}"), Contains("'body': nothing moves inside a rigid body"));
   CHECK_THAT(refused("body = ricochet.disk { nodes = 30 }, count = 90"), Contains("has 57 modes; ask for no more"));
   CHECK_THAT(refused("body = ricochet.disk { nodes = 30 }, film = \"x\""), Contains("'film': 'x' must end in .mp4"));
