@@ -1,5 +1,6 @@
-// case_matrix [COUNT [FIRST_SEED]]: runs random scenes of every kind, and counts how they end: all, those with bodies
-// of elements, and those that leave the step to the program. Exits with 1 if an ending is wrong.
+// case_matrix [COUNT [FIRST_SEED]]: runs random scenes of every kind, and counts how they end: all, and of these
+// kinds: with bodies of elements, of revolution, with elements that yield, and those that leave the step to the
+// program. Exits with 1 if an ending is wrong.
 
 #include <fmt/format.h>
 
@@ -24,8 +25,8 @@ int main(int argc, char** argv) {
   }
   std::vector<long> seeds(static_cast<std::size_t>(count));
   std::iota(seeds.begin(), seeds.end(), first);
-  std::map<std::string, std::array<int, 3>> endings;
-  std::array<int, 3> kinds{};
+  std::map<std::string, std::array<int, 5>> endings;
+  std::array<int, 5> kinds{};
   std::mutex counting;
   int wrong = 0, done = 0;
   double slowest = 0;
@@ -38,6 +39,8 @@ int main(int argc, char** argv) {
     const std::lock_guard lock(counting);
     const ricochet::Scene& scene = random.scene;
     const bool is_of[] = {true, scene.projectile->numbers.of_elements() || scene.target->numbers.of_elements(),
+                          scene.projectile->numbers.axisymmetric(),
+                          ricochet::find_effect<ricochet::Yielding>(scene.effects) != nullptr,
                           std::isnan(scene.integration.step) && std::isnan(scene.integration.theta)};
     for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
       endings[verdict.ending][kind] += is_of[kind];
@@ -57,10 +60,13 @@ int main(int argc, char** argv) {
     if (done % 200 == 0) fmt::print("{} scenes ...\n", done);
     std::fflush(stdout);
   });
-  fmt::print("{:14} {:>6} {:>14} {:>14}\n", "", "all", "with elements", "step chosen");
-  for (const auto& [ending, number] : endings)
-    fmt::print("{:14} {:6} {:14} {:14}\n", ending, number[0], number[1], number[2]);
-  fmt::print("{:14} {:6} {:14} {:14}\n", "", kinds[0], kinds[1], kinds[2]);
+  fmt::print("{:14} {:>6} {:>14} {:>14} {:>14} {:>14}\n", "", "all", "with elements", "axisymmetric", "yielding",
+             "step chosen");
+  const auto row = [](const std::string& name, const std::array<int, 5>& n) {
+    fmt::print("{:14} {:6} {:14} {:14} {:14} {:14}\n", name, n[0], n[1], n[2], n[3], n[4]);
+  };
+  for (const auto& [ending, number] : endings) row(ending, number);
+  row("", kinds);
   fmt::print("{} scenes (seeds {} to {}), {} wrong; the slowest took {:.1f} s (seed {})\n", count, first,
              first + count - 1, wrong, slowest, slowest_seed);
   return wrong > 0;
