@@ -186,7 +186,7 @@ function ricochet.ellipse(t) end
 ---@field fine_at? number[] {x, y} where the mesh by h_min is finest, before the body is turned; at the lowest point of the outline unless given [R]
 ---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
 ---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
---- A sphere around the origin: an axisymmetric body of elements, of the half at x >= 0 of its section. It moves along the axis x = 0.
+--- A sphere around the origin: an axisymmetric body of elements, of the half at x >= 0 of its section. It moves along the axis x = 0. Unless nodes or h_min is given, its mesh has h_min = radius/50, at its lowest point.
 ---@param t ricochet.sphere_fields
 ---@return ricochet.body
 function ricochet.sphere(t) end

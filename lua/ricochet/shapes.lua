@@ -66,8 +66,20 @@ local function axisymmetric(body, given)
   return core.own_body(body)
 end
 
+-- Whether nothing is said of where its nodes are.
+local function leaves_nodes(given)
+  for _, field in ipairs { "nodes", "placement", "rim_spacing", "margin", "points", "h_min" } do
+    if given[field] ~= nil then return false end
+  end
+  return true
+end
+
 function shapes.sphere(given)
   local t, own = core.check("sphere", given)
+  if leaves_nodes(own) then
+    t.h_min = t.radius / 50
+    own.h_min = t.h_min
+  end
   local body = body_fields(t, own, "radius")
   local count = corners(t, math.sqrt(2 * math.pi), math.pi * t.radius)
   body.outline = { { 0, -t.radius } }

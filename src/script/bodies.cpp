@@ -109,7 +109,8 @@ std::vector<Function> sized_shapes() {
             "ricochet.ellipse { a = 1.2, b = 0.8, nodes = 800, placement = \"poisson_disk\" }"),
       shape("sphere",
             "A sphere around the origin: an axisymmetric body of elements, of the half at x >= 0 of its section. It "
-            "moves along the axis x = 0.",
+            "moves along the axis x = 0. Unless nodes or h_min is given, its mesh has h_min = radius/50, at its lowest "
+            "point.",
             radius, "ricochet.sphere { E = 1e4, nu = 0.3, h_min = 0.02 }"),
       shape("cylinder",
             "A cylinder around the origin that stands on its end: an axisymmetric body of elements, of the half at "

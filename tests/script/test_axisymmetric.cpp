@@ -54,6 +54,24 @@ assert(#rows > 100 and rows[#rows].force_t == 0)
   CHECK(ended.status == 0);
 }
 
+TEST_CASE("scripts: a sphere is finest where it touches, unless its nodes are given") {
+  const Ended ended = script_with_module(R"(
+local given = { radius = 0.01, material = ricochet.materials.steel }
+local usual = ricochet.sphere(given)
+assert(given.h_min == nil)
+given.h_min = 2e-4
+local graded = ricochet.mesh { body = ricochet.sphere(given) }
+assert(ricochet.mesh { body = usual }.triangles == graded.triangles)
+given.h_min, given.nodes = nil, 800
+assert(ricochet.mesh { body = ricochet.sphere(given) }.triangles ~= graded.triangles)
+local scene = ricochet.scene { units = "SI", projectile = usual, target = ricochet.plane {}, launch = { speed = 0.5 } }
+local row, hertz = scene:run(), ricochet.estimate(scene)
+assert(math.abs(row.contact_time / hertz.contact_time.value - 1) < 0.02, row.contact_time)
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
+
 TEST_CASE("scripts: what breaks the symmetry of an axisymmetric body is refused by name") {
   const auto refused = [](const std::string& fields, const std::string& target = "ricochet.plane {}") {
     const Ended ended = script_with_module(
