@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 
 #include "bare_steps.hpp"
 #include "scenes.hpp"
@@ -26,6 +28,23 @@ double seconds(Step&& step) {
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < steps; ++i) step();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Undefined, with the reason said, where valgrind does not know the instructions that this machine's compiler took.
+double instructions(const char* by, const char* function) {
+  const std::string out = fmt::format("/tmp/ricochet_callgrind_{}.txt", ::getpid());
+  const std::string command =
+      fmt::format("valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect='*{}*' {} {} > {} 2>&1",
+                  function, RICOCHET_STEPS, by, out);
+  const int status = std::system(command.c_str());
+  std::ifstream file(out);
+  for (std::string line; std::getline(file, line);) {
+    if (line.find("unhandled instruction") != std::string::npos) return std::numeric_limits<double>::quiet_NaN();
+    if (const auto at = line.find("Collected : "); at != std::string::npos && status == 0)
+      return std::stod(line.substr(at + 12));
+  }
+  FAIL(command << " gave no count (it needs Debian's valgrind)");
+  return 0;
 }
 
 }  // namespace
@@ -59,20 +78,14 @@ TEST_CASE("a scene without effects costs its kernels alone", "[.benchmark]") {
 }
 
 TEST_CASE("a scene without effects takes the instructions of its kernels, to 1 %", "[.slow]") {
-  const auto count = [](const char* by, const char* function) {
-    const std::string out = fmt::format("/tmp/ricochet_callgrind_{}.txt", ::getpid());
-    const std::string command =
-        fmt::format("valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect='*{}*' {} {} > {} 2>&1",
-                    function, RICOCHET_STEPS, by, out);
-    INFO(command << " (needs Debian's valgrind)");
-    REQUIRE(std::system(command.c_str()) == 0);
-    std::ifstream file(out);
-    for (std::string line; std::getline(file, line);)
-      if (const auto at = line.find("Collected : "); at != std::string::npos) return std::stod(line.substr(at + 12));
-    FAIL("no count in " << out);
-    return 0.0;
-  };
-  const double engine = count("engine", "Engine*advance_one_step"), kernels = count("kernels", "one_bare_step");
+  const double engine = instructions("engine", "Engine*advance_one_step"),
+               kernels = instructions("kernels", "one_bare_step");
+  if (std::isnan(engine + kernels)) {
+    WARN(
+        "not counted: valgrind does not know this processor's newest instructions; configure with "
+        "-DRICOCHET_NATIVE=OFF -DCMAKE_CXX_FLAGS=-march=x86-64-v3");
+    return;
+  }
   fmt::print("instructions of 40 steps: {:.0f} by the engine, {:.0f} by its kernels, ratio {:.6f}\n", engine, kernels,
              engine / kernels);
   CHECK(kernels > 1e7);
