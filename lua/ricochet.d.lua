@@ -610,6 +610,21 @@ function ricochet.series(t) end
 ---@field count? integer how many (default 8)
 ---@field least_height? number a bounce that rises less is the last one; the reach of the contact unless given, below which bodies do not part [R]
 
+---@class ricochet.waves_fields
+---@field scene ricochet.scene what happens
+---@field along? "x"|"y" the axis (default y)
+---@field slices? integer of the bodies that move, one beside the other; more than rows of nodes leave some empty: NaN (default 80)
+---@field points? integer how many, equally spaced in time; one a step where the steps are fewer (default 400)
+---@field from? number first time; before 0 the projectile is in free flight [R/c] (default 0)
+---@field duration? number time covered, from `from` on, past the end of the impact if it is longer; up to that end unless given [R/c]
+---@field name? string file name without extension (default waves)
+---@field title? string above the picture
+---@field caption? string below the title
+--- How waves run through bodies: both cut into slices at right angles to an axis, and the mean velocity along it of the matter in each, over time. Draws it as NAME.png and NAME.svg, time across, the place in the first moment upwards, and leaves NAME.h5 and NAME.csv. Returns rows, one a slice and time: `time`; `body`, 1 the projectile, 2 the target; `place` of the slice's middle in the first moment; `velocity`, NaN in a slice without nodes.
+---@param t ricochet.waves_fields
+---@return ricochet.rows
+function ricochet.waves(t) end
+
 ---@class ricochet.plot_fields
 ---@field rows? ricochet.rows rows of a sweep, or of a series, drawn as a line in their order; none for a picture of theory alone
 ---@field x string column along x; rows are grouped by it

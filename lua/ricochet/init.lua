@@ -19,6 +19,7 @@ ricochet.materials = require "ricochet.materials"
 for name, shape in pairs(require "ricochet.shapes") do ricochet[name] = core.wrap(shape) end
 ricochet.sweep = core.wrap(require("ricochet.sweep").sweep)
 ricochet.series = core.wrap(require("ricochet.series").series)
+ricochet.waves = core.wrap(require("ricochet.waves").waves)
 require "ricochet.bounces"
 ricochet.plot = core.wrap(require("ricochet.plot").plot)
 ricochet.accuracy = core.wrap(require("ricochet.accuracy").accuracy)

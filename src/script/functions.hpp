@@ -43,6 +43,7 @@ Group scene_functions();
 Group estimate_functions();
 Group sweep_functions();
 Group series_functions();
+Group wave_functions();
 Group plot_functions();
 Group picture_functions();
 Group record_functions();

@@ -8,6 +8,7 @@
 #include "script/filmed.hpp"
 #include "script/objects.hpp"
 #include "script/run_files.hpp"
+#include "script/series_times.hpp"
 #include "script/step_choice.hpp"
 #include "script/sweep_report.hpp"
 #include "store/sinks.hpp"
@@ -17,34 +18,6 @@ namespace ricochet {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// When the points of a series are.
-struct SeriesTimes {
-  int points = 400;
-  double from = 0;
-  double duration = not_given;
-
-  static const std::vector<Member<SeriesTimes>>& fields();
-};
-
-const std::vector<Member<SeriesTimes>>& SeriesTimes::fields() {
-  static const std::vector<Member<SeriesTimes>> list{
-      {{"points",
-        "integer",
-        "",
-        "how many, equally spaced in time; one a step where the steps are fewer",
-        {2, 1e5},
-        by_struct},
-       &SeriesTimes::points},
-      {{"from", "number", "R/c", "first time; before 0 the projectile is in free flight", {-1e6, 1e6}, by_struct},
-       &SeriesTimes::from},
-      {{"duration", "number", "R/c",
-        "time covered, from `from` on, past the end of the impact if it is longer; up to that end unless given",
-        positive, "", true},
-       &SeriesTimes::duration},
-  };
-  return list;
-}
 
 // Sets a field of the table on top of the stack to what a function sees of a body.
 void set_body(lua_State* L, const char* name, const BodySample& body, const Units& units) {
@@ -86,13 +59,7 @@ int sample(lua_State* L) {
     lua_getfield(L, 1, "name");
     claimed_path(L, "name", file_of(lua_tostring(L, -1)));
     follow(L, scenes);
-    const double end = filmed.course.outcome.time;
-    if (std::isnan(wanted.duration) && wanted.from >= end)
-      throw_here(
-          L, FieldError("from", fmt::format("is not before the impact's end at {}; give an earlier time, or a duration",
-                                            filmed.scene.units.shown(end, "R/c", 4))));
-    const double until = std::isnan(wanted.duration) ? end : wanted.from + wanted.duration;
-    times = equal_times(wanted.from, until, wanted.points, filmed.course.step);
+    times = series_times(L, filmed, wanted);
   }
   lua_createtable(L, static_cast<int>(times.size()), 0);
   std::vector<Sample> samples;

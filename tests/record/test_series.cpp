@@ -1,9 +1,11 @@
 // What a run tells between its steps, as numbers.
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "record/film.hpp"
+#include "record/slices.hpp"
 #include "scenes.hpp"
 
 using namespace ricochet;
@@ -99,4 +101,88 @@ TEST_CASE("before the run a falling body is held where it began to fall") {
     CHECK(std::pow(sample.projectile.velocity.y(), 2) == Approx(2e-2 * fallen).margin(1e-9));
     CHECK(sample.total_energy == Approx(samples.back().total_energy).epsilon(1e-9));
   }
+}
+
+namespace {
+
+// Two rods of elements, nu = 0, that meet end on; lengths of 1 and 2, the speed of waves in them 6.27 c.
+Scene rods() {
+  const auto rod = [](double low, double length) {
+    const int nodes = static_cast<int>(800 * length);
+    BodyNumbers numbers = element_numbers(nodes, 1e4, 0, "polynomial", "triangular");
+    return std::make_shared<Body>(
+        Body{{{-0.05, low}, {0.05, low}, {0.05, low + length}, {-0.05, low + length}}, numbers, {}, {}});
+  };
+  Scene scene;
+  scene.projectile = rod(0, 1);
+  scene.target = rod(-2, 2);
+  scene.launch.speed = 0.03;
+  scene.contact.xi = 1.6e5;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("slices share a body's momentum, and a wave runs through them at the speed of waves in a rod") {
+  const Scene scene = rods();
+  const BuiltSolids solids(scene);
+  const FrameMesh mesh = frame_mesh(scene, solids);
+  const double c0 = std::sqrt(1e4 / usual_density);
+  // The front arrives where half of the wave's velocity is reached: half of the projectile's.
+  std::vector<double> arrival(40, 0.0);
+  std::vector<Slices> target;
+  film_scene(solids, scene, times(0.001, 1.9 / c0, 800), go_on, [&](const Frame& frame) {
+    if (target.empty()) target.emplace_back(mesh, frame, 1, 1, 0.05);
+    const Slices& slices = target[0];
+    REQUIRE(slices.count() == 40);
+    const std::vector<double> velocity = slices.velocity(frame);
+    double momentum = 0, of_nodes = 0;
+    for (std::size_t s = 0; s < velocity.size(); ++s) {
+      momentum += velocity[s] / 40;
+      if (arrival[s] == 0 && velocity[s] < -0.25 * scene.launch.speed) arrival[s] = frame.time;
+    }
+    double mass = 0;
+    for (int i = mesh.bodies[1].first; i < mesh.nodes(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      of_nodes += mesh.mass[k] * frame.velocity[2 * k + 1];
+      mass += mesh.mass[k];
+    }
+    CHECK(momentum == Approx(of_nodes / mass).margin(0.02 * scene.launch.speed));
+  });
+  // From the top, slice 39, downwards.
+  for (const std::size_t s : {30u, 20u, 10u}) {
+    CAPTURE(s, arrival[s]);
+    CHECK(arrival[s] > 0);
+    CHECK((target[0].place()[35] - target[0].place()[s]) / (arrival[s] - arrival[35]) == Approx(c0).epsilon(0.02));
+  }
+}
+
+TEST_CASE("rods that meet end on rebound by their ratio of lengths, whatever the speed") {
+  Scene scene = rods();
+  const Outcome slow = run_scene(BuiltSolids(scene), scene, go_on);
+  scene.launch.speed *= 4;
+  scene.contact.xi /= 4;
+  const Outcome fast = run_scene(BuiltSolids(scene), scene, go_on);
+  CHECK(slow.e_n == Approx(0.5).epsilon(0.03));
+  CHECK(std::abs(fast.e_n / slow.e_n - 1) < 0.003);
+}
+
+TEST_CASE("a body that is held has no slices of its own, and a slice without nodes has no velocity") {
+  Scene scene = rods();
+  Body plane;
+  plane.plane = Plane{};
+  scene.target = std::make_shared<Body>(plane);
+  const BuiltSolids solids(scene);
+  const FrameMesh mesh = frame_mesh(scene, solids);
+  CHECK(moves(mesh, 0));
+  CHECK_FALSE(moves(mesh, 1));
+  film_scene(solids, scene, {0.001}, go_on, [&](const Frame& frame) {
+    CHECK(extent(mesh, frame, 0, 0) == Approx(0.1));
+    const Slices fine(mesh, frame, 0, 1, 1e-3);
+    CHECK(fine.count() == 1000);
+    const std::vector<double> velocity = fine.velocity(frame);
+    CHECK(std::any_of(velocity.begin(), velocity.end(), [](double v) { return std::isnan(v); }));
+    CHECK(std::all_of(velocity.begin(), velocity.end(),
+                      [](double v) { return std::isnan(v) || std::abs(v + 0.03) < 1e-6; }));
+  });
 }

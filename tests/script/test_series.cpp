@@ -41,6 +41,32 @@ ricochet.plot { rows = rows, x = "height", y = { "force_n" }, name = "loop" }
   CHECK_THAT(drawn, Contains("height [R]"));
 }
 
+TEST_CASE("waves are rows of slices, files and a picture, in the scene's units") {
+  const Workplace place;
+  const Ended run = place.script(R"(local ricochet = require "ricochet"
+local rod = { height = 0.02, width = 0.002, nodes = 60, material = ricochet.materials.steel }
+local scene = ricochet.scene { units = "SI", projectile = ricochet.rectangle(rod), target = ricochet.plane {},
+  launch = { speed = 1 } }
+local rows = ricochet.waves { scene = scene, slices = 10, points = 30, name = "up", title = "A rod's `date`" }
+assert(#rows == 300 and rows[1].body == 1 and math.abs(rows[1].velocity + 1) < 1e-6, rows[1].velocity)
+for _, row in ipairs(rows) do assert(row.velocity ~= row.velocity or math.abs(row.velocity) < 3) end
+assert(rows[300].velocity > 0 and rows[10].place - rows[1].place > 0.017)
+)");
+  INFO(run.err);
+  REQUIRE(run.status == 0);
+  CHECK_THAT(place.read("out/s/up.csv"), Contains("time [s],body,place [m],velocity [m/s]"));
+  CHECK_THAT(place.read("out/s/up.gp"), Contains("with image") && Contains("y at the first moment [m]"));
+  for (const char* file : {"up.png", "up.svg", "up.h5"}) CHECK(fs::exists(place.path / "out/s" / file));
+  const auto told = [&](const std::string& fields) {
+    return place.script(head + "ricochet.waves { scene = ball, points = 4, duration = 1, " + fields + " }", "--force")
+        .err;
+  };
+  CHECK_THAT(told("along = 'z'"), Contains("'along'"));
+  CHECK_THAT(told("slices = 1"), Contains("'slices'"));
+  CHECK_THAT(told("name = '../a'"), Contains("'name' must be letters"));
+  CHECK_THAT(told("duration = 0"), Contains("'duration'"));
+}
+
 TEST_CASE("mistakes in a series are told at their place") {
   const Workplace place;
   const auto told = [&](const std::string& of) {
