@@ -261,13 +261,10 @@ std::vector<double> Fields::of_springs(const std::string& name, const Frame& fra
 
 std::vector<double> Fields::stress(const Frame& frame, bool pressure) const {
   const std::vector<double> tension = of_springs("tension", frame);
-  struct Stress {
-    double xx = 0, xy = 0, yy = 0, zz = 0, area = 0;
-  };
-  std::vector<Stress> sums(mesh_.mass.size());
+  std::vector<MeanStress> sums(mesh_.mass.size());
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     const auto& corners = mesh_.triangles[t];
-    Stress tensor;
+    MeanStress tensor;
     for (const int s : sides_[t]) {
       if (s < 0 || std::isnan(tension[s])) continue;
       const Vec2 r =
@@ -287,28 +284,14 @@ std::vector<double> Fields::stress(const Frame& frame, bool pressure) const {
       sums[i].area += tensor.area;
     }
   }
-  const auto add = [&](std::size_t t, const Tensor<double>& P, const Tensor<double>& F, double zz, double area) {
-    for (const int i : mesh_.triangles[t]) {
-      sums[i].xx += area * (P.xx * F.xx + P.xy * F.xy);
-      sums[i].xy += area * (P.xx * F.yx + P.xy * F.yy);
-      sums[i].yy += area * (P.yx * F.yx + P.yy * F.yy);
-      sums[i].zz += area * zz;
-    }
-  };
   each_element(frame, [&]<class Gradient>(std::size_t t, const auto& law, const Gradient& F, double area) {
     const Gradient P = law.stress(F);
-    if constexpr (std::is_same_v<Gradient, AxialTensor<double>>)
-      add(t, P.plane, F.plane, P.zz * F.zz, area / F.zz);
-    else
-      add(t, P, F, 0, area);
+    for (const int i : mesh_.triangles[t]) sums[i].add(P, F, area);
   });
   std::vector<double> values;
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    const Stress& s = sums[i];
     const bool space = mesh_.bodies[static_cast<std::size_t>(mesh_.body_of(static_cast<int>(i)))].axisymmetric;
-    const double xx = s.xx / s.area, yy = s.yy / s.area, xy = s.xy / s.area, zz = s.zz / s.area;
-    const double square = xx * xx - xx * yy + yy * yy + 3 * xy * xy + zz * (zz - xx - yy);
-    values.push_back(s.area == 0 ? 0 : pressure ? -(xx + yy + zz) / (space ? 3 : 2) : std::sqrt(std::max(0.0, square)));
+    values.push_back(pressure ? sums[i].pressure(space) : sums[i].von_mises());
   }
   return values;
 }

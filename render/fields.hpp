@@ -7,6 +7,7 @@
 
 #include "core/frame.hpp"
 #include "material/hencky_flow.hpp"
+#include "material/mean_stress.hpp"
 #include "material/solid_law.hpp"
 #include "material/spring_law.hpp"
 

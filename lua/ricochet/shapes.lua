@@ -143,4 +143,14 @@ function shapes.wall(given)
   return core.own_body(body)
 end
 
+function shapes.half_space(given)
+  local t, own = core.check("half_space", given)
+  local body = body_fields(t, own, "extent")
+  local far = t.extent
+  if t.h_min and not t.fine_at then body.fine_at = { 0, 0 } end
+  body.outline = { { 0, -far }, { far, -far }, { far, 0 }, { 0, 0 } }
+  body.anchored = function(x, y) return x == 0 and y == -far end
+  return axisymmetric(body, own)
+end
+
 return shapes

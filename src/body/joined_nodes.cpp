@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "shape/node_order.hpp"
@@ -87,14 +86,6 @@ void set_surface(Solid& solid, const NodePlan& plan, const std::vector<int>& num
   solid.surface = std::move(rim);
 }
 
-// The share of a triangle at a corner: a third of its area; of a ring, the integral of 2 pi x times what is 1 at the
-// corner and 0 at the others, 2 pi A (3 X + x)/12, X: the mean of the corners' x.
-double share_at(const Solid& solid, const std::array<Vec2, 3>& corner, std::size_t k) {
-  const double area = cross(Vec2(corner[1] - corner[0]), Vec2(corner[2] - corner[0])) / 2;
-  if (!solid.axisymmetric) return area / 3;
-  return 2 * std::numbers::pi * area * (corner[0].x() + corner[1].x() + corner[2].x() + corner[k].x()) / 12;
-}
-
 // Every node the mass that the script gave, or its share of each triangle at it.
 Masses masses_of(const Solid& solid, const Body& body, const NodePlan& plan, const std::vector<Triangle>& triangles,
                  const std::vector<int>& number) {
@@ -104,8 +95,8 @@ Masses masses_of(const Solid& solid, const Body& body, const NodePlan& plan, con
   for (const Triangle& t : triangles) {
     const std::array<Vec2, 3> corner{plan.points[at(t[0])], plan.points[at(t[1])], plan.points[at(t[2])]};
     for (std::size_t k = 0; k < 3; ++k)
-      mass[at(number[at(t[k])])] +=
-          share_at(solid, corner, k) * (body.node_density.empty() ? density : body.node_density[at(t[k])]);
+      mass[at(number[at(t[k])])] += corner_share(corner, k, solid.axisymmetric) *
+                                    (body.node_density.empty() ? density : body.node_density[at(t[k])]);
   }
   return Masses(std::move(mass));
 }

@@ -48,6 +48,12 @@ double measure_at_rest(const Solid& solid, const Triangle& triangle) {
   return 2 * std::numbers::pi * ((place(0).x() + place(1).x() + place(2).x()) / 3) * area;
 }
 
+double corner_share(const std::array<Vec2, 3>& corner, std::size_t k, bool axisymmetric) {
+  const double area = cross(Vec2(corner[1] - corner[0]), Vec2(corner[2] - corner[0])) / 2;
+  if (!axisymmetric) return area / 3;
+  return 2 * std::numbers::pi * area * (corner[0].x() + corner[1].x() + corner[2].x() + corner[k].x()) / 12;
+}
+
 Points surface_points(const Solid& solid) {
   Points points;
   for (const int node : surface_nodes(solid.surface)) points.push_back(solid.points[static_cast<std::size_t>(node)]);

@@ -77,6 +77,10 @@ struct Solid {
 /// times the mean of its corners' x times its area. [Pappus; R^2 or R^3]
 double measure_at_rest(const Solid& solid, const Triangle& triangle);
 
+/// The share of a triangle at a corner: a third of its area; of a ring, the integral of 2 pi x times what is 1 at the
+/// corner and 0 at the others, 2 pi A (3 X + x)/12, X: the mean of the corners' x. [R^2 or R^3]
+double corner_share(const std::array<Vec2, 3>& corner, std::size_t k, bool axisymmetric);
+
 /// Rest places of the surface's nodes, in their order.
 Points surface_points(const Solid& solid);
 

@@ -2,8 +2,6 @@
 // The effects that a batch of scenes names, at work in W lanes: forces, what is taken beside the steps, and the energy
 // booked for each.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,10 +12,11 @@
 #include "body/vibration.hpp"
 #include "contact/contacts.hpp"
 #include "core/carrier.hpp"
-#include "core/error.hpp"
 #include "core/turn.hpp"
 #include "effect/catalogue.hpp"
+#include "effect/edges.hpp"
 #include "effect/flows.hpp"
+#include "effect/start/small_motions.hpp"
 
 namespace ricochet {
 
@@ -33,7 +32,11 @@ class ActingEffects {
   using Energies = std::array<Lane<W>, effect_kinds>;
 
   ActingEffects(const std::vector<Effect>& effects, const std::vector<const Solid*>& solids)
-      : rates_(solids.size()), kept_(solids.size()), vibrations_(solids.size()), flows_(solids.size()) {
+      : rates_(solids.size()),
+        kept_(solids.size()),
+        vibrations_(solids.size()),
+        flows_(solids.size()),
+        edges_(solids.size()) {
     lost_.fill(Lane<W>::Zero());
     for (const Effect& effect : effects) {
       acting_.push_back({effect, bodies_of(effect, static_cast<int>(solids.size())), {}});
@@ -81,6 +84,7 @@ class ActingEffects {
       for (auto& springs : acting.memory)
         for (SpringMemory<W>& m : springs) m[0][lane] = m[1][lane] = 0;
     flows_.begin(lane);
+    edges_.begin(lane, h / 2, bodies);
     time_[lane] = 0;
     for (const Effect& effect : own)
       std::visit(
@@ -108,6 +112,7 @@ class ActingEffects {
         for (SpringMemory<W>& m : springs)
           for (Lane<W>& number : m) carrier.pass(number[lane]);
     flows_.carry(lane, carrier);
+    edges_.carry(lane, carrier);
     carrier.pass(time_[lane]);
   }
   /// How the anchors of an impact move, which is passed on as it is.
@@ -270,6 +275,7 @@ class ActingEffects {
           acting.memory[at(b)].assign(springs->list.size(), {Lane<W>::Zero(), Lane<W>::Zero()});
       if constexpr (ElementFlow<E>)
         if (const Elements* elements = solid.elements()) flows_.let(at(b), *elements, e.yield, e.hardening);
+      if constexpr (EdgeDamping<E>) edges_.let(at(b), e.dashpots(solid));
       if constexpr (NodeDamping<E>) rates_[at(b)].push_back({acting.effect.index(), e.rates(solid)});
       if constexpr (AnchorMotion<E>) {
         shaken_ = b;
@@ -314,6 +320,8 @@ class ActingEffects {
 
   template <class E>
   void damp_inside(const E& e, const Acting& acting, Motions<W>& bodies, const Lane<W>& half, bool forward) {
+    if constexpr (EdgeDamping<E>)
+      for (const int b : acting.bodies) lost(acting) += edges_.damp(bodies[at(b)], at(b));
     if constexpr (SpringDamping<E>)
       for (const int b : acting.bodies) {
         Motion<W>& body = bodies[at(b)];
@@ -359,23 +367,13 @@ class ActingEffects {
     }
   }
 
-  // What was linearised holds while no neighbours move apart by a large part of their distance.
-  static void check_small(const Solid& solid, const Points& displacement, double temperature) {
-    const double share = largest_strain(solid, displacement);
-    if (share > 0.5)
-      throw FieldError("effects",
-                       fmt::format("thermal: at a temperature of {:g} m0 c^2 neighbours move apart by {:.2g} of their "
-                                   "distance, and the vibration is drawn for small motions; lower the temperature",
-                                   temperature, share));
-  }
-
   template <class E>
   void start_warm(int lane, const E& warm, int b, Motion<W>& body, const Turn& turn) {
     const Solid& solid = *body.solid;
     if (!solid.springs() && !solid.elements()) return;
     if (!vibrations_[at(b)]) vibrations_[at(b)] = std::make_shared<Vibrations>(solid);
     const Vibrations::Sample sample = vibrations_[at(b)]->draw(warm.temperature, body.stiffness[lane], warm.seed, b);
-    check_small(solid, sample.displacement, warm.temperature);
+    check_small_motions(solid, sample.displacement, warm.temperature);
     for (int i = 0; i < solid.free; ++i) {
       body.q.add(i, lane, turn(sample.displacement[at(i)]));
       body.v.add(i, lane, turn(sample.velocity[at(i)]));
@@ -392,6 +390,7 @@ class ActingEffects {
   std::vector<std::vector<Lane<W>>> kept_;  // [body][free node] share of a velocity that is left after half a step
   std::vector<std::shared_ptr<const Vibrations>> vibrations_;  // [body] factorised when first wanted
   Flows<W> flows_;
+  Edges<W> edges_;
   Energies lost_;
 };
 

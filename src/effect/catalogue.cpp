@@ -53,6 +53,16 @@ std::string conflict_with_bodies(const E& e, std::span<const Solid* const> solid
     if ((ElementDamping<E> || AtStart<E>)&&solid.axisymmetric)
       return fmt::format("{} is of bodies in the plane, and the {} is axisymmetric; leave it out", E::name,
                          body_name(static_cast<std::size_t>(b)));
+    if (EdgeDamping<E> && solid.springs())
+      return fmt::format(
+          "{} acts on elements, and the {} is of springs; give it interior = \"elements\", or name absorbing instead",
+          E::name, body_name(static_cast<std::size_t>(b)));
+    if constexpr (EdgeDamping<E>)
+      if (solid.elements() && e.dashpots(solid).empty())
+        return fmt::format(
+            "{}: the {} has no free edge that faces away from the projectile; hold no node of its sides and of what "
+            "lies below, or leave it out",
+            E::name, body_name(static_cast<std::size_t>(b)));
     if (ElementFlow<E> && solid.springs())
       return fmt::format(
           "{} acts on elements, and the {} is of springs; give it interior = \"elements\", or name "
@@ -65,9 +75,9 @@ std::string conflict_with_bodies(const E& e, std::span<const Solid* const> solid
   }
   if (finds_one) return "";
   return fmt::format("{} acts on {}, and the {} is rigid: leave it out", E::name,
-                     SpringChange<E>  ? "springs"
-                     : ElementFlow<E> ? "elements"
-                                      : "what moves inside a body",
+                     SpringChange<E>                    ? "springs"
+                     : ElementFlow<E> || EdgeDamping<E> ? "elements"
+                                                        : "what moves inside a body",
                      body_name(solids.size() - 1));
 }
 
@@ -194,6 +204,8 @@ std::string conflict_of(std::span<const Effect> effects) {
   };
   if (find_effect<Absorbing>(effects) && find_effect<MovingAnchor>(effects))
     return "absorbing damps against a wall at rest, and moving_anchor moves it; name one of them";
+  if (find_effect<AbsorbingEdges>(effects) && find_effect<MovingAnchor>(effects))
+    return "absorbing_edges damps against a wall at rest, and moving_anchor moves it; name one of them";
   for (std::size_t i = 0; i < effects.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const std::string a = named_bodies(effects[i]), b = named_bodies(effects[j]);

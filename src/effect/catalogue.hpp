@@ -11,6 +11,7 @@
 
 #include "body/springs/memory.hpp"
 #include "contact/contact_laws.hpp"
+#include "effect/element/absorbing_edges.hpp"
 #include "effect/element/yielding.hpp"
 #include "effect/node/absorbing.hpp"
 #include "effect/node/drag.hpp"
@@ -26,7 +27,7 @@ namespace ricochet {
 /// A new effect is its header and its name here; everything else (the Lua function, its checks and documentation, the
 /// column of its energy, the tests of all effects) follows from what it says it is, by the concepts below.
 using Effect = std::variant<Gravity, Drag, Absorbing, MovingAnchor, Damping, Plastic, Breaking, Adhesion, Friction,
-                            Thermal, Yielding>;
+                            Thermal, Yielding, AbsorbingEdges>;
 
 inline constexpr std::size_t effect_kinds = std::variant_size_v<Effect>;
 
@@ -92,6 +93,12 @@ concept AtStart = requires {
 template <class E>
 concept ElementFlow = requires {
   E::lets_elements_flow;
+};
+
+/// Lets waves out through edges of elements.
+template <class E>
+concept EdgeDamping = requires(const E& effect, const Solid& solid) {
+  { effect.dashpots(solid) } -> std::same_as<std::vector<EdgeDashpot>>;
 };
 
 /// Acts on springs.

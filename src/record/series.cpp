@@ -81,6 +81,29 @@ Quantities of_energy() {
   };
 }
 
+// Three of a body, whose names begin with `prefix`.
+void add_stresses(Quantities& list, const std::string& prefix, BodySample Sample::*body) {
+  const std::string of = prefix.empty() ? "projectile" : "target";
+  list.push_back(
+      {{prefix + "pressure_max", "number", "m0 c^2/R^3",
+        "greatest pressure in the " + of +
+            ", minus the mean of the normal stresses, of the nodes' means of their elements; of a plane body "
+            "over its thickness, which is R in the paper's units; undefined without elements"},
+       [body](S s) { return (s.*body).stress.pressure; }});
+  list.push_back({{prefix + "von_mises_max", "number", "m0 c^2/R^3", "the same of von Mises's stress"},
+                  [body](S s) { return (s.*body).stress.von_mises; }});
+  list.push_back({{prefix + "von_mises_depth", "number", "R",
+                   "how far from the surface the node of that stress is, at rest; undefined without elements"},
+                  [body](S s) { return (s.*body).stress.von_mises_depth; }});
+}
+
+Quantities of_stress() {
+  Quantities list;
+  add_stresses(list, "", &Sample::projectile);
+  add_stresses(list, "target_", &Sample::target);
+  return list;
+}
+
 // The turn since the start that brings the body at rest nearest to its places, weighed by mass: where the sum of
 // m r x p' vanishes.
 double turn_of(const Solid& solid, const Turn& at_start, const Points& places, const Vec2& centre) {
@@ -114,7 +137,8 @@ double length_of(const BodyShot& body, bool half) {
 const std::vector<std::pair<Field, std::function<double(const Sample&)>>>& Sample::fields() {
   static const Quantities list = [] {
     Quantities all = of_motion();
-    for (const Quantities& more : {of_contact(), of_energy()}) all.insert(all.end(), more.begin(), more.end());
+    for (const Quantities& more : {of_contact(), of_energy(), of_stress()})
+      all.insert(all.end(), more.begin(), more.end());
     return all;
   }();
   return list;
@@ -142,13 +166,24 @@ double Sampler::height_at(double first_touch) const {
   return of(role::projectile) - of(role::target);
 }
 
+GreatestStress Sampler::stress_of(std::size_t body, const BodyShot& shot) const {
+  const Body& of = *scene_.bodies()[body];
+  GreatestStress stress = greatest_stress(*solids_[body], of.numbers.stiffness, shot);
+  if (!of.material || solids_[body]->axisymmetric) return stress;
+  const double thickness = of.material->thickness / scene_.units.length;
+  stress.pressure /= thickness;
+  stress.von_mises /= thickness;
+  return stress;
+}
+
 Sample Sampler::operator()(const Snapshot& shot) {
   Sample sample;
   sample.time = shot.time;
   sample.step = shot.step;
   for (const std::size_t b : {role::projectile, role::target}) {
     BodySample& body = b == role::projectile ? sample.projectile : sample.target;
-    body = {shot.rigid[b].centre, shot.rigid[b].velocity, 0, shot.rigid[b].spin, shot.energy.bodies[b]};
+    body = {shot.rigid[b].centre, shot.rigid[b].velocity, 0,
+            shot.rigid[b].spin,   shot.energy.bodies[b],  stress_of(b, shot.bodies[b])};
     if (solids_[b]->anchored() || solids_[b]->axisymmetric) continue;
     // Whole turns are those that the spin has made since the last time.
     const double since = std::isnan(last_time_) ? shot.time : shot.time - last_time_;

@@ -10,6 +10,7 @@
 #include "impact/launch/start.hpp"
 #include "impact/scene.hpp"
 #include "impact/snapshot.hpp"
+#include "record/stress.hpp"
 
 namespace ricochet {
 
@@ -19,6 +20,7 @@ struct BodySample {
   double angle = 0;       ///< that it has turned by since time 0, counter-clockwise: what fits its nodes best [rad]
   double spin = 0;        ///< [c/R]
   BodyEnergy energy;
+  GreatestStress stress;  ///< pressures of space: a plane body's over its thickness [m0 c^2/R^3]
 };
 
 struct Sample {
@@ -44,6 +46,7 @@ class Sampler {
 
  private:
   double height_at(double first_touch) const;
+  GreatestStress stress_of(std::size_t body, const BodyShot& shot) const;
 
   const Scene& scene_;
   const Solids& solids_;

@@ -145,6 +145,20 @@ Function wall_function() {
           .example = "ricochet.wall { nodes = 4000, stiffness = 100, roughness = 0.03, seed = 7 }"};
 }
 
+Function half_space_function() {
+  const std::vector<Field> extent{
+      {"extent", "number", "R", "radius of the block, and its depth below y = 0", positive, "10"}};
+  return {.name = "half_space",
+          .doc =
+              "A block of elements that stands for the half-space y <= 0 under an axisymmetric body: a cylinder below "
+              "y = 0, whose mesh by h_min is finest in the middle of its top. One node of it is held, the deepest on "
+              "the axis; beside ricochet.absorbing_edges waves leave through its side and its base. Let h_max resolve "
+              "the waves, whose length is about the contact's time at their speed.",
+          .fields = extent + number_fields() + common_fields(),
+          .returns = "body",
+          .example = "ricochet.half_space { extent = 8, E = 1e4, nu = 0.3, h_min = 0.03, h_max = 1 }"};
+}
+
 Function plane_function() {
   return {.name = "plane",
           .doc =
@@ -167,10 +181,11 @@ Group body_functions() {
       "polygon", "A body in a closed outline, such as one from a file; the same as ricochet.body.", outline_field(),
       "ricochet.polygon { outline = { {0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0} }, holes = { { {0.5, 0.5}, "
       "{1.5, 0.5}, {1, 1.5} } } }");
-  return {.functions = std::vector{of_outline} + sized_shapes() +
-                       std::vector{polygon, rotated_function(), wall_function(), plane_function()},
-          .natives = {{"own_body", guarded<body<true>>}},
-          .add = [](lua_State* L) { make_type(L, "ricochet.body", collect_object<BodyObject>); }};
+  return {
+      .functions = std::vector{of_outline} + sized_shapes() +
+                   std::vector{polygon, rotated_function(), wall_function(), half_space_function(), plane_function()},
+      .natives = {{"own_body", guarded<body<true>>}},
+      .add = [](lua_State* L) { make_type(L, "ricochet.body", collect_object<BodyObject>); }};
 }
 
 }  // namespace ricochet

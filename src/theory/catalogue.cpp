@@ -9,12 +9,14 @@
 #include "theory/fit.hpp"
 #include "theory/kuwabara_kono.hpp"
 #include "theory/maw.hpp"
+#include "theory/maw_hertz.hpp"
 #include "theory/modal_disk.hpp"
 #include "theory/oblique.hpp"
 #include "theory/plastic.hpp"
 #include "theory/radiation.hpp"
 #include "theory/rods.hpp"
 #include "theory/tilted.hpp"
+#include "theory/zener.hpp"
 
 namespace ricochet::theory {
 namespace {
@@ -167,6 +169,15 @@ void add_losses(std::vector<Theory>& list) {
       "hayakawa2003, eq. new",
       "ricochet.theory.radiation_printed { R = 1, m = 4.2, E = 1, E2 = 1, rho = 1, v = 1e-3 }.one_minus_e",
       radiation_printed));
+  list.push_back(made(
+      "zener",
+      "Impact of a sphere on a large thin plate whose flexural waves take energy: s'' + (1 + lambda d/dt) s^(3/2) = 0, "
+      "lambda = m v/(8 S sqrt(D rho2 h)), S = (m v^2/k)^(2/5), k = (4/3) E* sqrt(R), D = E2 h^3/(12 (1 - nu2^2)).",
+      "waves long against the thickness h, which is large against the contact, and none back from the plate's rim",
+      "zener1941; solved as kuwabara1987, here",
+      "ricochet.theory.zener { R = 1, m = 4.2, E = 1, nu = 0.3, E2 = 1, nu2 = 0.3, rho2 = 1, thickness = 0.5, "
+      "v = 1e-3 }.e",
+      zener));
   list.push_back(made("plastic", "Fully plastic impact: e^2 = 3.55 (p_d/E*) (2 p_d R^3/(m v^2))^(1/4), e ~ v^(-1/4).",
                       "v far above the yield speed, a < R", "johnson1985, eq. 11.41; hayakawa2003, section II D",
                       "ricochet.theory.plastic { R = 0.01, E_star = 1e11, m = 0.03, Y = 5e8, v = 10 }.e", plastic));
@@ -190,6 +201,13 @@ void add_oblique(std::vector<Theory>& list) {
   list.push_back(made("maw_integrated", "The same contact integrated step by step.",
                       "as maw; error of the order of 1/steps^2", "here",
                       "ricochet.theory.maw_integrated { psi1 = 1, mu = 0.3, e = 0.9, nu = 0.3 }.beta", maw_integrated));
+  list.push_back(made(
+      "maw_hertz",
+      "Oblique impact of a sphere with Hertz's contact, of which parts stick and parts slip: integrated as a row of "
+      "springs, each with its own friction.",
+      "quasi-static; like materials; no spin out of the plane",
+      "maw1976; jaeger1995; popov2015; lyashenko2015; e by e^2 of the force in restitution, here",
+      "ricochet.theory.maw_hertz { psi1 = 0.2, mu = 0.1, e = 0.98, nu = 0.22 }.beta", maw_hertz));
   list.push_back(made(
       "tilted_surface",
       "e of an impact on a surface tilted by the contact: theta, tan(alpha), mu_alpha, Psi1_alpha, Psi2_alpha and e.",

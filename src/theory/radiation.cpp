@@ -111,16 +111,18 @@ Shares radiation_shares(const Solid& solid) {
   return s;
 }
 
-Arguments<RadiatingImpact> RadiatingImpact::fields() {
-  using S = RadiatingImpact;
-  return {{{"R", "number", "L", "radius of the sphere", positive}, &S::R},
-          {{"m", "number", "M", "its mass", positive}, &S::m},
-          {{"E", "number", "M L^-1 T^-2", "its Young's modulus", positive}, &S::E},
-          {{"nu", "number", "", "its Poisson's ratio", {-1, 0.5, true}}, &S::nu},
-          {{"E2", "number", "M L^-1 T^-2", "Young's modulus of the half-space", positive}, &S::E2},
-          {{"nu2", "number", "", "Poisson's ratio of the half-space", {-1, 0.49, true}}, &S::nu2},
-          {{"rho2", "number", "M L^-3", "density of the half-space", positive}, &S::rho2},
-          {{"v", "number", "L T^-1", "normal speed, far below that of sound", positive}, &S::v}};
+Arguments<RadiatingImpact> RadiatingImpact::fields() { return fields_of<RadiatingImpact>(); }
+
+SphereImpact RadiatingImpact::hertzian() const {
+  SphereImpact impact;
+  impact.R = R;
+  impact.E = E;
+  impact.nu = nu;
+  impact.E2 = E2;
+  impact.nu2 = nu2;
+  impact.m = m;
+  impact.v = v;
+  return impact;
 }
 
 Arguments<RadiationLoss> RadiationLoss::fields() {
@@ -132,14 +134,7 @@ Arguments<RadiationLoss> RadiationLoss::fields() {
 
 RadiationLoss radiation_loss(const RadiatingImpact& impact) {
   checked(impact);
-  SphereImpact hertzian;
-  hertzian.R = impact.R;
-  hertzian.E = impact.E;
-  hertzian.nu = impact.nu;
-  hertzian.E2 = impact.E2;
-  hertzian.nu2 = impact.nu2;
-  hertzian.m = impact.m;
-  hertzian.v = impact.v;
+  const SphereImpact hertzian = impact.hertzian();
   const double kappa = hertzian.kappa(), h0 = hertzian.h0(), nu = impact.nu2;
   const double G = impact.E2 / (2 * (1 + nu)), c_P = std::sqrt(zeta_squared(nu) * G / impact.rho2);
   const double rates = 45.0 / 16 * boost::math::beta(0.8, 1.5) * kappa * kappa * h0 * h0 * impact.v;

@@ -2,7 +2,7 @@
 // Energy radiated as elastic waves into a half-space. [Miller & Pursey 1954, 1955; Hunter 1957; Hayakawa & Kuninaka
 // 2003, section II C]
 
-#include "theory/argument.hpp"
+#include "theory/hertz.hpp"
 
 namespace ricochet::theory {
 
@@ -43,6 +43,21 @@ double radiated_by_work(const Solid& solid);
 
 struct RadiatingImpact {
   double R = 1, m = 1, E = 1, nu = 0.25, E2 = 1, nu2 = 0.25, rho2 = 1, v = 1e-3;
+
+  /// The same bodies, of which nothing but their contact moves.
+  SphereImpact hertzian() const;
+
+  template <class Struct>
+  static Arguments<Struct> fields_of() {
+    return {{{"R", "number", "L", "radius of the sphere", positive}, &Struct::R},
+            {{"m", "number", "M", "its mass", positive}, &Struct::m},
+            {{"E", "number", "M L^-1 T^-2", "its Young's modulus", positive}, &Struct::E},
+            {{"nu", "number", "", "its Poisson's ratio", {-1, 0.5, true}}, &Struct::nu},
+            {{"E2", "number", "M L^-1 T^-2", "Young's modulus of what it strikes", positive}, &Struct::E2},
+            {{"nu2", "number", "", "Poisson's ratio of that", {-1, 0.49, true}}, &Struct::nu2},
+            {{"rho2", "number", "M L^-3", "density of that", positive}, &Struct::rho2},
+            {{"v", "number", "L T^-1", "normal speed, far below that of sound", positive}, &Struct::v}};
+  }
   static Arguments<RadiatingImpact> fields();
 };
 

@@ -492,8 +492,9 @@ TEST_CASE(
                                 Damping{4e-3, "both"},    Plastic{2e-4, 0.2, "projectile"},
                                 Breaking{0.01, "target"}, Adhesion{0.5, 200},
                                 Friction{0.3, 1},         Thermal{1e-6, 1, "both"}};
-  // Yielding, of elements, does so by itself (impact/test_yielding.cpp).
-  REQUIRE(all.size() + 1 == effect_kinds);
+  // Yielding and absorbing edges, of elements, do so by themselves (impact/test_yielding.cpp,
+  // test_absorbing_edges.cpp).
+  REQUIRE(all.size() + 2 == effect_kinds);
   std::vector<std::vector<Effect>> sets{all, all};  // absorbing and moving anchors do not stand together
   std::erase_if(sets[0], [](const Effect& e) { return std::holds_alternative<Absorbing>(e); });
   std::erase_if(sets[1], [](const Effect& e) { return std::holds_alternative<MovingAnchor>(e); });

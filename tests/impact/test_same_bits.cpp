@@ -47,7 +47,7 @@ std::vector<Scene> scenes() {
                          Friction{0.3, 1},
                          MovingAnchor{0.02, 0.5, 40 * psi1, "normal"},
                          Thermal{1e-6, seed + static_cast<int>(psi1), "both"}};
-        REQUIRE(scene.effects.size() + 1 == effect_kinds);  // all but yielding, which is of elements
+        REQUIRE(scene.effects.size() + 2 == effect_kinds);  // all but yielding and absorbing edges, of elements
         if (seed == 1)
           std::erase_if(scene.effects, [](const Effect& e) { return std::holds_alternative<Absorbing>(e); });
         else

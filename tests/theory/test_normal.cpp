@@ -8,6 +8,7 @@
 #include "theory/kuwabara_kono.hpp"
 #include "theory/plastic.hpp"
 #include "theory/rods.hpp"
+#include "theory/zener.hpp"
 
 using namespace ricochet;
 using namespace ricochet::theory;
@@ -285,4 +286,27 @@ TEST_CASE("a plastic impact rebounds as v^(-1/4) with what its contact has store
   CHECK_THAT(plastic(impact).e, WithinRel(rebound.e / 2, 1e-12));
   impact.v = 1e-6;
   CHECK_THROWS_AS(plastic(impact), FieldError);
+}
+
+TEST_CASE("Zener's sphere on a plate rebounds as the integrals of his equation say, and not at all where it is thin") {
+  // lambda: e, duration in S/v; integrated apart.
+  struct Known {
+    double lambda, e, t;
+  };
+  PlateImpact impact;
+  const double S = std::pow(0.8, 0.4) * impact.hertzian().h0();
+  // lambda goes as the thickness to the power -2.
+  impact.thickness = 1;
+  const double thin = zener(impact).lambda;
+  for (const auto& [lambda, e, t] : {Known{0.05, 0.9178, 3.247}, Known{0.1, 0.8433, 3.279}, Known{0.2, 0.7140, 3.349},
+                                     Known{0.5, 0.4369, 3.624}, Known{1, 0.1841, 4.388}}) {
+    impact.thickness = std::sqrt(thin / lambda);
+    const PlateRebound rebound = zener(impact);
+    CHECK_THAT(rebound.lambda, WithinRel(lambda, 1e-12));
+    CHECK_THAT(rebound.e, WithinAbs(e, 6e-5));
+    CHECK_THAT(rebound.t_c * impact.v / S, WithinAbs(t, 6e-4));
+  }
+  impact.thickness = 1e3;
+  CHECK_THAT(zener(impact).e, WithinAbs(1, 1e-5));
+  CHECK_THAT(zener(impact).t_c, WithinRel(hertz(impact.hertzian()).t_c, 1e-5));
 }

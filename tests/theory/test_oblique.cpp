@@ -7,6 +7,7 @@
 
 #include "theory/fit.hpp"
 #include "theory/maw.hpp"
+#include "theory/maw_hertz.hpp"
 #include "theory/oblique.hpp"
 #include "theory/spline.hpp"
 #include "theory/tilted.hpp"
@@ -188,6 +189,45 @@ TEST_CASE("Maw's sphere follows Kharaz's experiment at six angles") {
     const double beta = maw({std::tan(angle * std::numbers::pi / 180), 0.092, 0.98, 0.23, 3.5}).beta;
     CHECK_THAT(1 - (1 + beta) / 3.5,
                WithinAbs(ratio, angle < 10 ? 0.03 : 0.007));  // stick at first: the bilinear contact is at its worst
+  }
+}
+
+TEST_CASE("Maw's sphere with Hertz's contact follows finite elements where they stick, too") {
+  // Chung and Ooi's test 5, digitised from a figure with an error of 0.08; x and v_ct'/(mu v_n).
+  const double elements[][2] = {{0.272, -0.027}, {0.59, -0.027}, {0.88, -0.080}, {1.19, -0.213}, {1.54, -0.373},
+                                {1.91, -0.627},  {2.30, -0.947}, {2.78, -1.253}, {3.31, -1.520}, {3.93, -1.720},
+                                {4.72, -1.707},  {5.71, -1.200}, {7.08, 0.133},  {9.08, 2.147},  {12.3, 5.427}};
+  double square = 0, bilinear = 0;
+  for (const auto& [x, y] : elements) {
+    square += std::pow(maw_hertz({x * 0.3, 0.3, 1, 0.3, 3.5, 200}).psi2 / 0.3 - y, 2) / std::size(elements);
+    bilinear += std::pow(maw({x * 0.3, 0.3, 1, 0.3, 3.5}).psi2 / 0.3 - y, 2) / std::size(elements);
+  }
+  CHECK(std::sqrt(square) < 0.08);
+  CHECK(std::sqrt(bilinear) > 0.15);
+}
+
+TEST_CASE("Maw's sphere with Hertz's contact: it slides as Coulomb says, loses nothing without slip or friction") {
+  for (const double e : {1.0, 0.8}) {
+    const double mu = 0.1, psi1 = 3;
+    CHECK_THAT(maw_hertz({psi1, mu, e, 0.25, 3.5, 500}).beta, WithinAbs(-1 + mu * 3.5 * (1 + e) / psi1, 2e-3));
+    CHECK(maw_hertz({psi1, 0, e, 0.25, 3.5, 100}).beta == -1);
+  }
+  // The error falls as 1/springs.
+  const auto at = [](double springs) { return maw_hertz({0.3, 0.3, 0.9, 0.3, 3.5, springs}).psi2; };
+  const double exact = at(6400);
+  CHECK(std::abs(at(400) - exact) < 1e-4);
+  CHECK(std::abs(at(400) - exact) < 0.5 * std::abs(at(100) - exact));
+  CHECK_THAT(maw_hertz({0, 0.3, 1, 0.3, 3.5, 400}).beta,
+             WithinAbs(maw_hertz({1e-6, 0.3, 1, 0.3, 3.5, 400}).beta, 1e-3));
+  CHECK(maw_hertz({0, 0.3, 1, 0.3, 3.5, 400}).psi2 == 0);
+}
+
+TEST_CASE("Maw's sphere with Hertz's contact follows Kharaz's experiment, but where it begins to slide all along") {
+  const double measured[][2] = {{2.24, 0.797},  {4.22, 0.746}, {9.84, 0.675},  {20.22, 0.599}, {30.36, 0.690},
+                                {39.54, 0.774}, {49.6, 0.848}, {71.07, 0.937}, {79.23, 0.970}, {85.17, 0.979}};
+  for (const auto& [angle, ratio] : measured) {
+    const double beta = maw_hertz({std::tan(angle * std::numbers::pi / 180), 0.092, 0.98, 0.22, 3.5, 200}).beta;
+    CHECK_THAT(1 - (1 + beta) / 3.5, WithinAbs(ratio, angle > 20 ? 0.006 : angle < 9 ? 0.017 : 0.028));
   }
 }
 
