@@ -81,6 +81,27 @@ TEST_CASE("a slow sphere meets a rigid plane as Hertz says") {
   CHECK(beside.closure < 1e-5);
 }
 
+TEST_CASE("a sphere is stressed most where Hertz says: 0.48 a below its surface, by 0.62 of the contact's pressure") {
+  // nu = 0.3: von Mises 0.62 p0 at 0.48 a, pressure (2/3)(1 + nu) p0 in the middle of the surface. [Johnson 1985, 3.4]
+  const double h = 0.012;
+  const Scene scene = scene_of(sphere(0.3, h), plane(), 1e-3);
+  const BuiltSolids built(scene);
+  const Estimate hertz = estimate(scene);
+  const Course course = follow_course(built, scene, go_on);
+  std::vector<Sample> samples;
+  film_scene(built, scene, {}, go_on, {},
+             {{0, course.tightest}, [&](const Sample& sample) { samples.push_back(sample); }});
+  REQUIRE(samples.size() == 2);
+  const double a = hertz.impact.half_width;
+  const GreatestStress before = samples[0].projectile.stress, most = samples[1].projectile.stress;
+  CAPTURE(a, most.von_mises_depth / a, most.von_mises / hertz.impact.pressure, most.pressure / hertz.impact.pressure);
+  CHECK(std::abs(most.von_mises_depth - 0.48 * a) < h);
+  CHECK(most.von_mises == Catch::Detail::Approx(0.62 * hertz.impact.pressure).epsilon(0.05));
+  CHECK(most.pressure == Catch::Detail::Approx(2.0 / 3 * 1.3 * hertz.impact.pressure).epsilon(0.1));
+  CHECK(before.von_mises < 1e-3 * most.von_mises);
+  CHECK(std::isnan(samples[1].target.stress.von_mises));
+}
+
 TEST_CASE("the magnesium sphere of Chung and Ooi's test 2 meets a rigid plane as Hertz says", "[.slow]") {
   // 0.2 m/s of sqrt(40 GPa/1800 kg/m^3).
   const BesideHertz beside = beside_hertz(scene_of(sphere(0.35, 0.004), plane(), 4.2426e-5));

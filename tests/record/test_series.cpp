@@ -186,3 +186,30 @@ TEST_CASE("a body that is held has no slices of its own, and a slice without nod
                       [](double v) { return std::isnan(v) || std::abs(v + 0.03) < 1e-6; }));
   });
 }
+
+TEST_CASE("the greatest stress of a body that is strained alike everywhere is that of its law, whose E may vary") {
+  const double E = 50, nu = 0.3, strain = 1e-6;
+  for (const std::string state : {"plane_strain", "axisymmetric"}) {
+    Body body{state == "axisymmetric" ? half_circle(1, 200) : circle(), element_numbers(150, E, nu), {}, {}};
+    body.numbers.state = state;
+    const auto solid = build_solid(body);
+    BodyShot shot;
+    for (const Vec2& p : solid->points) shot.place.emplace_back(p.x(), p.y() * (1 - strain));
+    const Lame lame = lame_of(nu, state);
+    const GreatestStress stress = greatest_stress(*solid, E, shot);
+    // Of the plane the deviator is that of both stresses in it; in space both others are lambda of it.
+    const double along = (lame.lambda + 2 * lame.mu) * E * strain, across = lame.lambda * E * strain;
+    const bool space = state == "axisymmetric";
+    CHECK(stress.pressure == Approx((along + (space ? 2 : 1) * across) / (space ? 3 : 2)).epsilon(1e-5));
+    CHECK(stress.von_mises ==
+          Approx(space ? along - across : std::sqrt(along * along - along * across + across * across)).epsilon(1e-5));
+    CHECK(stress.von_mises_depth >= 0);
+    CHECK(stress.von_mises_depth <= 1);
+    // Where E is four times as great at every node, by a function, so is the stress.
+    Body stiffer = body;
+    stiffer.node_stiffness.assign(static_cast<std::size_t>(solid->nodes()), 4 * E);
+    CHECK(greatest_stress(*build_solid(stiffer), E, shot).von_mises == Approx(4 * stress.von_mises).epsilon(1e-9));
+  }
+  const auto springs = build_solid(*disk(60, 1e4, 0, 1));
+  CHECK(std::isnan(greatest_stress(*springs, 1e4, {}).pressure));
+}

@@ -72,6 +72,42 @@ assert(math.abs(row.contact_time / hertz.contact_time.value - 1) < 0.02, row.con
   CHECK(ended.status == 0);
 }
 
+TEST_CASE("scripts: a series tells stresses in Pa, of a sphere, a half-space, and of disks whatever their thickness") {
+  const Ended ended = script_with_module(R"(
+local steel = ricochet.materials.steel
+local of = { "force_n", "pressure_max", "von_mises_max", "von_mises_depth", "target_von_mises_max", "target_von_mises_depth" }
+local function most(scene)
+  local most = {}
+  for _, row in ipairs(ricochet.series { scene = scene, of = of, points = 40 }) do
+    for name, value in pairs(row) do
+      if type(value) == "number" and value == value then most[name] = math.max(most[name] or 0, value) end
+    end
+  end
+  return most
+end
+local function near(a, b, share) assert(math.abs(a / b - 1) < share, a .. " " .. b) end
+local R, h = 0.01, 6e-4
+local scene = ricochet.scene { units = "SI", launch = { speed = 20 },
+  projectile = ricochet.sphere { radius = R, material = steel, h_min = h, h_max = 0.3 * R },
+  target = ricochet.half_space { extent = 4 * R, material = steel, h_min = h, h_max = R },
+  effects = { ricochet.absorbing_edges {} } }
+local stress, hertz = most(scene), ricochet.estimate(scene)
+near(stress.von_mises_max, 0.62 * hertz.pressure.value, 0.2)
+near(stress.target_von_mises_max, stress.von_mises_max, 0.15)
+assert(stress.target_von_mises_depth < R)
+local disks = {}
+for i, thickness in ipairs { 1, 0.5 } do
+  disks[i] = most(ricochet.scene { units = "SI", launch = { speed = 20 }, target = ricochet.plane {},
+    projectile = ricochet.disk { radius = R, material = steel, thickness = thickness, interior = "elements",
+      state = "plane_strain", h_min = 0.1 * R } })
+  assert(disks[i].target_von_mises_max == nil)
+end
+near(disks[1].von_mises_max, disks[2].von_mises_max, 1e-6)
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
+
 TEST_CASE("scripts: what breaks the symmetry of an axisymmetric body is refused by name") {
   const auto refused = [](const std::string& fields, const std::string& target = "ricochet.plane {}") {
     const Ended ended = script_with_module(
