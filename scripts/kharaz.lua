@@ -60,6 +60,7 @@ end
 local law = rows:power_law { x = "v", y = "lost" }
 print(("1 - e^2 = %.4f (v_n / (m/s))^%.3f +- %.3f"):format(law.factor, law.exponent, law.se))
 local function e_at(angle)
+  if rows[1].e ~= rows[1].e then return 1 end  -- --check runs nothing
   for _, row in ipairs(rows) do
     if math.abs(row.v - normal_speed(angle)) < 1e-9 then return row.e end
   end

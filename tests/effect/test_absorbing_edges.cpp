@@ -1,5 +1,7 @@
 // Edges that let waves out: of plane waves, of a sphere on a half-space, and what they book.
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -73,7 +75,8 @@ double came_back(const Solid& block, bool across, double impedance) {
   const int steps = static_cast<int>(std::round(2 * (middle - below) / speed / h));
   for (int k = 0; k < steps; ++k) {
     acting.dissipate(bodies, one(h / 2), true);
-    kick_and_drift(moving, one(h), one(h));
+    drift(moving, one(h / 2));
+    kick_and_drift(moving, one(h), one(h / 2));
     acting.dissipate(bodies, one(h / 2), false);
   }
   double sum = 0;
@@ -161,27 +164,33 @@ TEST_CASE("absorbing edges book what they take, for steps of any length, and sto
   }
 }
 
-TEST_CASE("a small block with absorbing edges takes of a sphere's rebound what a block of four times its size does") {
-  // The large one ends before its own edges' waves are back at the sphere: 16 R/c0 of contact, 2 x 10 R/c_P.
-  const double speed = 0.01;
+TEST_CASE("a block with absorbing edges takes of a sphere's rebound what one does from which no wave is back yet") {
+  // The large one ends before its own edges' waves are back at the sphere: 16 R/c0 of contact, 2 x 10 R/c_P. The small
+  // one moves as a whole, on dashpots that bear no lasting load, and takes a little more; held, it gives all back.
+  const double speed = 0.01, extent = 5;
   const Outcome half_space = run(onto(cylinder(10, 10, 0.06, 0.8), speed)), held = [&] {
-    Body block = cylinder(2.5, 2.5, 0.06, 0.4);
+    Body block = cylinder(extent, extent, 0.06, 0.8);
     for (const Vec2& p : ricochet::plan_nodes(block, {}).points)
-      block.anchored.push_back(p.y() < -2.5 + 1e-9 || p.x() > 2.5 - 1e-9);
+      block.anchored.push_back(p.y() < -extent + 1e-9 || p.x() > extent - 1e-9);
     return run(onto(block, speed));
   }();
-  Scene scene = onto(cylinder(2.5, 2.5, 0.06, 0.4), speed);
+  Scene scene = onto(cylinder(extent, extent, 0.06, 0.8), speed);
   scene.effects = {AbsorbingEdges{}};
   const Outcome small = run(scene);
   for (const Outcome* o : {&half_space, &held, &small}) REQUIRE(o->status == Status::finished);
   const auto lost = [](const Outcome& o) {
     return 1 - (o.after.of(0).translation + o.after.of(0).vibration) / o.before.total();
   };
-  CAPTURE(lost(half_space), lost(held), lost(small));
-  CHECK(std::abs(lost(small) - lost(half_space)) < 0.2 * lost(half_space));
+  const double law = 1.11 * std::pow(speed, 0.6);
+  fmt::print(
+      "lost of a sphere's energy at 0.01 c0: {:.5f} ({:.5f} by theory), absorbing {:.5f}, held {:.5f}; {:.5f} left "
+      "by the edges; closure {:.1e}\n",
+      lost(half_space), law, lost(small), lost(held),
+      small.effect_energy[Effect(AbsorbingEdges{}).index()] / small.before.total(), small.energy_closure);
+  CHECK(std::abs(lost(half_space) - law) < 0.1 * law);
+  CHECK(std::abs(lost(small) - lost(half_space)) < 0.15 * lost(half_space));
   CHECK(std::abs(lost(held) - lost(half_space)) > 2 * std::abs(lost(small) - lost(half_space)));
-  const double out = small.effect_energy[Effect(AbsorbingEdges{}).index()];
-  CHECK(out > 0.5 * lost(small) * small.before.total());
+  CHECK(small.effect_energy[Effect(AbsorbingEdges{}).index()] > 0.3 * lost(small) * small.before.total());
   CHECK(small.energy_closure < 1e-5);
 }
 
