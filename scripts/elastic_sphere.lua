@@ -7,7 +7,7 @@
 --   elastic_sphere_plate       on plates of several thicknesses, beside Zener 1941
 -- c0 = sqrt(E/rho). `samples`: how many speeds and plates of the lists are used. `cells`: triangles along the contact's
 -- radius. `full=true`: finer, and what doubling the half-space, the impedance of its edges and the mesh changes.
--- Times on two cores: TIMES.
+-- Times on two cores: not measured yet.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -122,12 +122,12 @@ local waves = add_losses(ricochet.sweep { name = "radiation", over = { nu = p.nu
 for _, nu in ipairs(p.nu) do
   local of, constant = waves:where { nu = nu }, theory.hunter_coefficient { nu = nu }
   local law = of:power_law { x = "v", y = "lost" }
-  print(("half-space of its material, nu = %g: lost ~ (v/c0)^%.3f +- %.3f (0.6); lost/(v/c0)^0.6, theory %.3f"):format(nu,
-    law.exponent, law.se, constant))
+  print(("half-space of its material, nu = %g: lost ~ (v/c0)^%.3f +- %.3f (0.6); over (v/c0)^0.6, theory %.3f"):format(
+    nu, law.exponent, law.se, constant))
   for _, row in ipairs(of) do
-    print(("v = %7.1e c0: left the sphere %.5f, 1 - e^2 %.5f, vibration %.1e, by the edges %.5f: %.3f, %+.1f %%"):format(
-      row.v, row.lost, row.lost_of_e, row.after_projectile_vibration / row.before_total,
-      row.absorbing_edges_energy / row.before_total, row.coefficient, 100 * (row.coefficient / constant - 1)))
+    print(("v = %7.1e c0: left the sphere %.5f, 1 - e^2 %.5f, vibration %.1e, by the edges %.5f"):format(row.v,
+      row.lost, row.lost_of_e, row.after_projectile_vibration / row.before_total, row.absorbing_edges_energy / row.before_total))
+    print(("  over (v/c0)^0.6: %.3f (%+.1f %%)"):format(row.coefficient, 100 * (row.coefficient / constant - 1)))
   end
 end
 if p.full then

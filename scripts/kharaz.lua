@@ -1,9 +1,10 @@
 -- The experiment of Kharaz, Gorham & Salman 2001: a 5 mm alumina sphere on thick glass, 3.9 m/s at every angle. e at
--- the normal speed of each angle is that of axisymmetric elements (the sphere on a half-space of glass, from whose edges
--- waves leave); with it the tangential motion follows from the theory of Maw, Barber & Fawcett, with Hertz's contact
--- (ricochet.theory.maw_hertz) and with springs for it (theory.maw), beside the measured points: v_t'/v_t of the centre,
--- spin, and the angle at which the contact point rebounds. `samples`: speeds at which e is computed; e between them by
--- 1 - e^2 ~ v^k. `full=true`: at the speed of every angle, with a finer mesh. Times on two cores: TIMES.
+-- the normal speed of each angle is that of axisymmetric elements (the sphere on a half-space of glass, from whose
+-- edges waves leave). With it the tangential motion follows from the theory of Maw, Barber & Fawcett, with Hertz's
+-- contact (ricochet.theory.maw_hertz) and with springs for it (theory.maw), beside the measured points: v_t'/v_t of the
+-- centre, spin, and the angle at which the contact point rebounds. `samples`: speeds at which e is computed; e between
+-- them by 1 - e^2 ~ v^k. `full=true`: at the speed of every angle, with a finer mesh. Times on two cores: not measured
+-- yet.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 
