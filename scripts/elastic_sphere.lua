@@ -126,7 +126,8 @@ for _, nu in ipairs(p.nu) do
     nu, law.exponent, law.se, constant))
   for _, row in ipairs(of) do
     print(("v = %7.1e c0: left the sphere %.5f, 1 - e^2 %.5f, vibration %.1e, by the edges %.5f"):format(row.v,
-      row.lost, row.lost_of_e, row.after_projectile_vibration / row.before_total, row.absorbing_edges_energy / row.before_total))
+      row.lost, row.lost_of_e, row.after_projectile_vibration / row.before_total,
+      row.absorbing_edges_energy / row.before_total))
     print(("  over (v/c0)^0.6: %.3f (%+.1f %%)"):format(row.coefficient, 100 * (row.coefficient / constant - 1)))
   end
 end
