@@ -78,7 +78,7 @@ end
 local function one() return 1 end
 ricochet.plot {
   rows = rows, x = "v", y = { "force_ratio", "depth_ratio", "time_ratio", "stress_depth", "loss" }, log = "x",
-  name = "elastic_sphere", xlabel = "v / c_0",
+  name = "elastic_sphere", xlabel = "v / c0",
   ylabel = { force_ratio = "force / Hertz", depth_ratio = "overlap / Hertz", time_ratio = "time / Hertz",
     stress_depth = "depth of stress / a", loss = "1 − e" },
   yrange = { force_ratio = { 0.95, 1.1 }, depth_ratio = { 0.9, 1.05 }, time_ratio = { 0.95, 1.1 },
@@ -143,7 +143,7 @@ end
 local laws, constants = {}, {}
 for k, nu in ipairs(p.nu) do
   local constant = theory.hunter_coefficient { nu = nu }
-  laws[k] = { name = ("%.3f (v/c_0)^{3/5}, ν = %g"):format(constant, nu),
+  laws[k] = { name = ("%.3f (v/c0)^0.6, ν = %g"):format(constant, nu),
     f = function(v) return constant * v ^ 0.6 end }
   constants[k] = { name = ("%.3f, ν = %g"):format(constant, nu), f = function() return constant end }
 end
@@ -151,8 +151,8 @@ laws[#laws + 1] = { name = "Hunter by Johnson, 1.04", f = function(v) return 1.0
 constants[#constants + 1] = { name = "1.04", f = function() return 1.04 end }
 ricochet.plot {
   rows = waves, x = "v", y = { "lost", "lost_of_e", "coefficient" }, by = "nu", log = "xy",
-  name = "elastic_sphere_radiation", xlabel = "v / c_0",
-  ylabel = { lost = "energy that left the sphere", lost_of_e = "1 − e²", coefficient = "lost / (v/c_0)^{3/5}" },
+  name = "elastic_sphere_radiation", xlabel = "v / c0",
+  ylabel = { lost = "energy that left the sphere", lost_of_e = "1 − e²", coefficient = "lost / (v/c0)^0.6" },
   yrange = { coefficient = { 0.9, 1.4 } },
   theory = { lost = laws, lost_of_e = laws, coefficient = constants },
   title = "Elastic sphere on a half-space of its own material",
@@ -193,14 +193,14 @@ local function sine(micro)
 end
 local off = 0
 for _, row in ipairs(pulse) do off = math.max(off, math.abs(row.force_n - sine(row.micro))) end
-print(("steel ball on rock, %g m/s: F %.1f N (McLaskey & Glaser %.1f), impulse %.3f of F t_c (0.5564)"):format(speed,
-  most.force_n, pulse_force, impulse / (pulse_force * pulse_time)))
+print(("steel ball on rock, %g m/s: F %.1f N (McLaskey & Glaser %.1f)"):format(speed, most.force_n, pulse_force))
+print(("impulse %.3f of F t_c (sine 0.5564, Hertz 0.5436)"):format(impulse / (pulse_force * pulse_time)))
 print(("the pulse within %.3f of F"):format(off / pulse_force))
 ricochet.plot {
   rows = pulse, x = "micro", y = { "force_n" }, name = "elastic_sphere_pulse",
   xlabel = "time from the greatest force [µs]",
   ylabel = { force_n = "force [N]" },
-  theory = { force_n = { { name = "McLaskey & Glaser, F sin^{3/2}(π t/t_c)", f = sine } } },
+  theory = { force_n = { { name = "McLaskey & Glaser, F sin(πt/t_c)^1.5", f = sine } } },
   title = "The force pulse of a steel ball on rock",
   caption = ("Radius %g mm, %g m/s; half-space of elements with absorbing edges. Law only."):format(1e3 * ball_radius,
     speed),
@@ -245,6 +245,6 @@ ricochet.plot {
   xlabel = "Zener's λ", ylabel = { time_ratio = "contact time / Hertz" },
   theory = { e = column(2), time_ratio = column(3) },
   title = "Elastic sphere on plates of its own material",
-  caption = ("v = %g c_0, ν = %g, plates of %g R radius, held at their rim. Law only."):format(plate_speed, nu_plate,
+  caption = ("v = %g c0, ν = %g, plates of %g R radius, held at their rim. Law only."):format(plate_speed, nu_plate,
     plate_radius),
 }
