@@ -19,6 +19,7 @@ struct BodySample {
   double angle = 0;       ///< that it has turned by since time 0, counter-clockwise: what fits its nodes best [rad]
   double spin = 0;        ///< [c/R]
   BodyEnergy energy;
+  Points outline;  ///< places of the nodes of its surface, along it; of a plane none [R]
 };
 
 struct Sample {
