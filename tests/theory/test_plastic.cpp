@@ -13,7 +13,7 @@ using Catch::WithinRel;
 
 namespace {
 
-const double pi = 3.14159265358979323846;
+constexpr double pi = 3.14159265358979323846;
 constexpr double R = 1, nu = 0.3, E_star = 1 / (1 - nu * nu), m = 4 * pi / 3;  // E = rho = 1, so speeds are in c0
 
 double yield_speed_of(double Y) { return yield_speed({R, E_star, m, Y}).v; }
