@@ -115,5 +115,5 @@ ricochet.plot {
   rows = rows, x = "over_yield_speed", y = { "e", "kept" }, by = "of", log = "x", name = "plastic_sphere",
   xlabel = "impact speed [v_y]", ylabel = { kept = "dent / greatest depth" }, theory = { e = lines, kept = dents },
   title = "Spheres that yield, without hardening, on a rigid plane",
-  caption = ("nu = 0.3, %g elements across the contact's radius; laws only, no measured points."):format(across),
+  caption = "Laws only, no measured points.",
 }

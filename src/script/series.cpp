@@ -19,23 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What a series holds beside numbers.
-struct SeriesAsked {
-  bool outlines = false;
-
-  static const std::vector<Member<SeriesAsked>>& fields();
-};
-
-const std::vector<Member<SeriesAsked>>& SeriesAsked::fields() {
-  static const std::vector<Member<SeriesAsked>> list{
-      {{"outlines", "boolean", "",
-        "whether the projectile and the target of a state hold an `outline`, for functions of the state", any_number,
-        by_struct},
-       &SeriesAsked::outlines},
-  };
-  return list;
-}
-
 // Sets a field of the table on top of the stack to a list of points { x, y }.
 void set_points(lua_State* L, const char* name, const Points& points, double length) {
   lua_createtable(L, static_cast<int>(points.size()), 0);
@@ -86,7 +69,9 @@ int sample(lua_State* L) {
   std::vector<FilmedScene> scenes = filmed_scenes(L);
   const FilmedScene& filmed = scenes[0];
   const SeriesTimes wanted = members_of_call<SeriesTimes>(L, {}, filmed.scene.units);
-  const SeriesAsked asked = members_of_call<SeriesAsked>(L);
+  lua_getfield(L, 1, "outlines");
+  const bool outlines = lua_toboolean(L, -1);
+  lua_pop(L, 1);
   std::vector<double> times{0};
   if (!session.options.check) {
     lua_getfield(L, 1, "name");
@@ -107,7 +92,7 @@ int sample(lua_State* L) {
   });
   settle_overlaps(samples);
   for (const Sample& now : samples) {
-    push_state(L, now, filmed.scene.units, asked.outlines);
+    push_state(L, now, filmed.scene.units, outlines);
     lua_seti(L, -2, list_length(L, -2) + 1);
   }
   return 1;
@@ -249,8 +234,12 @@ Function series_function() {
                                    {"of", "table", "",
                                     "list of quantities of the `state`, and name = function (state) that returns a "
                                     "number"}} +
-                fields_of<SeriesTimes>() + fields_of<SeriesAsked>() +
-                std::vector<Field>{{"name", "string", "", "file name without extension", any_number, "series"}},
+                fields_of<SeriesTimes>() +
+                std::vector<Field>{{"outlines", "boolean", "",
+                                    "whether the projectile and the target of a state hold an `outline`, for functions "
+                                    "of the state",
+                                    any_number, "false"},
+                                   {"name", "string", "", "file name without extension", any_number, "series"}},
       .returns = "rows",
       .example =
           "local rows = ricochet.series { scene = scene, of = { \"force_n\", \"overlap\", lever = function(state) "
