@@ -570,6 +570,7 @@ function ricochet.range(first, last, step) end
 ---@field points? integer how many, equally spaced in time; one a step where the steps are fewer (default 400)
 ---@field from? number first time; before 0 the projectile is in free flight [R/c] (default 0)
 ---@field duration? number time covered, from `from` on, past the end of the impact if it is longer; up to that end unless given [R/c]
+---@field outlines? boolean whether the projectile and the target of a state hold an `outline`, for functions of the state (default false)
 ---@field name? string file name without extension (default series)
 --- An impact as columns of numbers over time, sampled between the engine's steps: returns rows, and leaves them as NAME.h5 and NAME.csv in the run's folder. `ricochet.plot` draws them as lines, in their order. The first column is the time.
 ---@param t ricochet.series_fields
@@ -603,8 +604,8 @@ function ricochet.series(t) end
 ---@field contact_energy number energy of the repulsion [m0 c^2]
 ---@field effects_energy number energy gained in the potentials of effects and lost to those that dissipate, since the start [m0 c^2]
 ---@field total_energy number the sum of all [m0 c^2]
----@field projectile table of the projectile: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]
----@field target table of the target: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]
+---@field projectile table of the projectile: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]; if the series has `outlines`, its outline, a list of the places { x, y } [R] of the nodes of its surface, along it, of a body of revolution those at x >= 0, of a plane none
+---@field target table of the target: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]; if the series has `outlines`, its outline, a list of the places { x, y } [R] of the nodes of its surface, along it, of a body of revolution those at x >= 0, of a plane none
 
 ---@class ricochet.scene_bounces_fields
 ---@field count? integer how many (default 8)
@@ -1105,8 +1106,8 @@ function ricochet.theory.radiation_printed(t) end
 ---@class ricochet.theory_plastic_fields
 ---@field R number effective radius R R2/(R + R2) [L]
 ---@field E_star number E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2 [M L^-1 T^-2]
----@field m number effective mass m m2/(m + m2) [M]
 ---@field Y number yield stress in simple tension of the softer body [M L^-1 T^-2]
+---@field m number effective mass m m2/(m + m2) [M]
 ---@field pressure? number contact pressure p_d over Y (default 3)
 ---@field v number normal speed, far above the yield speed [L T^-1]
 ---@class ricochet.theory_plastic_result
@@ -1121,8 +1122,8 @@ function ricochet.theory.plastic(t) end
 ---@class ricochet.theory_yield_speed_fields
 ---@field R number effective radius R R2/(R + R2) [L]
 ---@field E_star number E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2 [M L^-1 T^-2]
----@field m number effective mass m m2/(m + m2) [M]
 ---@field Y number yield stress in simple tension of the softer body [M L^-1 T^-2]
+---@field m number effective mass m m2/(m + m2) [M]
 ---@class ricochet.theory_yield_speed_result
 ---@field v number normal speed at which yield begins [L T^-1]
 ---@field F number force at which it begins [M L T^-2]
@@ -1131,6 +1132,54 @@ function ricochet.theory.plastic(t) end
 ---@param t ricochet.theory_yield_speed_fields
 ---@return ricochet.theory_yield_speed_result
 function ricochet.theory.yield_speed(t) end
+
+---@class ricochet.theory_wu_li_thornton_fields
+---@field R number effective radius R R2/(R + R2) [L]
+---@field E_star number E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2 [M L^-1 T^-2]
+---@field Y number yield stress in simple tension of the softer body [M L^-1 T^-2]
+---@field m number effective mass m m2/(m + m2) [M]
+---@field v number normal speed, of 18.7 yield speeds or more [L T^-1]
+---@class ricochet.theory_wu_li_thornton_result
+---@field e number restitution coefficient
+---@field over_yield number v over the yield speed
+---@field window number the same where the -1/4 law ends
+--- e = 2.08 (v/v_y)^(-1/4) up to v = 0.0079 (E*/Y)^2 v_y, and 0.62 (v Y/(v_y E*))^(-1/2) from there on. Valid: perfectly plastic sphere, v >= 18.7 v_y; finite elements within 4 % from 200 v_y on, but 11 % near where the two meet. Source: wu2003. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_wu_li_thornton_fields
+---@return ricochet.theory_wu_li_thornton_result
+function ricochet.theory.wu_li_thornton(t) end
+
+---@class ricochet.theory_jackson_green_force_fields
+---@field R number effective radius R R2/(R + R2) [L]
+---@field E_star number E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2 [M L^-1 T^-2]
+---@field Y number yield stress in simple tension of the softer body [M L^-1 T^-2]
+---@field nu? number Poisson's ratio of the body that yields (default 0.3)
+---@field h number depth, at most R/2 [L]
+---@class ricochet.theory_jackson_green_force_result
+---@field F number force [M L T^-2]
+---@field a number radius of the contact [L]
+---@field residual number depth of the dent that stays [L]
+--- Force, contact radius and dent of a sphere that is pressed in by h: a fit to finite elements. Valid: perfectly plastic sphere, quasi-static, h <= R/2; finite elements within 4 %. Source: jackson2005; jackson2005residual. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_jackson_green_force_fields
+---@return ricochet.theory_jackson_green_force_result
+function ricochet.theory.jackson_green_force(t) end
+
+---@class ricochet.theory_jackson_green_fields
+---@field R number effective radius R R2/(R + R2) [L]
+---@field E_star number E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2 [M L^-1 T^-2]
+---@field Y number yield stress in simple tension of the softer body [M L^-1 T^-2]
+---@field nu? number Poisson's ratio of the body that yields (default 0.3)
+---@field m number effective mass m m2/(m + m2) [M]
+---@field v number normal speed [L T^-1]
+---@class ricochet.theory_jackson_green_result
+---@field e number restitution coefficient
+---@field depth number greatest depth [L]
+---@field F number greatest force [M L T^-2]
+---@field a number greatest radius of the contact [L]
+---@field residual number depth of the dent that stays [L]
+--- e^2 = (2/5) F (h - dent)/(m v^2/2) at the depth h where jackson_green_force has done that work. Valid: as jackson_green_force; e of finite elements within 2 % up to 13 v_y, 10 % greater at 135 v_y. Source: jackson2005; jackson2005residual. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_jackson_green_fields
+---@return ricochet.theory_jackson_green_result
+function ricochet.theory.jackson_green(t) end
 
 ---@class ricochet.theory_walton_fields
 ---@field psi1 number tangent of the incident angle, v_ct/v_n

@@ -114,6 +114,5 @@ end
 ricochet.plot {
   rows = rows, x = "over_yield_speed", y = { "e", "kept" }, by = "of", log = "x", name = "plastic_sphere",
   xlabel = "impact speed [v_y]", ylabel = { kept = "dent / greatest depth" }, theory = { e = lines, kept = dents },
-  title = "Spheres that yield, without hardening, on a rigid plane",
-  caption = "Laws only, no measured points.",
+  title = "Spheres that yield, without hardening, on a rigid plane, beside laws only",
 }
