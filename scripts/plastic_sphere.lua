@@ -1,15 +1,15 @@
 -- e of spheres that yield, on a rigid plane, against the speed in units of the yield speed v_y, for two ratios E*/Y;
 -- beside Johnson's fully plastic impact at a pressure of 3 Y, Wu, Li & Thornton's two laws and Jackson & Green's fit,
 -- and how much of the greatest depth the dent keeps. The window of the -1/4 law, and the speed at which yielding begins.
--- `samples`: speeds for each ratio. Below two minutes on two cores; `full=true`: more speeds, and elements of 0.6 of the
--- side, a quarter of an hour.
+-- `samples`: speeds for each ratio. Two minutes of one core; `full=true`: more speeds from lower ones on, and elements
+-- of 0.6 of the side, half an hour or more.
 local ricochet = require "ricochet"
 local theory = ricochet.theory
 
 local p = ricochet.parameters {
-  samples = { 6, int = true, min = 2, max = 30, doc = "speeds for each ratio; 12 with full=true" },
-  ratio   = { { 220, 999 }, min = 100, max = 3000, doc = "E*/Y of the spheres" },
-  across  = { 8, min = 3, max = 20, doc = "elements across the radius of the contact; 13 with full=true" },
+  samples = { 4, int = true, min = 2, max = 30, doc = "speeds for each ratio; 12 with full=true" },
+  ratio   = { { 220, 999 }, min = 200, max = 3000, doc = "E*/Y of the spheres" },
+  across  = { 8, min = 2, max = 20, doc = "elements across the radius of the contact; 13 with full=true" },
   full    = { false, doc = "the figure in full" },
 }
 local samples, across = p.full and 12 or p.samples, p.full and 13 or p.across
