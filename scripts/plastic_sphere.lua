@@ -1,6 +1,6 @@
 -- e of spheres that yield, on a rigid plane, against the speed in units of the yield speed v_y, for two ratios E*/Y;
 -- beside Johnson's fully plastic impact at a pressure of 3 Y, Wu, Li & Thornton's two laws and Jackson & Green's fit,
--- and how much of the greatest depth the dent keeps. The window of the -1/4 law, and the speed at which yielding begins.
+-- and the share of the depth that the dent keeps. The window of the -1/4 law, and the speed at which yielding begins.
 -- `samples`: speeds for each ratio. Two minutes of one core; `full=true`: more speeds from lower ones on, and elements
 -- of 0.6 of the side, half an hour or more.
 local ricochet = require "ricochet"
@@ -76,7 +76,8 @@ for _, ratio in ipairs(p.ratio) do
     print(("%6g %9.1f %8.4f %8s %8s %8s %9s %9.3f %9.3f"):format(ratio, x, row.e,
       cells[1] and ("%.4f"):format(cells[1]) or "-", cells[2] and ("%.4f"):format(cells[2]) or "-",
       cells[3] and ("%.4f"):format(cells[3]) or "-",
-      last and ("%.3f"):format(math.log(row.e / last.e) / math.log(x / last.x)) or "-", row.kept, at.residual / at.depth))
+      last and ("%.3f"):format(math.log(row.e / last.e) / math.log(x / last.x)) or "-", row.kept,
+      at.residual / at.depth))
     before[ratio] = row
   end
   print(("E*/Y = %g: the -1/4 law of Wu, Li & Thornton ends at %.0f v_y"):format(ratio,

@@ -16,13 +16,14 @@ local copper = ricochet.material { E = 117e9, nu = 0.35, density = 8930, yield =
   source = "README of benchmark/tet15-p1/taylor in github.com/Cthonios/Carina.jl" }
 local c_P = math.sqrt(117e9 * (1 - 0.35) / ((1 + 0.35) * (1 - 2 * 0.35) * 8930))
 
--- Lengths, diameters, heights z and radii r in mm, speeds in m/s, times in us. `share`: the step over h/c_P, which has to
--- follow the flattest element. Computed: final length and radius by ten-node tetrahedra (Carina.jl, as above), on a wall
+-- Lengths, diameters, heights z and radii r in mm, speeds in m/s, times in us. `share`: the step over h/c_P, which must
+-- follow the flattest element. Computed: final length and radius by tetrahedra (Carina.jl, as above), on a wall
 -- that holds the face and never lets it go. Measured: the black outlines of figures 4 and 5 of Zelepugin, Cherepanov &
 -- Pakhnutova, Materials 16, 5452 (2023), CC BY 4.0, as digitised in github.com/qilinli/StructBench
 -- (validation/references/taylor_copper.json), some of their corners: { z, r }. The first is of Wilkins & Guinan (1973).
 local bars = {
-  { name = "computed", speed = 227, length = 32.4, diameter = 6.4, time = 80, share = 0.025, final = { 21.420, 7.2255 } },
+  { name = "computed", speed = 227, length = 32.4, diameter = 6.4, time = 80, share = 0.025,
+    final = { 21.420, 7.2255 } },
   { name = "measured, 210 m/s", speed = 210, length = 23.47, diameter = 7.62, time = 100, share = 0.025,
     final = { 14.796, 8.397 }, outline = { { 0, 8.397 }, { 0.752, 7.302 }, { 1.748, 5.602 }, { 4.147, 5.097 },
       { 7.399, 4.400 }, { 10.794, 4.002 }, { 14.796, 3.810 } } },
@@ -53,7 +54,9 @@ local function flattened(bar)
     if not first and state.force_n > felt then first = state.time end
     if not first or state.time <= first + bar.time / 1e6 then outline = state.projectile.outline end
     local low, high = math.huge, -math.huge
-    for _, place in ipairs(state.projectile.outline) do low, high = math.min(low, place[2]), math.max(high, place[2]) end
+    for _, place in ipairs(state.projectile.outline) do
+      low, high = math.min(low, place[2]), math.max(high, place[2])
+    end
     return high - low
   end
   ricochet.series {
