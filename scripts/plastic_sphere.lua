@@ -95,7 +95,7 @@ local onset = ricochet.sweep {
 print(("E*/Y = %g:"):format(soft))
 print "v/v_y   elements that yield   energy lost to it"
 for _, row in ipairs(onset) do
-  print(("%5.2f %21d %19.2g"):format(row.x, row.yielding_elements, row.yielding_energy / row.before_total))
+  print(("%5.2f %21.0f %19.2g"):format(row.x, row.yielding_elements, row.yielding_energy / row.before_total))
 end
 
 local lines, dents = {}, {}
