@@ -99,6 +99,7 @@ PressedRebound jackson_green(const PressedImpact& impact) {
   double w = std::pow(W / (0.4 * of.force * of.depth), 0.4);
   if (!(w <= hertzian)) w = root_between([&](double x) { return of.work(x) - W; }, hertzian, most);
   const double F = of.force_at(w), released = 0.4 * F * (of.depth * w - of.residual(w));
+  if (!(released > 0)) throw FieldError("v", "is too high: the fit of the dent would exceed the depth");
   return {std::sqrt(std::min(1.0, released / W)), of.depth * w, F, of.radius(w), of.residual(w)};
 }
 

@@ -35,7 +35,7 @@ struct PressedRebound {
 
 /// The depth at which that force has done the work W = m v^2/2, and what a Hertzian release of it gives back:
 /// e^2 = (2/5) F (depth - residual)/W. Finite elements have F and the depth to 4 and 2 %, and e to 2 % up to 13 yield
-/// speeds, but 10 % greater at 135.
+/// speeds, but 10 % greater at 135. Refused from w = 1e4 on, where the dent would exceed the depth.
 PressedRebound jackson_green(const PressedImpact& impact);
 
 }  // namespace ricochet::theory
