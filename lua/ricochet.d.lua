@@ -382,6 +382,41 @@ function ricochet.rotated(t) end
 ---@return ricochet.body
 function ricochet.wall(t) end
 
+---@class ricochet.half_space_fields
+---@field extent? number radius of the block, and its depth below y = 0 [R] (default 10)
+---@field nodes? integer number of mass points, those on the outline included (default 800)
+---@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field seed? integer chooses the random lattice (default 1)
+---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
+---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
+---@field density? number|fun(x: number, y: number): number mass of the area: a node weighs a third of each triangle at it; default 800/pi, of which 800 nodes in a disk weigh m0 each on average, unless mass is given; of an axisymmetric body that of the volume, in m0/R^3; a function (x, y) gives that at a node [m0/R^2]
+---@field mass? number mass of every node alike, whatever area is its own; instead of density [m0]
+---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
+---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
+---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
+---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
+---@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
+---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
+---@field nu? number of elements: Poisson's ratio
+---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
+---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
+---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
+---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
+---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
+---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
+---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
+---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
+---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
+---@field points? number[][] its nodes { {x, y}, ... } instead of nodes and placement: those on an outline, corners included, are all of its rim there; an outline without any is divided as usual [R]
+---@field fine_at? number[] {x, y} where the mesh by h_min is finest, before the body is turned; at the lowest point of the outline unless given [R]
+---@field velocity? number[] {vx, vy} before the impact, in space as launch.speed is; of a free target [c]
+---@field spin? number angular velocity before the impact, counter-clockwise; of a free target [c/R] (default 0)
+--- A block of elements that stands for the half-space y <= 0 under an axisymmetric body: a cylinder below y = 0, whose mesh by h_min is finest in the middle of its top. One node of it is held, the deepest on the axis; beside ricochet.absorbing_edges waves leave through its side and its base. Let h_max resolve the waves, whose length is about the contact's time at their speed.
+---@param t ricochet.half_space_fields
+---@return ricochet.body
+function ricochet.half_space(t) end
+
 --- The rigid half-plane y <= 0, as a target: a projectile's rim node at the height y has the energy V0 exp(-xi y). Nothing in it moves, so a scene costs the projectile alone.
 ---@param t table
 ---@return ricochet.body
@@ -534,6 +569,13 @@ function ricochet.thermal(t) end
 ---@return ricochet.effect
 function ricochet.yielding(t) end
 
+---@class ricochet.absorbing_edges_fields
+---@field impedance? number s of the dashpots, over that of the body's waves: (1 - s)/(1 + s) of the amplitude of a wave that meets them head on comes back (default 1)
+--- An effect, for the `effects` of a scene. Dashpots on the free edges of a target of elements that do not face the projectile, its sides and what lies below (the outward normal less than 30 degrees above the horizontal): waves leave through them as if the body went on, so that it acts as a half-space. One that meets an edge head on leaves none behind. Goes with verlet only: outcomes converge at order 2.
+---@param t ricochet.absorbing_edges_fields
+---@return ricochet.effect
+function ricochet.absorbing_edges(t) end
+
 --- What laws say of a scene before it runs. A table of force, overlap, contact_time, contact_length, pressure, e and wave_speed; each is a table of value (NaN where no law holds), unit, law, range and in_range. `no_law` says why none holds, or is empty. `warnings` is a list of { kind =, reason = }: coarse_contact, coarse_rim, folding, over_yield.
 ---@param scene ricochet.scene
 ---@return table
@@ -570,6 +612,7 @@ function ricochet.range(first, last, step) end
 ---@field points? integer how many, equally spaced in time; one a step where the steps are fewer (default 400)
 ---@field from? number first time; before 0 the projectile is in free flight [R/c] (default 0)
 ---@field duration? number time covered, from `from` on, past the end of the impact if it is longer; up to that end unless given [R/c]
+---@field outlines? boolean whether the projectile and the target of a state hold an `outline`, for functions of the state (default false)
 ---@field name? string file name without extension (default series)
 --- An impact as columns of numbers over time, sampled between the engine's steps: returns rows, and leaves them as NAME.h5 and NAME.csv in the run's folder. `ricochet.plot` draws them as lines, in their order. The first column is the time.
 ---@param t ricochet.series_fields
@@ -603,8 +646,14 @@ function ricochet.series(t) end
 ---@field contact_energy number energy of the repulsion [m0 c^2]
 ---@field effects_energy number energy gained in the potentials of effects and lost to those that dissipate, since the start [m0 c^2]
 ---@field total_energy number the sum of all [m0 c^2]
----@field projectile table of the projectile: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]
----@field target table of the target: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]
+---@field pressure_max number greatest pressure in the projectile, minus the mean of the normal stresses, of the nodes' means of their elements; of a plane body over its thickness, which is R in the paper's units; undefined without elements [m0 c^2/R^3]
+---@field von_mises_max number the same of von Mises's stress [m0 c^2/R^3]
+---@field von_mises_depth number how far from the surface the node of that stress is, at rest; undefined without elements [R]
+---@field target_pressure_max number greatest pressure in the target, minus the mean of the normal stresses, of the nodes' means of their elements; of a plane body over its thickness, which is R in the paper's units; undefined without elements [m0 c^2/R^3]
+---@field target_von_mises_max number the same of von Mises's stress [m0 c^2/R^3]
+---@field target_von_mises_depth number how far from the surface the node of that stress is, at rest; undefined without elements [R]
+---@field projectile table of the projectile: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]; if the series has `outlines`, its outline, a list of the places { x, y } [R] of the nodes of its surface, along it, of a body of revolution those at x >= 0, of a plane none
+---@field target table of the target: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]; if the series has `outlines`, its outline, a list of the places { x, y } [R] of the nodes of its surface, along it, of a body of revolution those at x >= 0, of a plane none
 
 ---@class ricochet.scene_bounces_fields
 ---@field count? integer how many (default 8)
@@ -1065,9 +1114,9 @@ function ricochet.theory.radiation_shares(t) end
 ---@field m number its mass [M]
 ---@field E number its Young's modulus [M L^-1 T^-2]
 ---@field nu number its Poisson's ratio
----@field E2 number Young's modulus of the half-space [M L^-1 T^-2]
----@field nu2 number Poisson's ratio of the half-space
----@field rho2 number density of the half-space [M L^-3]
+---@field E2 number Young's modulus of what it strikes [M L^-1 T^-2]
+---@field nu2 number Poisson's ratio of that
+---@field rho2 number density of that [M L^-3]
 ---@field v number normal speed, far below that of sound [L T^-1]
 ---@class ricochet.theory_radiation_loss_result
 ---@field energy number radiated [M L^2 T^-2]
@@ -1102,11 +1151,30 @@ function ricochet.theory.hunter_coefficient(t) end
 ---@return ricochet.theory_radiation_printed_result
 function ricochet.theory.radiation_printed(t) end
 
+---@class ricochet.theory_zener_fields
+---@field R number radius of the sphere [L]
+---@field m number its mass [M]
+---@field E number its Young's modulus [M L^-1 T^-2]
+---@field nu number its Poisson's ratio
+---@field E2 number Young's modulus of what it strikes [M L^-1 T^-2]
+---@field nu2 number Poisson's ratio of that
+---@field rho2 number density of that [M L^-3]
+---@field v number normal speed, far below that of sound [L T^-1]
+---@field thickness number of the plate [L]
+---@class ricochet.theory_zener_result
+---@field lambda number Zener's inelasticity parameter
+---@field e number restitution coefficient if nothing else takes energy
+---@field t_c number contact time [T]
+--- Impact of a sphere on a large thin plate whose flexural waves take energy: s'' + (1 + lambda d/dt) s^(3/2) = 0, lambda = m v/(8 S sqrt(D rho2 h)), S = (m v^2/k)^(2/5), k = (4/3) E* sqrt(R), D = E2 h^3/(12 (1 - nu2^2)). Valid: waves long against the thickness h, which is large against the contact, and none back from the plate's rim. Source: zener1941; solved as kuwabara1987, here. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_zener_fields
+---@return ricochet.theory_zener_result
+function ricochet.theory.zener(t) end
+
 ---@class ricochet.theory_plastic_fields
 ---@field R number effective radius R R2/(R + R2) [L]
 ---@field E_star number E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2 [M L^-1 T^-2]
----@field m number effective mass m m2/(m + m2) [M]
 ---@field Y number yield stress in simple tension of the softer body [M L^-1 T^-2]
+---@field m number effective mass m m2/(m + m2) [M]
 ---@field pressure? number contact pressure p_d over Y (default 3)
 ---@field v number normal speed, far above the yield speed [L T^-1]
 ---@class ricochet.theory_plastic_result
@@ -1121,8 +1189,8 @@ function ricochet.theory.plastic(t) end
 ---@class ricochet.theory_yield_speed_fields
 ---@field R number effective radius R R2/(R + R2) [L]
 ---@field E_star number E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2 [M L^-1 T^-2]
----@field m number effective mass m m2/(m + m2) [M]
 ---@field Y number yield stress in simple tension of the softer body [M L^-1 T^-2]
+---@field m number effective mass m m2/(m + m2) [M]
 ---@class ricochet.theory_yield_speed_result
 ---@field v number normal speed at which yield begins [L T^-1]
 ---@field F number force at which it begins [M L T^-2]
@@ -1131,6 +1199,54 @@ function ricochet.theory.plastic(t) end
 ---@param t ricochet.theory_yield_speed_fields
 ---@return ricochet.theory_yield_speed_result
 function ricochet.theory.yield_speed(t) end
+
+---@class ricochet.theory_wu_li_thornton_fields
+---@field R number effective radius R R2/(R + R2) [L]
+---@field E_star number E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2 [M L^-1 T^-2]
+---@field Y number yield stress in simple tension of the softer body [M L^-1 T^-2]
+---@field m number effective mass m m2/(m + m2) [M]
+---@field v number normal speed, of 18.7 yield speeds or more [L T^-1]
+---@class ricochet.theory_wu_li_thornton_result
+---@field e number restitution coefficient
+---@field over_yield number v over the yield speed
+---@field window number the same where the -1/4 law ends
+--- e = 2.08 (v/v_y)^(-1/4) up to v = 0.0079 (E*/Y)^2 v_y, and 0.62 (v Y/(v_y E*))^(-1/2) from there on. Valid: perfectly plastic sphere, v >= 18.7 v_y; finite elements within 4 % from 200 v_y on, but 11 % near where the two meet. Source: wu2003. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_wu_li_thornton_fields
+---@return ricochet.theory_wu_li_thornton_result
+function ricochet.theory.wu_li_thornton(t) end
+
+---@class ricochet.theory_jackson_green_force_fields
+---@field R number effective radius R R2/(R + R2) [L]
+---@field E_star number E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2 [M L^-1 T^-2]
+---@field Y number yield stress in simple tension of the softer body [M L^-1 T^-2]
+---@field nu? number Poisson's ratio of the body that yields (default 0.3)
+---@field h number depth, at most R/2 [L]
+---@class ricochet.theory_jackson_green_force_result
+---@field F number force [M L T^-2]
+---@field a number radius of the contact [L]
+---@field residual number depth of the dent that stays [L]
+--- Force, contact radius and dent of a sphere that is pressed in by h: a fit to finite elements. Valid: perfectly plastic sphere, quasi-static, h <= R/2; finite elements within 4 %. Source: jackson2005; jackson2005residual. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_jackson_green_force_fields
+---@return ricochet.theory_jackson_green_force_result
+function ricochet.theory.jackson_green_force(t) end
+
+---@class ricochet.theory_jackson_green_fields
+---@field R number effective radius R R2/(R + R2) [L]
+---@field E_star number E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2 [M L^-1 T^-2]
+---@field Y number yield stress in simple tension of the softer body [M L^-1 T^-2]
+---@field nu? number Poisson's ratio of the body that yields (default 0.3)
+---@field m number effective mass m m2/(m + m2) [M]
+---@field v number normal speed [L T^-1]
+---@class ricochet.theory_jackson_green_result
+---@field e number restitution coefficient
+---@field depth number greatest depth [L]
+---@field F number greatest force [M L T^-2]
+---@field a number greatest radius of the contact [L]
+---@field residual number depth of the dent that stays [L]
+--- e^2 = (2/5) F (h - dent)/(m v^2/2) at the depth h where jackson_green_force has done that work. Valid: as jackson_green_force; e of finite elements within 2 % up to 13 v_y, 10 % greater at 135 v_y. Source: jackson2005; jackson2005residual. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_jackson_green_fields
+---@return ricochet.theory_jackson_green_result
+function ricochet.theory.jackson_green(t) end
 
 ---@class ricochet.theory_walton_fields
 ---@field psi1 number tangent of the incident angle, v_ct/v_n
@@ -1180,6 +1296,21 @@ function ricochet.theory.maw(t) end
 ---@param t ricochet.theory_maw_integrated_fields
 ---@return ricochet.theory_maw_integrated_result
 function ricochet.theory.maw_integrated(t) end
+
+---@class ricochet.theory_maw_hertz_fields
+---@field psi1 number tangent of the incident angle, v_ct / v_cn
+---@field mu number coefficient of friction
+---@field e number normal restitution coefficient
+---@field nu number Poisson's ratio of both
+---@field beta_x? number 1 + m R^2/I: 3.5 for a sphere (default 3.5)
+---@field springs? number of half of the contact (default 1000)
+---@class ricochet.theory_maw_hertz_result
+---@field beta number tangential restitution of the contact point; at psi1 = 0 the limit
+---@field psi2 number its tangential velocity after over the normal speed before
+--- Oblique impact of a sphere with Hertz's contact, of which parts stick and parts slip: integrated as a row of springs, each with its own friction. Valid: quasi-static; like materials; no spin out of the plane. Source: maw1976; jaeger1995; popov2015; lyashenko2015; e by e^2 of the force in restitution, here. Units in any consistent system of mass M, length L and time T.
+---@param t ricochet.theory_maw_hertz_fields
+---@return ricochet.theory_maw_hertz_result
+function ricochet.theory.maw_hertz(t) end
 
 ---@class ricochet.theory_tilted_surface_fields
 ---@field psi1 number tangent of the incident angle against the flat surface

@@ -107,7 +107,10 @@ struct HenckyFlow {
   template <double function(double)>
   [[gnu::always_inline]] static Number each(const Number& x) {
     Number y;
-    for (int lane = 0; lane < W; ++lane) y[lane] = function(x[lane]);
+    const double* from = x.data();
+    double* to = y.data();
+#pragma GCC unroll 1  // unrolled before it is vectorised, it stays one lane after another: twice the time
+    for (int lane = 0; lane < W; ++lane) to[lane] = function(from[lane]);
     return y;
   }
 

@@ -182,8 +182,10 @@ Sample Sampler::operator()(const Snapshot& shot) {
   sample.step = shot.step;
   for (const std::size_t b : {role::projectile, role::target}) {
     BodySample& body = b == role::projectile ? sample.projectile : sample.target;
-    body = {shot.rigid[b].centre, shot.rigid[b].velocity, 0,
-            shot.rigid[b].spin,   shot.energy.bodies[b],  stress_of(b, shot.bodies[b])};
+    body = {shot.rigid[b].centre,  shot.rigid[b].velocity,       0, shot.rigid[b].spin,
+            shot.energy.bodies[b], stress_of(b, shot.bodies[b]), {}};
+    for (const int node : surface_nodes(solids_[b]->surface))
+      body.outline.push_back(shot.bodies[b].place[static_cast<std::size_t>(node)]);
     if (solids_[b]->anchored() || solids_[b]->axisymmetric) continue;
     // Whole turns are those that the spin has made since the last time.
     const double since = std::isnan(last_time_) ? shot.time : shot.time - last_time_;

@@ -19,8 +19,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Sets a field of the table on top of the stack to a list of points { x, y }.
+void set_points(lua_State* L, const char* name, const Points& points, double length) {
+  lua_createtable(L, static_cast<int>(points.size()), 0);
+  for (const Vec2& point : points) {
+    lua_createtable(L, 2, 0);
+    for (int k = 0; k < 2; ++k) {
+      lua_pushnumber(L, length * point[k]);
+      lua_seti(L, -2, k + 1);
+    }
+    lua_seti(L, -2, list_length(L, -2) + 1);
+  }
+  lua_setfield(L, -2, name);
+}
+
 // Sets a field of the table on top of the stack to what a function sees of a body.
-void set_body(lua_State* L, const char* name, const BodySample& body, const Units& units) {
+void set_body(lua_State* L, const char* name, const BodySample& body, const Units& units, bool outlines) {
   const double length = units.worth("R"), speed = units.worth("c"), energy = units.worth("m0 c^2");
   lua_createtable(L, 0, 9);
   set_number(L, "x", length * body.centre.x());
@@ -32,16 +46,17 @@ void set_body(lua_State* L, const char* name, const BodySample& body, const Unit
   set_number(L, "translation", energy * body.energy.translation);
   set_number(L, "rotation", energy * body.energy.rotation);
   set_number(L, "vibration", energy * body.energy.vibration);
+  if (outlines) set_points(L, "outline", body.outline, length);
   push_strict(L, fmt::format("the {} of a state", name));
   lua_setfield(L, -2, name);
 }
 
-void push_state(lua_State* L, const Sample& sample, const Units& units) {
+void push_state(lua_State* L, const Sample& sample, const Units& units, bool outlines) {
   lua_createtable(L, 0, static_cast<int>(Sample::fields().size()) + 2);
   for (const auto& [field, value] : Sample::fields())
     set_number(L, field.name.c_str(), units.worth(field.unit) * value(sample));
-  set_body(L, "projectile", sample.projectile, units);
-  set_body(L, "target", sample.target, units);
+  set_body(L, "projectile", sample.projectile, units, outlines);
+  set_body(L, "target", sample.target, units, outlines);
   push_strict(L, "a state");
 }
 
@@ -54,6 +69,9 @@ int sample(lua_State* L) {
   std::vector<FilmedScene> scenes = filmed_scenes(L);
   const FilmedScene& filmed = scenes[0];
   const SeriesTimes wanted = members_of_call<SeriesTimes>(L, {}, filmed.scene.units);
+  lua_getfield(L, 1, "outlines");
+  const bool outlines = lua_toboolean(L, -1);
+  lua_pop(L, 1);
   std::vector<double> times{0};
   if (!session.options.check) {
     lua_getfield(L, 1, "name");
@@ -74,7 +92,7 @@ int sample(lua_State* L) {
   });
   settle_overlaps(samples);
   for (const Sample& now : samples) {
-    push_state(L, now, filmed.scene.units);
+    push_state(L, now, filmed.scene.units, outlines);
     lua_seti(L, -2, list_length(L, -2) + 1);
   }
   return 1;
@@ -191,8 +209,8 @@ int add_scene_method(lua_State* L) {
 Function state_table() {
   const std::string body =
       "centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies "
-      "translation, rotation, "
-      "vibration [m0 c^2]";
+      "translation, rotation, vibration [m0 c^2]; if the series has `outlines`, its outline, a list of the places { x, "
+      "y } [R] of the nodes of its surface, along it, of a body of revolution those at x >= 0, of a plane none";
   std::vector<Field> fields;
   for (const auto& [field, value] : Sample::fields()) fields.push_back(field);
   fields.push_back({"projectile", "table", "", "of the projectile: " + body});
@@ -217,7 +235,11 @@ Function series_function() {
                                     "list of quantities of the `state`, and name = function (state) that returns a "
                                     "number"}} +
                 fields_of<SeriesTimes>() +
-                std::vector<Field>{{"name", "string", "", "file name without extension", any_number, "series"}},
+                std::vector<Field>{{"outlines", "boolean", "",
+                                    "whether the projectile and the target of a state hold an `outline`, for functions "
+                                    "of the state",
+                                    any_number, "false"},
+                                   {"name", "string", "", "file name without extension", any_number, "series"}},
       .returns = "rows",
       .example =
           "local rows = ricochet.series { scene = scene, of = { \"force_n\", \"overlap\", lever = function(state) "

@@ -6,24 +6,12 @@
 #include <numbers>
 
 namespace ricochet::theory {
-namespace {
-
 using std::numbers::pi;
-
-template <class S>
-Arguments<S> sphere() {
-  return {{{"R", "number", "L", "effective radius R R2/(R + R2)", positive}, &S::R},
-          {{"E_star", "number", "M L^-1 T^-2", "E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2", positive},
-           &S::E_star},
-          {{"m", "number", "M", "effective mass m m2/(m + m2)", positive}, &S::m},
-          {{"Y", "number", "M L^-1 T^-2", "yield stress in simple tension of the softer body", positive}, &S::Y}};
-}
-
-}  // namespace
 
 Arguments<PlasticImpact> PlasticImpact::fields() {
   using S = PlasticImpact;
-  return joined<S>({sphere<S>(),
+  return joined<S>({yielding_sphere<S>(),
+                    effective_mass<S>(),
                     {{{"pressure", "number", "", "contact pressure p_d over Y", {1, 10}, "3"}, &S::pressure},
                      {{"v", "number", "L T^-1", "normal speed, far above the yield speed", positive}, &S::v}}});
 }
@@ -46,7 +34,9 @@ PlasticRebound plastic(const PlasticImpact& impact) {
   return {std::sqrt(e2), a, p};
 }
 
-Arguments<YieldPoint> YieldPoint::fields() { return sphere<YieldPoint>(); }
+Arguments<YieldPoint> YieldPoint::fields() {
+  return joined<YieldPoint>({yielding_sphere<YieldPoint>(), effective_mass<YieldPoint>()});
+}
 
 Arguments<Yield> Yield::fields() {
   return {{{"v", "number", "L T^-1", "normal speed at which yield begins"}, &Yield::v},

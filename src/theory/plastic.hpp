@@ -5,6 +5,20 @@
 
 namespace ricochet::theory {
 
+/// What of two spheres is told to a theory of one that yields.
+template <class S>
+Arguments<S> yielding_sphere() {
+  return {{{"R", "number", "L", "effective radius R R2/(R + R2)", positive}, &S::R},
+          {{"E_star", "number", "M L^-1 T^-2", "E* of both bodies, 1/E* = (1 - nu^2)/E + (1 - nu2^2)/E2", positive},
+           &S::E_star},
+          {{"Y", "number", "M L^-1 T^-2", "yield stress in simple tension of the softer body", positive}, &S::Y}};
+}
+
+template <class S>
+Arguments<S> effective_mass() {
+  return {{{"m", "number", "M", "effective mass m m2/(m + m2)", positive}, &S::m}};
+}
+
 struct PlasticImpact {
   double R = 1, E_star = 1, m = 1, Y = 1e-3, pressure = 3, v = 1;
   static Arguments<PlasticImpact> fields();

@@ -267,6 +267,8 @@ TEST_CASE("scripts and examples of the project run short") {
                                     "scripts/poisson_ratio.lua samples=2 nu=0,0.45 speed=0.02,0.1 h_min=0.1",
                                     "scripts/rough_elements.lua samples=2 nodes=60 psi1=0,2,6",
                                     "scripts/rods.lua samples=2 rows=2 hardness=50",
+                                    "scripts/taylor_bar.lua samples=1 across=2",
+                                    "scripts/plastic_sphere.lua samples=2 across=2 ratio=220",
                                     "scripts/radiation.lua",
                                     "scripts/modal_disk.lua samples=2 omega_most=20 hardness=100",
                                     "scripts/hertz_benchmarks.lua",

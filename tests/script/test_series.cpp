@@ -41,6 +41,28 @@ ricochet.plot { rows = rows, x = "height", y = { "force_n" }, name = "loop" }
   CHECK_THAT(drawn, Contains("height [R]"));
 }
 
+TEST_CASE("functions of a state see the outlines of both bodies, if the series has them") {
+  const Workplace place;
+  const Ended run = place.script(R"(local ricochet = require "ricochet"
+local bar = ricochet.scene { units = "SI", target = ricochet.plane {}, launch = { speed = 1 },
+  projectile = ricochet.cylinder { radius = 0.002, height = 0.01, nodes = 60, material = ricochet.materials.steel } }
+local function extent(state)
+  local least, most, widest = math.huge, -math.huge, 0
+  for _, at in ipairs(state.projectile.outline) do
+    least, most, widest = math.min(least, at[2]), math.max(most, at[2]), math.max(widest, at[1])
+  end
+  assert(#state.target.outline == 0 and math.abs(widest / 0.002 - 1) < 0.01, widest)
+  return most - least
+end
+local rows = ricochet.series { scene = bar, of = { extent = extent }, points = 20, outlines = true }
+for _, row in ipairs(rows) do assert(math.abs(row.extent / 0.01 - 1) < 0.01, row.extent) end
+assert(rows[10].extent < rows[1].extent)
+ricochet.series { scene = bar, of = { extent = extent }, points = 20, name = "bare" }
+)");
+  CHECK(run.status != 0);
+  CHECK_THAT(run.err, Contains("outline"));
+}
+
 TEST_CASE("waves are rows of slices, files and a picture, in the scene's units") {
   const Workplace place;
   const Ended run = place.script(R"(local ricochet = require "ricochet"

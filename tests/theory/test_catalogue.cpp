@@ -27,7 +27,7 @@ Given generic(const Theory& theory) {
       {"nu2", 0.33},    {"m", 1.7},      {"m2", 2.3},       {"v", 0.0113},      {"h", 0.031},       {"eta", 0.13},
       {"shear", 0.011}, {"bulk", 0.017}, {"shear2", 0.023}, {"bulk2", 0.029},   {"rate", 0.19},     {"tau0", 0.037},
       {"rho", 1.3},     {"rho2", 1.1},   {"F", 0.043},      {"n", 2},           {"count", 3},       {"L", 0.9},
-      {"L2", 1.4},      {"c", 5.1},      {"theta", 0.6},    {"Y", 0.0005},      {"pressure", 2.8},  {"psi1", 1.1},
+      {"L2", 1.4},      {"c", 5.1},      {"theta", 0.6},    {"Y", 0.005},       {"pressure", 2.8},  {"psi1", 1.1},
       {"mu", 0.31},     {"e", 0.87},     {"e_alpha", 0.83}, {"offset", 0.47},   {"beta0", 0.41},    {"beta_x", 3.2},
       {"steps", 2000},  {"speed", 0.12}, {"alpha", 700},    {"omega_most", 11}, {"thickness", 0.4}, {"springs", 200}};
   static const std::map<std::string, Numbers> lists{{"psi1", {0.3, 0.9, 1.8, 3.1, 4.4}},
