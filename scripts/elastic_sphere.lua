@@ -91,7 +91,7 @@ ricochet.plot {
 }
 
 -- A half-space of the same material: waves.
-local space_speeds = some({ 3e-4, 1e-3, 3e-3, 1e-2 }, math.max(2, p.samples - 2))
+local space_speeds = some({ 3e-4, 1e-3, 3e-3, 1e-2 }, math.max(3, p.samples - 2))
 
 -- `change`: what is doubled.
 local function on_half_space(nu, v, change)
@@ -117,7 +117,7 @@ local function add_losses(list)
   return list
 end
 
-local waves = add_losses(ricochet.sweep { name = "radiation", over = { nu = p.nu, v = space_speeds },
+local waves = add_losses(ricochet.sweep { name = "elastic_sphere_radiation", over = { nu = p.nu, v = space_speeds },
   scene = function(at) return on_half_space(at.nu, at.v) end }:run())
 for _, nu in ipairs(p.nu) do
   local of, constant = waves:where { nu = nu }, theory.hunter_coefficient { nu = nu }
@@ -132,7 +132,7 @@ for _, nu in ipairs(p.nu) do
   end
 end
 if p.full then
-  local doubled = add_losses(ricochet.sweep { name = "doubled", over = { change = { "none", "block", "edges", "mesh" },
+  local doubled = add_losses(ricochet.sweep { name = "elastic_sphere_doubled", over = { change = { "none", "block", "edges", "mesh" },
     v = { 1e-3, 1e-2 } }, scene = function(at) return on_half_space(p.nu[#p.nu], at.v, at.change) end }:run())
   for _, row in ipairs(doubled) do
     print(("doubled %-5s v = %7.1e c0: left the sphere %.5f, 1 - e^2 %.5f"):format(row.change, row.v, row.lost,
@@ -212,7 +212,7 @@ local function zener(thickness)
   return theory.zener { R = 1, m = mass, E = E, nu = nu_plate, E2 = E, nu2 = nu_plate, rho2 = density,
     thickness = thickness, v = plate_speed * c0 }
 end
-local plates = ricochet.sweep { name = "plate", over = { thickness = some({ 0.6, 0.8, 1.1, 1.6, 2.5 },
+local plates = ricochet.sweep { name = "elastic_sphere_plate", over = { thickness = some({ 0.6, 0.8, 1.1, 1.6, 2.5 },
     math.max(2, p.samples - 1)) },
   scene = function(at)
     local a, half = hertz(nu_plate, plate_speed).a, at.thickness / 2

@@ -1,9 +1,10 @@
--- Two rods of one section and material meet end on: a compression runs through each, and comes back from its free end
--- as a tension that parts them. The shorter one, of length L1, is then at rest, whatever the speed: e = L1/L2, the ratio
--- of lengths (Saint-Venant 1867). The energy that is missing runs up and down in the longer one. Elements with nu = 0 and
--- with nu = 0.3, whose sides move too, and a lattice; the limit is that of slender rods, fine meshes and a hard contact.
--- Pictures: e against the ratio; what it misses against the slenderness (rods_slender.png); the waves (rods_waves.png).
--- `samples`: how many slenderness ratios, meshes and contacts (2 to 4). `full=true`: four of each, a minute and a half on two cores.
+-- Two rods of one section and material meet end on: a compression runs through each, and comes back from its free
+-- end as a tension that parts them. The shorter one, of length L1, is then at rest, whatever the speed: e = L1/L2, the
+-- ratio of lengths (Saint-Venant 1867). The energy that is missing runs up and down in the longer one. Elements with
+-- nu = 0 and nu = 0.3, whose sides move too, and a lattice; the limit is that of slender rods, fine meshes and a hard
+-- contact. Pictures: e against the ratio; what it misses against the slenderness (rods_slender.png); the waves
+-- (rods_waves.png). `samples`: how many slenderness ratios, meshes and contacts (2 to 4). `full=true`: four of each, a
+-- minute and a half on two cores.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {
@@ -105,8 +106,8 @@ ricochet.plot {
   xlabel = "L1/L2", ylabel = { e_n = "e", missing = "e L2/L1 − 1" },
   theory = { e_n = { { name = "L1/L2", f = function(x) return x end } } },
   title = "Rods that meet end on rebound by their ratio of lengths",
-  caption = ("The shorter one 20 widths long, %d rows across, v = %g c0, contact ξ v L1 = %g c0."):format(p.rows, p.speed,
-    p.hardness),
+  caption = ("The shorter one 20 widths long, %d rows across, v = %g c0, contact ξ v L1 = %g c0."):format(p.rows,
+    p.speed, p.hardness),
 }
 ricochet.plot {
   rows = slender, x = "slenderness", y = { "missing" }, by = "kind", name = "rods_slender",

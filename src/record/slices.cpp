@@ -45,7 +45,8 @@ Slices::Slices(const FrameMesh& mesh, const Frame& first, int body, int axis, do
     : mesh_(mesh), body_(body), axis_(axis) {
   const Reach range = range_of(mesh, first, body, axis);
   const double length = range.high - range.low;
-  const int count = std::max(1, static_cast<int>(std::ceil(length / thickness * (1 - 1e-9))));
+  // Places are single precision.
+  const int count = std::max(1, static_cast<int>(std::ceil(length / thickness * (1 - 1e-6))));
   for (int s = 0; s < count; ++s) place_.push_back(range.low + length * (s + 0.5) / count);
   for (int i = 0; i < body_at(mesh, body).nodes; ++i) {
     const double share = (first.position[entry(mesh, body, i, axis)] - range.low) / length;

@@ -114,7 +114,7 @@ TEST_CASE("effects and their fields are documented, named once, and all in the t
     CHECK((E::energy_doc ? std::string(E::energy_doc).size() > 8 : AtStart<E>));
     // Every kind says of itself what it is, once.
     CHECK(NodeForce<E> + NodeDamping<E> + SpringDamping<E> + SpringChange<E> + AnchorMotion<E> + PairForceEffect<E> +
-              PairMemory<E> + AtStart<E> + ElementFlow<E> ==
+              PairMemory<E> + AtStart<E> + ElementFlow<E> + EdgeDamping<E> ==
           1);
     std::set<std::string> fields;
     const Effect changed = set_up<E>(), initial = E{};

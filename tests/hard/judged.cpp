@@ -170,6 +170,11 @@ Verdict judged(const RandomScene& random, double steps) {
       break;
     }
     case Status::unstable: {
+      if (o.reason.find("had turned over") != std::string::npos) {
+        if (!find_effect<Yielding>(scene.effects) || !(told(o.reason, "elements that yield, ") > 0))
+          wrong("nothing that yields was turned over");
+        break;
+      }
       Outcome finer = o;
       for (int time = 0; time < 2 && finer.status == Status::unstable; ++time) {
         const double step = told(finer.reason, "give a step of ");

@@ -62,6 +62,13 @@ std::string text(const ending::Unstable& e, const Run& run) {
       run.time(), e.omega, described(e.node), method.name, run.start.step, method.usual / e.expected);
 }
 
+std::string text(const ending::TurnedOver& e, const Run& run) {
+  return fmt::format(
+      "at t = {:.6g} elements that yield, {:.2g} of the {}'s area, had turned over, and their law ends before that: "
+      "flow flattens them without end; lower the speed, or raise yield or hardening",
+      run.time(), e.share, body_name(static_cast<std::size_t>(e.body)));
+}
+
 std::string text(const ending::Tunnelled& e, const Run& run) {
   const char* remedy = e.unpushed
                            ? ": the one-sided contact pushes projectile nodes only; set contact = { sides = \"two\" }"
@@ -91,6 +98,7 @@ Status status(const ending::BrokenNode&) { return Status::not_finite; }
 Status status(const ending::EnergyBeyondNumbers&) { return Status::not_finite; }
 Status status(const ending::EnergyDrift&) { return Status::energy_drift; }
 Status status(const ending::Unstable&) { return Status::unstable; }
+Status status(const ending::TurnedOver&) { return Status::unstable; }
 Status status(const ending::Tunnelled&) { return Status::tunnelled; }
 Status status(const ending::FlewThrough&) { return Status::tunnelled; }
 Status status(const ending::NotParted&) { return Status::out_of_time; }

@@ -28,6 +28,10 @@ struct Unstable {
   double expected;  ///< to which it may rise
   BodyNode node;
 };
+struct TurnedOver {
+  int body;      ///< of elements that yield
+  double share;  ///< of its area at rest
+};
 struct Tunnelled {
   BodyNode node;
   int other;      ///< the body that it is inside of
@@ -43,8 +47,8 @@ struct NotParted {
 }  // namespace ending
 
 using Ending = std::variant<ending::Finished, ending::PassedBy, ending::NotTouched, ending::BrokenNode,
-                            ending::EnergyBeyondNumbers, ending::EnergyDrift, ending::Unstable, ending::Tunnelled,
-                            ending::FlewThrough, ending::NotParted>;
+                            ending::EnergyBeyondNumbers, ending::EnergyDrift, ending::Unstable, ending::TurnedOver,
+                            ending::Tunnelled, ending::FlewThrough, ending::NotParted>;
 
 Status status_of(const Ending& ending);
 

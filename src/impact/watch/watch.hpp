@@ -17,6 +17,7 @@
 #include "impact/watch/indentation.hpp"
 #include "impact/watch/ledger.hpp"
 #include "impact/watch/surfaces.hpp"
+#include "impact/watch/turned_over.hpp"
 #include "integrate/kept_energy.hpp"
 
 namespace ricochet {
@@ -209,21 +210,21 @@ class Watch {
   std::optional<Ending> follow(int lane, Look& now) {
     Run& run = this->run(lane);
     if (const auto& node = state_.broken[at(lane)]) return ending::BrokenNode{*node};
+    if (const auto turned = turned_over(state_, lane)) return *turned;
     if (run.clock().touching()) take_frame(lane, now);
     if (!run.clock().touched()) keep_approach(lane, now);
     const bool parted = separated(lane, now), late = run.time() >= run.start.time_limit;
     if (parted || late || run.looks % looks_between_ledgers == 0)
       if (auto ending = keep_ledger(lane, now)) return ending;
     if (auto ending = keep_stable(lane)) return ending;
-    const bool touched = run.clock().touched();
-    if (touched) {
+    if (run.clock().touched()) {
       if (auto ending = keep_outside(lane)) return ending;
       indent(lane, now);
     } else if (parted && state_.effects.empty()) {
       if (auto ending = flew_through(run)) return ending;
     }
     if (auto ending = over(lane, now)) return ending;
-    if (parted && !touched) return ending::PassedBy{};
+    if (parted && !run.clock().touched()) return ending::PassedBy{};
     if (parted && run.end_time == never) return ending::Finished{};
     if (late) return ending::NotParted{rests(lane, now)};
     return std::nullopt;
@@ -286,7 +287,6 @@ class Watch {
   std::optional<Ending> keep_outside(int lane) {
     Run& run = this->run(lane);
     const ExponentialRepulsion& law = run.start.contact;
-    const bool two_sided = law.two_sided();
     const double deepest = std::isnan(law.deepest) ? surface_gap_ : law.deepest;
     const Surfaces surfaces = surfaces_at(state_.end, lane);
     for (std::size_t p = 0; p < run.clocks.size(); ++p) {
@@ -295,21 +295,21 @@ class Watch {
       run.penetration =
           std::max(run.penetration, deepest_inside(surfaces[at(pair.body(0))], surfaces[at(pair.body(1))]));
     }
-    const auto intruder = inside_one_another(surfaces[role::projectile], surfaces[role::target], two_sided, deepest);
+    const auto intruder =
+        inside_one_another(surfaces[role::projectile], surfaces[role::target], law.two_sided(), deepest);
     if (!intruder) return std::nullopt;
     const std::size_t whose = intruder->side == 0 ? role::projectile : role::target;
     const int other = static_cast<int>(intruder->side == 0 ? role::target : role::projectile);
     const int node = surface_nodes(state_.solids[whose]->surface)[intruder->place];
     return ending::Tunnelled{
-        {static_cast<int>(whose), node}, other, whose == role::target && !two_sided, intruder->depth};
+        {static_cast<int>(whose), node}, other, whose == role::target && !law.two_sided(), intruder->depth};
   }
 
   // How far the projectile has come, and its contact where that is farthest.
   void indent(int lane, const Look& now) {
     Run& run = this->run(lane);
     const RigidMotion<W>&p = now.motions[role::projectile], &t = now.motions[role::target];
-    const double height = normal(fact(p.centre, lane)) - normal(fact(t.centre, lane));
-    const double overlap = run.reference_height - height;
+    const double overlap = run.reference_height - (normal(fact(p.centre, lane)) - normal(fact(t.centre, lane)));
     if (run.indentation.seen && !(overlap > run.indentation.depth)) return;
     measure_contact(state_.contacts.pairs()[role::aimed_pair], lane, state_.end, tangential(fact(p.centre, lane)),
                     overlap, run);
@@ -327,8 +327,8 @@ class Watch {
   bool rests(int lane, const Look& now) const {
     const Vec3 apart =
         fact(now.motions[role::projectile].velocity, lane) - fact(now.motions[role::target].velocity, lane);
-    const Vec2 launched = in_plane(seen_by_target(run(lane).start).velocity);
-    return std::hypot(tangential(apart), normal(apart)) < at_rest_share * launched.norm();
+    const double launched = in_plane(seen_by_target(run(lane).start).velocity).norm();
+    return std::hypot(tangential(apart), normal(apart)) < at_rest_share * launched;
   }
 
   // Parted for good: no node within reach of a cell (or the gap that the scene wants), and clear of each other. An
