@@ -46,7 +46,8 @@ local function division(scenes)
     local t = core.given(scene)
     for _, body in ipairs { t.projectile, t.target } do
       local given = core.given(body)
-      local interior = given.outline and core.check("body", given, true).interior  -- a plane has none
+      local checked = given.outline and core.check("body", given, true)  -- a plane has no interior
+      local interior = checked and (checked.interior == "modes" and checked.modes_of or checked.interior)
       springs, elements = springs or interior == "springs", elements or interior == "elements"
     end
   end

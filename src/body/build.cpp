@@ -2,6 +2,7 @@
 
 #include "body/elements/build.hpp"
 
+#include "body/modal/build.hpp"
 #include "body/plan.hpp"
 #include "body/solid.hpp"
 #include "body/springs/build.hpp"
@@ -44,7 +45,7 @@ std::shared_ptr<const Solid> build_solid(const Body& body) {
     joined.solid->interior = build_elements(body, joined);
   else
     joined.solid->interior = build_springs(body, placed, joined);
-  return joined.solid;
+  return body.numbers.of_modes() ? as_modes(joined.solid, body.numbers.modes) : joined.solid;
 }
 
 }  // namespace ricochet

@@ -133,13 +133,25 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
         {{"interior",
           "string",
           "",
-          "what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: "
-          "nothing moves inside, for a target",
+          "what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its "
+          "slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves "
+          "inside, for a target",
           any_number,
           "springs",
           false,
-          {"springs", "elements", "rigid"}},
+          {"springs", "elements", "modes", "rigid"}},
          &BodyNumbers::interior},
+        {{"modes", "integer", "", "of interior modes: how many, the slowest first", {1, 1e5}, "200"},
+         &BodyNumbers::modes},
+        {{"modes_of",
+          "string",
+          "",
+          "of interior modes: what the vibrations are of",
+          any_number,
+          "elements",
+          false,
+          {"springs", "elements"}},
+         &BodyNumbers::modes_of},
     };
     const auto after_stiffness =
         std::find_if(of_body.begin(), of_body.end(), [](const auto& member) { return member.field.name == "density"; });
@@ -210,19 +222,23 @@ std::string Body::geometry_text() const {
                        hash_text(anchor_text), numbers.nodes, numbers.seed, numbers.roughness, shape);
   for (const double k : node_stiffness) stiffness_text += fmt::format("{};", k);
   for (const double density : node_density) density_text += fmt::format("{};", density);
+  const std::string modes = numbers.of_modes() ? fmt::format("modes {} of ", numbers.modes) : "";
   const std::string weight = !std::isnan(numbers.mass) ? fmt::format("mass {}", numbers.mass)
                              : node_density.empty()    ? fmt::format("density {}", numbers.area_density())
                                                        : fmt::format("densities {}", hash_text(density_text));
   if (numbers.of_elements())
-    return fmt::format(
-        "elements nu {} state {} law {} outline {} anchored {} E {} nodes {} placement {} seed {} "
-        "roughness {} {}{}",
-        numbers.nu, numbers.state, numbers.law, hash_text(outline_text), hash_text(anchor_text),
-        hash_text(stiffness_text), numbers.nodes, numbers.placement, numbers.seed, numbers.roughness, weight, shape);
-  return fmt::format(
-      "outline {} anchored {} stiffness {} nodes {} placement {} seed {} roughness {}{} {} prestress {}{}",
-      hash_text(outline_text), hash_text(anchor_text), hash_text(stiffness_text), numbers.nodes, numbers.placement,
-      numbers.seed, numbers.roughness, text_of_law(numbers), weight, numbers.prestress, shape);
+    return modes + fmt::format(
+                       "elements nu {} state {} law {} outline {} anchored {} E {} nodes {} placement {} seed {} "
+                       "roughness {} {}{}",
+                       numbers.nu, numbers.state, numbers.law, hash_text(outline_text), hash_text(anchor_text),
+                       hash_text(stiffness_text), numbers.nodes, numbers.placement, numbers.seed, numbers.roughness,
+                       weight, shape);
+  return modes +
+         fmt::format(
+             "outline {} anchored {} stiffness {} nodes {} placement {} seed {} roughness {}{} {} prestress {}{}",
+             hash_text(outline_text), hash_text(anchor_text), hash_text(stiffness_text), numbers.nodes,
+             numbers.placement, numbers.seed, numbers.roughness, text_of_law(numbers), weight, numbers.prestress,
+             shape);
 }
 
 }  // namespace ricochet

@@ -47,10 +47,14 @@ struct BodyNumbers : SpringLawNumbers, ElementNumbers {
   double angle = 0;
   double prestress = 0;
   std::string interior = "springs";
+  int modes = 200;  ///< of interior "modes": how many, the slowest first
+  std::string modes_of = "elements";
 
   static const std::vector<Member<BodyNumbers>>& fields();
   bool rigid() const { return interior == "rigid"; }
-  bool of_elements() const { return interior == "elements"; }
+  bool of_modes() const { return interior == "modes"; }
+  /// Or of modes of a body of elements.
+  bool of_elements() const { return interior == "elements" || (of_modes() && modes_of == "elements"); }
   /// Its outline is the half at x >= 0 of a section through the axis x = 0; E and density are then of space, in m0
   /// c^2/R^3 and m0/R^3.
   bool axisymmetric() const { return state == "axisymmetric"; }

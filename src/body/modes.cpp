@@ -127,7 +127,8 @@ Vibration free_vibration(const Solid& solid, const Points& place, const Points& 
 }  // namespace
 
 std::vector<Mode> slowest_modes(const Solid& solid, double stiffness, int count) {
-  if (!solid.springs() && !solid.elements()) throw Error("nothing moves inside a rigid body, which has no modes");
+  if (!solid.joined().springs() && !solid.joined().elements())
+    throw Error("nothing moves inside a rigid body, which has no modes");
   if (solid.axisymmetric) throw Error("modes are of bodies in the plane, and this one is axisymmetric");
   const int still = solid.anchored() ? 0 : 3, size = solid.free_coordinates();
   if (count > size - still)

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "body/elements/flow.hpp"
+#include "body/modal/motion.hpp"
 #include "body/solid.hpp"
 #include "core/coordinates.hpp"
 
@@ -18,6 +19,7 @@ struct Motion {
   /// Sum of the free coordinates' velocities at the last kick: finite as long as they all are.
   Lane<W> pulse = Lane<W>::Zero();
   Flow<W>* flow = nullptr;  ///< of elements that yield; whoever lets them keeps it
+  ModalMotion<W> modal{};   ///< of a body of modes: where its nodes are follows from it
 };
 
 /// The bodies of a scene, by index.
@@ -31,13 +33,8 @@ Motion<W> at_rest(const Solid& solid) {
   for (Coordinates<W>* values : {&motion.q, &motion.v, &motion.f}) values->resize(solid.coordinates());
   for (int i = 0; i < solid.nodes(); ++i)
     for (int lane = 0; lane < W; ++lane) motion.q.set(i, lane, solid.points[static_cast<std::size_t>(i)]);
+  if (const Modes* modes = solid.modes()) motion.modal.rest(modes->omega.size(), solid.centre());
   return motion;
-}
-
-/// x += by v, of what moves.
-template <int W>
-void drift(Motion<W>& motion, const Lane<W>& by) {
-  for (int c = 0; c < motion.solid->free_coordinates(); ++c) motion.q[c] += by * motion.v[c];
 }
 
 }  // namespace ricochet

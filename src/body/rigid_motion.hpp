@@ -25,6 +25,21 @@ RigidMotion<W> no_motion() {
   return none;
 }
 
+/// Of a free body of modes it is that of its frame.
+template <int W>
+RigidMotion<W> rigid_motion_of_frame(const Motion<W>& body, const Modes& modes) {
+  const ModalState<W>& state = body.modal.state;
+  RigidMotion<W> motion = no_motion<W>();
+  for (int d = 0; d < 2; ++d) {
+    motion.centre.at[d] = state.centre.at[d];
+    motion.velocity.at[d] = state.velocity.at[d];
+  }
+  motion.turning.at[2] = motion.spin.at[2] = state.spin;
+  motion.translation = 0.5 / modes.per_mass * dot(state.velocity, state.velocity);
+  motion.rotation = 0.5 / modes.per_inertia * (state.spin * state.spin);
+  return motion;
+}
+
 /// A held body has no rigid motion: all its energy is vibration, its centre the mean of its nodes at rest.
 template <int W>
 RigidMotion<W> rigid_motion(const Motion<W>& body) {
@@ -35,6 +50,7 @@ RigidMotion<W> rigid_motion(const Motion<W>& body) {
     for (int d = 0; d < 2; ++d) motion.centre.at[d].setConstant(centre[d]);
     return motion;
   }
+  if (const Modes* modes = solid.modes()) return rigid_motion_of_frame(body, *modes);
   // Where all nodes have the same mass it stands outside the sums.
   const bool uniform = solid.mass.uniform();
   const double outside = uniform ? solid.mass.each() : 1, whole = uniform ? solid.nodes() : solid.total_mass();
@@ -73,6 +89,7 @@ RigidMotion<W> rigid_motion(const Motion<W>& body) {
 template <int W>
 Lane<W> vibration_energy(const Motion<W>& body, const RigidMotion<W>& motion) {
   const Solid& solid = *body.solid;
+  if (const Modes* modes = solid.modes()) return modal_energy(body, *modes, true);
   const Place<W, 2>*position = body.q.template places<2>(), *velocity = body.v.template places<2>();
   const Lane<W> turning = motion.turning.at[2];
   // Summed as squares: no difference of large numbers.

@@ -9,6 +9,7 @@
 
 #include "body/description.hpp"
 #include "body/elements/elements.hpp"
+#include "body/modal/modes.hpp"
 #include "body/springs/springs.hpp"
 #include "shape/surface.hpp"
 
@@ -20,7 +21,7 @@ using Triangle = std::array<int, 3>;  ///< node numbers, counter-clockwise
 struct Rigid {};
 
 /// What holds a body together. Who visits it: body/interior.hpp.
-using Interior = std::variant<Springs, Elements, Rigid>;
+using Interior = std::variant<Springs, Elements, Modes, Rigid>;
 
 /// Of the nodes. [m0]
 class Masses {
@@ -71,6 +72,9 @@ struct Solid {
   }
   const Springs* springs() const { return std::get_if<Springs>(&interior); }
   const Elements* elements() const { return std::get_if<Elements>(&interior); }
+  const Modes* modes() const { return std::get_if<Modes>(&interior); }
+  /// The same body as nodes that springs or elements join: that which modes are of, or itself.
+  const Solid& joined() const { return modes() ? *modes()->of : *this; }
 };
 
 /// The area of a triangle of the solid at rest, or the volume of the ring that it is in a body of revolution, 2 pi

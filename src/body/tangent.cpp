@@ -42,6 +42,7 @@ Eigen::SparseMatrix<double> tangent_stiffness(const Solid& solid, const Elements
 Eigen::SparseMatrix<double> tangent_stiffness(const Solid& solid) {
   if (const Springs* springs = solid.springs()) return tangent_stiffness(solid, *springs);
   if (const Elements* elements = solid.elements()) return tangent_stiffness(solid, *elements);
+  if (const Modes* modes = solid.modes()) return tangent_stiffness(*modes->of);
   return {solid.free_coordinates(), solid.free_coordinates()};
 }
 

@@ -39,6 +39,11 @@ std::string conflict_with_bodies(const E& e, std::span<const Solid* const> solid
         E::name);
   for (const int b : bodies_of(effect, static_cast<int>(solids.size()))) {
     const Solid& solid = *solids[static_cast<std::size_t>(b)];
+    if (solid.modes() && !(PairForceEffect<E> || PairMemory<E>))
+      return fmt::format(
+          "{} acts inside bodies, and the {} moves as its modes; let it act on another body, leave it "
+          "out, or give interior = \"{}\"",
+          E::name, body_name(static_cast<std::size_t>(b)), solid.joined().springs() ? "springs" : "elements");
     if constexpr (requires { E::needs_anchors; })
       if (!solid.anchored())
         return fmt::format("{} needs a {} with anchored nodes, and this one is free", E::name,

@@ -57,6 +57,7 @@ class Moving {
     if (state_.method.multirate()) return;
     copy_to_end();
     if (!state_.effects.split()) fall_back(state_.end);
+    for (Motion<W>& body : state_.end) settle(body);
   }
 
   /// From the state in `end`, which somebody has changed, on.
@@ -64,6 +65,7 @@ class Moving {
     for (std::size_t b = 0; b < state_.bodies.size(); ++b) {
       state_.bodies[b].q = state_.end[b].q;
       state_.bodies[b].v = state_.end[b].v;
+      state_.bodies[b].modal.state = state_.end[b].modal.state;
     }
     if (!state_.effects.split()) get_ahead(state_.method, state_.h, Mover{*this, state_.bodies});
   }
@@ -184,6 +186,7 @@ class Moving {
       state_.end[b].q = state_.bodies[b].q;
       state_.end[b].v = state_.bodies[b].v;
       state_.end[b].stiffness = state_.bodies[b].stiffness;
+      state_.end[b].modal.state = state_.bodies[b].modal.state;
     }
   }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -28,6 +29,13 @@ std::string motion_text(const Body& target) {
   if (target.velocity == Vec2::Zero() && target.spin == 0) return "";
   return fmt::format("target velocity {} {} spin {}\n", tangential(target.velocity), normal(target.velocity),
                      target.spin);
+}
+
+// The first body that moves as its modes.
+std::optional<std::size_t> body_of_modes(const Scene& scene) {
+  for (std::size_t b = 0; b < scene.bodies().size(); ++b)
+    if (!scene.bodies()[b]->plane && scene.bodies()[b]->numbers.of_modes()) return b;
+  return std::nullopt;
 }
 
 // What only scenes in SI have: older texts stay.
@@ -197,10 +205,16 @@ void EndRule::check(const Integration& integration) const {
 
 const Method& Scene::method() const {
   if (integration.method != "auto") return method_named(integration.method);
-  return method_named(std::any_of(effects.begin(), effects.end(), is_split) ? "verlet" : "pefrl");
+  const bool split = std::any_of(effects.begin(), effects.end(), is_split);
+  return method_named(split || body_of_modes(*this) ? "verlet" : "pefrl");
 }
 
 std::string Scene::conflict_with(const Method& method) const {
+  if (const auto b = body_of_modes(*this); b && method.name != "verlet")
+    return fmt::format(
+        "{} is not for the {}, a body of modes, which is kicked once a step and turns exactly in "
+        "between; give verlet or leave method out",
+        method.name, body_name(*b));
   for (const Effect& effect : effects) {
     const std::string name = name_of(effect);
     if (is_split(effect) && method.outcome_order > 2)

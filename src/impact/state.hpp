@@ -53,6 +53,7 @@ struct State {
         for (int c = 0; c < values->size(); ++c) carrier.pass((*values)[c][lane]);
       for (int c = 0; c < body.f.size(); ++c) body.f[c][lane] = 0;  // as after every kick
       carrier.pass(body.stiffness[lane]);
+      body.modal.state.carry(lane, carrier);
     }
     for (Lane<W>& energy : contact_energy) carrier.pass(energy[lane]);
     contacts.carry(lane, carrier);

@@ -71,7 +71,7 @@ void add_elongations(Frame& frame, const Snapshot& shot, const Solids& solids) {
   if (std::all_of(shot.bodies.begin(), shot.bodies.end(), [](const BodyShot& body) { return body.springs.empty(); }))
     return;
   for (std::size_t b = 0; b < solids.size(); ++b) {
-    const Springs* springs = solids[b]->springs();
+    const Springs* springs = solids[b]->joined().springs();
     if (!springs) continue;
     const Points& places = shot.bodies[b].place;
     const std::vector<SpringRest<double>>& rests = shot.bodies[b].springs;
@@ -157,7 +157,7 @@ void add_body(FrameMesh& mesh, const Solid& solid, const Points& points, double 
     mesh.mass.push_back(plane ? 1 : solid.mass[i]);
     mesh.anchored.push_back(i >= solid.free);
   }
-  if (const Springs* springs = solid.springs()) {
+  if (const Springs* springs = solid.joined().springs()) {
     body.law = numbers_of(springs->law);
     each_spring(*springs, solid.free, [&](int i, int, const Spring& spring) {
       mesh.springs.push_back({i + body.first, spring.other + body.first});
@@ -165,7 +165,7 @@ void add_body(FrameMesh& mesh, const Solid& solid, const Points& points, double 
       mesh.stiffness.push_back(spring.stiffness * stiffness);
     });
   }
-  if (const Elements* elements = solid.elements()) {
+  if (const Elements* elements = solid.joined().elements()) {
     body.solid_law = numbers_of(elements->law);
     mesh.modulus.resize(mesh.triangles.size(), 0.0);
     for (const double relative : relative_moduli(solid, *elements)) mesh.modulus.push_back(stiffness * relative);

@@ -125,7 +125,9 @@ LammpsFiles lammps_files(const Scene& scene, const Solids& solids, const std::st
     if (!solids[b]->springs())
       throw FieldError(body_name(b), fmt::format("LAMMPS files hold bodies of springs only, and this one is {}; take "
                                                  "one of springs",
-                                                 solids[b]->elements() ? "of elements" : "rigid"));
+                                                 solids[b]->elements() ? "of elements"
+                                                 : solids[b]->modes()  ? "of modes"
+                                                                       : "rigid"));
   const Start start = launch(scene, solids);
   if (!start.touches) throw FieldError("scene", "the projectile passes by the target: there is nothing to export");
   Sections sections;

@@ -55,7 +55,8 @@ double depth_of(const Solid& solid, const Vec2& place) {
 
 }  // namespace
 
-GreatestStress greatest_stress(const Solid& solid, double E, const BodyShot& shot) {
+GreatestStress greatest_stress(const Solid& of, double E, const BodyShot& shot) {
+  const Solid& solid = of.joined();
   const Elements* elements = solid.elements();
   GreatestStress greatest;
   if (!elements || elements->nodes.empty()) return greatest;

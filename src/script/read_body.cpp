@@ -210,6 +210,11 @@ void check_interior(lua_State* L, const Body& body) {
   const auto refuse = [L](const char* field, const char* message) {
     if (has_field(L, 1, field)) throw FieldError(field, message);
   };
+  if (!body.numbers.of_modes())
+    for (const char* field : {"modes", "modes_of"})
+      refuse(field, "is of a body of modes; give interior = \"modes\" too");
+  else if (body.numbers.axisymmetric())
+    throw FieldError("interior", "modes are of bodies in the plane, and this one is axisymmetric; take elements");
   if (!body.numbers.of_elements()) {
     for (const char* field : {"E", "nu", "law", "h_min", "h_max", "grade", "fine_at", "fine_within"})
       refuse(field, "is of elements; give interior = \"elements\" too");

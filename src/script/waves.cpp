@@ -8,6 +8,7 @@
 #include "script/objects.hpp"
 #include "script/run_files.hpp"
 #include "script/series_times.hpp"
+#include "script/sweep_report.hpp"
 #include "store/sinks.hpp"
 
 namespace ricochet {

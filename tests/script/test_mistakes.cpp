@@ -105,6 +105,11 @@ const std::vector<Mistake> mistakes{
      "error: s.lua:2: disk: 'margin': says nothing of a rigid body, inside which nothing moves; leave it out"},
     {"a wall that flies", "local b = ricochet.wall { nodes = 100,\n velocity = {0, 1} }",
      "error: s.lua:3: wall: 'velocity': an anchored body stays where it is; leave it out, or anchor nothing"},
+    {"modes of a body of springs", "local b = ricochet.disk { modes = 30 }",
+     "error: s.lua:2: disk: 'modes': is of a body of modes; give interior = \"modes\" too"},
+    {"modes of a body of revolution",
+     "local b = ricochet.disk { interior = 'modes', E = 1, nu = 0.3, state = 'axisymmetric' }",
+     "error: s.lua:2: disk: 'interior': modes are of bodies in the plane, and this one is axisymmetric; take elements"},
     {"a rigid body that spins", "local b = ricochet.disk { interior = 'rigid', spin = 1 }",
      "error: s.lua:2: disk: 'spin': a rigid body stays where it is; leave it out, or take interior springs"},
     {"a velocity of three numbers", "local b = ricochet.disk { velocity = {0, 1, 2} }",
@@ -428,7 +433,8 @@ TEST_CASE("all mistakes of a table are reported together, each at its line, with
       "error: s.lua:4: disk: 'seed' must be between 0 and 9.0072e+15, is -1\n    4 |   seed = -1,\n      |   ^^^^\n"
       "  valid fields: E, anchored, angle, density, fine_at, fine_within, grade, h_max, h_min, holes, interior, law, "
       "margin, mass, "
-      "material, nodes, nu, placement, points, prestress, quartic, radius, rim_spacing, roughness, seed, spin, state, "
+      "material, modes, modes_of, nodes, nu, placement, points, prestress, quartic, radius, rim_spacing, roughness, "
+      "seed, spin, state, "
       "stiffness, thickness, velocity\n");
 }
 

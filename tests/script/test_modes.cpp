@@ -78,3 +78,27 @@ end
   INFO(ended.err);
   CHECK(ended.status == 0);
 }
+
+TEST_CASE("scripts: a body that moves as its modes has outcomes, rings, and is drawn as other bodies are") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+local function scene(interior)
+  local disk = ricochet.disk { interior = interior, E = 1e4, nu = 0.3, nodes = 150, modes = interior == "modes" and 120
+    or nil }
+  return ricochet.scene { projectile = disk, target = ricochet.plane {}, launch = { speed = 0.08, psi1 = 0.5 },
+    contact = { xi = 300 } }
+end
+local elements, modes = scene "elements":run(), scene "modes":run()
+assert(modes.status == "finished" and math.abs(modes.e - elements.e) < 0.02, modes.e)
+local list = ricochet.ringing { scene = scene "modes", count = 120 }
+local sum = 0
+for _, mode in ipairs(list) do sum = sum + mode.energy end
+assert(math.abs(sum / list.vibration - 1) < 1e-3, sum / list.vibration)
+ricochet.still { scene = scene "modes", out = "modal", size = { 320, 240 }, show = { material = "von_mises" } }
+local rows = ricochet.series { scene = scene "modes", of = { "total_energy", "projectile_vibration" }, points = 50 }
+for _, row in ipairs(rows) do assert(math.abs(row.total_energy / rows[1].total_energy - 1) < 1e-3) end
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+  CHECK(fs::exists(here.path / "out/s/modal.png"));
+}

@@ -70,7 +70,7 @@ void check_yielding(const Scene& scene) {
   for (int b = 0; b < count; ++b) {
     const BodyNumbers& numbers = bodies[static_cast<std::size_t>(b)]->numbers;
     const Yielding* yielding = flowing(scene.effects, b, count);
-    if (!yielding || !numbers.of_elements() || bodies[static_cast<std::size_t>(b)]->plane) continue;
+    if (!yielding || numbers.interior != "elements" || bodies[static_cast<std::size_t>(b)]->plane) continue;
     const std::string of = "yielding: the " + body_name(static_cast<std::size_t>(b));
     if (std::isnan(yielding->yield + yielding->hardening))
       throw FieldError("effects", of + " is of no material with a yield stress; give yield and hardening");

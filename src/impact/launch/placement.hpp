@@ -1,7 +1,7 @@
 #pragma once
 // Where a body of an impact starts.
 
-#include "body/motion.hpp"
+#include "body/modal/sweep.hpp"
 #include "core/turn.hpp"
 #include "core/vec3.hpp"
 
@@ -37,6 +37,7 @@ void put(Motion<W>& body, int lane, const Placement& placement) {
     body.v.set(i, lane, velocity + placement.spin.z() * perpendicular(p - centre));
     body.f.set(i, lane, Vec2::Zero());
   }
+  if (solid.modes()) put_modes(body, lane, centre, velocity, placement.turn.angle(), placement.spin.z());
 }
 
 }  // namespace ricochet

@@ -1,0 +1,55 @@
+#include "body/modal/build.hpp"
+
+#include <algorithm>
+
+#include "body/modes.hpp"
+#include "core/error.hpp"
+
+namespace ricochet {
+namespace {
+
+// What a body of stiffness 1 does; its modes' shapes are those of any.
+std::vector<Mode> modes_of(const Solid& solid, int count) {
+  try {
+    return slowest_modes(solid, 1, count);
+  } catch (const Error& error) {
+    throw FieldError("modes", error.what());
+  }
+}
+
+MovedNodes moved(std::vector<int> nodes, const std::vector<Mode>& modes) {
+  MovedNodes moved{std::move(nodes), {}};
+  moved.shape.reserve(modes.size() * 2 * moved.node.size());
+  for (const Mode& mode : modes)
+    for (const int node : moved.node)
+      for (int d = 0; d < 2; ++d) moved.shape.push_back(mode.shape[2 * node + d]);
+  return moved;
+}
+
+}  // namespace
+
+std::shared_ptr<const Solid> as_modes(const std::shared_ptr<const Solid>& solid, int count) {
+  const std::vector<Mode> slowest = modes_of(*solid, count);
+  Modes modes;
+  modes.of = solid;
+  for (const Mode& mode : slowest) modes.omega.push_back(mode.omega);
+  std::vector<int> free, rim;
+  for (int i = 0; i < solid->free; ++i) free.push_back(i);
+  std::copy_if(surface_nodes(solid->surface).begin(), surface_nodes(solid->surface).end(), std::back_inserter(rim),
+               [&](int node) { return node < solid->free; });
+  modes.all = moved(std::move(free), slowest);
+  modes.rim = moved(std::move(rim), slowest);
+  for (const Vec2& p : solid->points) modes.arm.push_back(p - solid->centre());
+  if (!solid->anchored()) {
+    modes.per_mass = 1 / solid->total_mass();
+    modes.per_inertia = 1 / solid->inertia();
+  }
+  Eigen::Index most = 0;
+  slowest.back().shape.cwiseAbs().maxCoeff(&most);
+  modes.fastest_node = static_cast<int>(most / 2);
+  auto made = std::make_shared<Solid>(*solid);
+  made->interior = std::move(modes);
+  return made;
+}
+
+}  // namespace ricochet
