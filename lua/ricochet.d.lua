@@ -414,7 +414,9 @@ function ricochet.wall(t) end
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
----@field interior? "springs"|"elements"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; rigid: nothing moves inside, for a target (default springs)
+---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
+---@field modes? integer of interior modes: how many, the slowest first (default 200)
+---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
 ---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
