@@ -212,7 +212,7 @@ template <class Use>
 void Fields::each_element(const Frame& frame, Use&& use) const {
   for (std::size_t t = 0; t < mesh_.modulus.size(); ++t) {
     if (mesh_.modulus[t] == 0) continue;
-    const auto& [i, j, k] = mesh_.triangles[t];
+    const int i = mesh_.triangles[t][0], j = mesh_.triangles[t][1], k = mesh_.triangles[t][2];
     const auto edges = [&](const auto& places) {
       const Vec2 from = seen(mesh_, places, i);
       Eigen::Matrix2d d;

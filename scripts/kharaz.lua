@@ -3,7 +3,7 @@
 -- edges waves leave). With it the tangential motion follows from the theory of Maw, Barber & Fawcett, with Hertz's
 -- contact (ricochet.theory.maw_hertz) and with springs for it (theory.maw), beside the measured points: v_t'/v_t of the
 -- centre, spin, and the angle at which the contact point rebounds. `samples`: speeds at which e is computed; e between
--- them by 1 - e^2 ~ v^k. `full=true`: at the speed of every angle, with a finer mesh. Ten seconds; FULLK with
+-- them by 1 - e^2 ~ v^k. `full=true`: at the speed of every angle, with a finer mesh. Ten seconds; 20 with
 -- `full=true`.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
