@@ -61,7 +61,7 @@ function ricochet.material(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
----@field modes? integer of interior modes: how many, the slowest first (default 200)
+---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
@@ -99,7 +99,7 @@ function ricochet.body(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
----@field modes? integer of interior modes: how many, the slowest first (default 200)
+---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
@@ -138,7 +138,7 @@ function ricochet.disk(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
----@field modes? integer of interior modes: how many, the slowest first (default 200)
+---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
@@ -176,7 +176,7 @@ function ricochet.ellipse(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
----@field modes? integer of interior modes: how many, the slowest first (default 200)
+---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
@@ -215,7 +215,7 @@ function ricochet.sphere(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
----@field modes? integer of interior modes: how many, the slowest first (default 200)
+---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
@@ -254,7 +254,7 @@ function ricochet.cylinder(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
----@field modes? integer of interior modes: how many, the slowest first (default 200)
+---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
@@ -293,7 +293,7 @@ function ricochet.rectangle(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
----@field modes? integer of interior modes: how many, the slowest first (default 200)
+---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
@@ -331,7 +331,7 @@ function ricochet.regular_polygon(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
----@field modes? integer of interior modes: how many, the slowest first (default 200)
+---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
@@ -378,7 +378,7 @@ function ricochet.rotated(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
----@field modes? integer of interior modes: how many, the slowest first (default 200)
+---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio
@@ -415,7 +415,7 @@ function ricochet.wall(t) end
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
----@field modes? integer of interior modes: how many, the slowest first (default 200)
+---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
 ---@field nu? number of elements: Poisson's ratio

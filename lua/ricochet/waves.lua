@@ -35,37 +35,53 @@ end
 
 local function draw(t, rows, columns)
   local script = gnuplot.script(t.name)
-  local first, last, most = rows[1].time, rows[#rows].time, 0
+  local first, last, fastest = rows[1].time, rows[#rows].time, {}
   for _, row in ipairs(rows) do
-    if row.velocity == row.velocity then most = math.max(most, math.abs(row.velocity)) end
+    if row.velocity == row.velocity then
+      fastest[row.body] = math.max(fastest[row.body] or 0, math.abs(row.velocity))
+    end
   end
-  local parts, low, high = {}, math.huge, -math.huge
+  local panels = {}
   for body, lines in pairs(matrices(rows)) do
     local places, text = lines.places, {}
     for i, place in ipairs(places) do text[i] = table.concat(lines.of[place], " ") end
     local step = #places > 1 and places[2] - places[1] or 1
     local times = #lines.of[places[1]]
-    low, high = math.min(low, places[1] - step / 2), math.max(high, places[#places] + step / 2)
     script:data("body" .. body, text)
-    parts[#parts + 1] = ("$body%d matrix using (%.17g + $1 * %.17g):(%.17g + $2 * %.17g):3 with image notitle"):format(
-      body, first, (last - first) / math.max(times - 1, 1), places[1], step)
+    panels[#panels + 1] = {
+      most = fastest[body] or 0, low = places[1] - step / 2, high = places[#places] + step / 2,
+      name = body == 1 and "projectile" or "target",
+      plot = ("$body%d matrix using (%.17g + $1 * %.17g):(%.17g + $2 * %.17g):3 with image notitle"):format(body, first,
+        (last - first) / math.max(times - 1, 1), places[1], step),
+    }
+  end
+  -- Bodies beside each other along the axis share a panel; those that overlap have one each.
+  table.sort(panels, function(p, q) return p.high > q.high end)
+  if #panels == 2 and panels[1].low > panels[2].low and panels[1].low >= panels[2].high - 0.1 * (panels[2].high
+    - panels[2].low) then
+    panels = { { low = panels[2].low, high = panels[1].high, most = math.max(panels[1].most, panels[2].most),
+      plot = panels[1].plot .. ", \\\n     " .. panels[2].plot } }
   end
   local function label(column) return column.unit ~= "" and (" [" .. column.unit .. "]") or "" end
   local titles = {}
   if t.title then titles[1] = quoted(t.title) end
   if t.caption then titles[#titles + 1] = quoted(t.caption) end
   script:panels {
-    count = 1, width = 800, height = 520 + 20 * #titles, font = 12, key = "off",
-    title = #titles > 0 and table.concat(titles, '."\\n".') or "''",
-    -- Blue and red about white: those who see no red tell them by blue.
-    axes = "set palette defined (-1 '#0B3C8C', -0.5 '#6FA3DB', 0 '#FFFFFF', 0.5 '#F0A35E', 1 '#9C2A00')",
+    count = #panels, width = 800, height = 20 * #titles + (#panels == 1 and 520 or 400 * #panels), font = 12,
+    key = "off", title = #titles > 0 and table.concat(titles, '."\\n".') or "''",
+    -- Blue and orange about white: those who see no red tell them by blue. Grey: nothing is there.
+    axes = "set palette defined (-1 '#0B3C8C', -0.5 '#6FA3DB', 0 '#FFFFFF', 0.5 '#F0A35E', 1 '#9C2A00')\n"
+      .. "set object rectangle from graph 0, 0 to graph 1, 1 behind fillcolor rgb '#C8C8C8' fillstyle solid noborder",
     draw = function()
-      script:add("set xrange [%.17g:%.17g]\nset yrange [%.17g:%.17g]", first, last, low, high)
-      script:add("set cbrange [%.17g:%.17g]", -most, most > 0 and most or 1)
-      script:add("set xlabel %s\nset ylabel %s", quoted("time" .. label(columns[1])),
-        quoted(t.along .. " at the first moment" .. label(columns[3])))
+      script:add("set xlabel %s", quoted("time" .. label(columns[1])))
       script:add("set cblabel %s", quoted(("velocity along %s%s"):format(t.along, label(columns[4]))))
-      script:add("plot " .. table.concat(parts, ", \\\n     "))
+      for _, panel in ipairs(panels) do
+        script:add("set xrange [%.17g:%.17g]\nset yrange [%.17g:%.17g]", first, last, panel.low, panel.high)
+        script:add("set cbrange [%.17g:%.17g]", -panel.most, panel.most > 0 and panel.most or 1)
+        script:add("set ylabel %s", quoted(("%s%s at the first moment%s"):format(panel.name and panel.name .. ", "
+          or "", t.along, label(columns[3]))))
+        script:add("plot " .. panel.plot)
+      end
     end,
   }
   script:draw()

@@ -141,7 +141,14 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
           false,
           {"springs", "elements", "modes", "rigid"}},
          &BodyNumbers::interior},
-        {{"modes", "integer", "", "of interior modes: how many, the slowest first", {1, 1e5}, "200"},
+        {{"modes",
+          "integer",
+          "",
+          "of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. "
+          "Fewer "
+          "take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters",
+          {0, 1e5},
+          "0"},
          &BodyNumbers::modes},
         {{"modes_of",
           "string",
@@ -222,7 +229,9 @@ std::string Body::geometry_text() const {
                        hash_text(anchor_text), numbers.nodes, numbers.seed, numbers.roughness, shape);
   for (const double k : node_stiffness) stiffness_text += fmt::format("{};", k);
   for (const double density : node_density) density_text += fmt::format("{};", density);
-  const std::string modes = numbers.of_modes() ? fmt::format("modes {} of ", numbers.modes) : "";
+  const std::string modes =
+      numbers.of_modes() ? fmt::format("modes {} of ", numbers.modes == 0 ? "all" : fmt::format("{}", numbers.modes))
+                         : "";
   const std::string weight = !std::isnan(numbers.mass) ? fmt::format("mass {}", numbers.mass)
                              : node_density.empty()    ? fmt::format("density {}", numbers.area_density())
                                                        : fmt::format("densities {}", hash_text(density_text));

@@ -19,6 +19,9 @@ namespace ricochet {
 /// The paper's: 800 nodes of m0 in a disk of radius R. [m0/R^2]
 inline constexpr double usual_density = 800 / std::numbers::pi;
 
+/// Of a body whose number of modes is left to the program.
+inline constexpr int most_modes = 2000;
+
 /// What describes a body of elements beside its outline. Units: R, m0, c.
 struct ElementNumbers {
   double E = not_given;   ///< Young's modulus, times a plane's thickness; as `stiffness` of the body, once it is read
@@ -47,7 +50,7 @@ struct BodyNumbers : SpringLawNumbers, ElementNumbers {
   double angle = 0;
   double prestress = 0;
   std::string interior = "springs";
-  int modes = 200;  ///< of interior "modes": how many, the slowest first
+  int modes = 0;  ///< of interior "modes": how many, the slowest first; 0: all, up to most_modes
   std::string modes_of = "elements";
 
   static const std::vector<Member<BodyNumbers>>& fields();

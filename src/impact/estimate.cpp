@@ -216,6 +216,11 @@ void add_doubts(const Scene& scene, Estimate& e) {
       add("fast_modes", fmt::format("at {:.2g} of a body's wave speed strains are too large for modes, which are those "
                                     "of small ones; stay below {:g} of it, or give interior = \"{}\"",
                                     share, fastest_modes, body->numbers.modes_of));
+    if (body->numbers.of_modes() && body->numbers.modes > 0 && std::isnan(scene.contact.xi))
+      add("few_modes", fmt::format("a rim of {} modes cannot yield to the contact that the program chooses for a whole "
+                                   "body, and chatters: leave modes out, or give a softer contact.xi and see whether e "
+                                   "stays with half of it",
+                                   body->numbers.modes));
     if (body->numbers.interior != "springs") continue;  // elements resist being turned over
     const double most = folding_speed(body->numbers.placement);
     if (share > most)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "body/description.hpp"
 #include "body/modes.hpp"
 #include "core/error.hpp"
 
@@ -10,8 +11,9 @@ namespace {
 
 // What a body of stiffness 1 does; its modes' shapes are those of any.
 std::vector<Mode> modes_of(const Solid& solid, int count) {
+  const int all = solid.free_coordinates() - (solid.anchored() ? 0 : 3);
   try {
-    return slowest_modes(solid, 1, count);
+    return slowest_modes(solid, 1, count > 0 ? count : std::min(all, most_modes));
   } catch (const Error& error) {
     throw FieldError("modes", error.what());
   }
