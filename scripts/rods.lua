@@ -3,8 +3,8 @@
 -- ratio of lengths (Saint-Venant 1867). The energy that is missing runs up and down in the longer one. Elements with
 -- nu = 0 and nu = 0.3, whose sides move too, and a lattice; the limit is that of slender rods, fine meshes and a hard
 -- contact. Pictures: e against the ratio; what it misses against the slenderness (rods_slender.png); the waves
--- (rods_waves.png). `samples`: how many slenderness ratios, meshes and contacts (2 to 4). `full=true`: four of each, a
--- minute and a half on two cores.
+-- (rods_waves.png). `samples`: how many slenderness ratios, meshes and contacts (2 to 4). `full=true`: four of each,
+-- 165 s of one core.
 local ricochet = require "ricochet"
 
 local p = ricochet.parameters {

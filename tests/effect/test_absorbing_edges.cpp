@@ -10,6 +10,7 @@
 #include "core/rng.hpp"
 #include "effect/acting.hpp"
 #include "impact/batch.hpp"
+#include "refusal.hpp"
 #include "same_bits.hpp"
 
 using namespace ricochet;
@@ -213,14 +214,6 @@ TEST_CASE("absorbing edges: the ledger closes ever better with a shorter step, a
 }
 
 TEST_CASE("absorbing edges are refused by name where there are none") {
-  const auto refusal = [](const Scene& scene) -> std::string {
-    try {
-      run(scene);
-    } catch (const FieldError& error) {
-      return error.what();
-    }
-    return "nothing was refused";
-  };
   using Catch::Matchers::Contains;
   Body block = cylinder(2, 2, 0.2, 0.4);
   for (const Vec2& p : ricochet::plan_nodes(block, {}).points)

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "refusal.hpp"
 #include "same_bits.hpp"
 
 using namespace ricochet;
@@ -153,18 +154,10 @@ TEST_CASE("every method moves elements to the same rebound") {
 }
 
 TEST_CASE("what elements do not have is refused by name") {
-  const auto refusal = [](const Scene& scene) -> std::string {
-    try {
-      run(scene);
-    } catch (const FieldError& error) {
-      return error.what();
-    }
-    return "nothing was refused";
-  };
   Scene scene = onto_plane(0.3, 0.05, 0.15);
   for (const Effect& effect : {Effect(Plastic{1e-3, 0.1, "projectile"}), Effect(Breaking{0.01, "both"})}) {
     scene.effects = {effect};
-    CHECK(refusal(scene) == name_of(effect) +
+    CHECK(refusal(scene) == "effects: " + name_of(effect) +
                                 " acts on springs, and the projectile has none; let it act on "
                                 "another body, or leave it out");
   }

@@ -9,6 +9,7 @@
 #include "body/modes.hpp"
 #include "core/error.hpp"
 #include "impact/estimate.hpp"
+#include "refusal.hpp"
 #include "same_bits.hpp"
 
 using namespace ricochet;
@@ -62,15 +63,6 @@ Outcome run(const Scene& scene) {
   INFO(o.reason);
   REQUIRE(o.status == Status::finished);
   return o;
-}
-
-std::string refusal(const Scene& scene) {
-  try {
-    run_scene(BuiltSolids(scene), scene, go_on);
-  } catch (const FieldError& error) {
-    return error.field + ": " + error.what();
-  }
-  return "nothing was refused";
 }
 
 /// A free disk of springs, heavy and of few modes, that spins below a small one of elements.

@@ -10,6 +10,7 @@
 #include "impact/launch/launch.hpp"
 #include "record/film.hpp"
 #include "record/whole_section.hpp"
+#include "refusal.hpp"
 #include "render/fields.hpp"
 #include "same_bits.hpp"
 
@@ -132,14 +133,6 @@ TEST_CASE("bodies that yield have the same bits alone, in lanes and on threads")
 }
 
 TEST_CASE("yielding is refused by name where it is none") {
-  const auto refusal = [](const Scene& scene) -> std::string {
-    try {
-      run(scene);
-    } catch (const FieldError& error) {
-      return error.what();
-    }
-    return "nothing was refused";
-  };
   using Catch::Matchers::Contains;
   Scene scene = disk(1e-2, 0.2, 0.005);
   Body body = *scene.projectile;
