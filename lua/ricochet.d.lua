@@ -867,6 +867,20 @@ function ricochet.mesh(t) end
 ---@return table
 function ricochet.dem(t) end
 
+---@class ricochet.compare_fields
+---@field scene ricochet.scene of a free projectile in the plane, which finishes
+---@field interiors? string[] of springs, elements and modes, in the order they are shown (default { "springs", "elements", "modes" })
+---@field springs? table fields of the projectile of springs alone, over those of the scene's: nodes, placement
+---@field elements? table fields of the projectile of elements alone, over those of the scene's: h_min, law
+---@field modes? table fields of the projectile of modes alone, over those of the scene's: modes
+---@field omega_most? number of a smooth disk head on to a plane: beside them what theory.modal_disk tells, with all modes below omega R/c_P = omega_most; left out unless given
+---@field count? integer modes whose energies are taken, the slowest first (default 40)
+---@field name? string how the files' names begin (default compare)
+--- One impact with the projectile of springs, of elements and of modes, side by side: the same outline, E, nu and density, target and contact. A lattice has the moduli that it has: where the scene's projectile is of springs, elements and modes are given what a band of its lattice measures, and where it is not, springs are made as stiff as it asks. Prints each one's E, nu and c_P (measured, by ricochet.elasticity), e, contact time, greatest normal force, the energies of the modes that hold most after the impact, and what a correct digit of e costs in time; then what must agree, and why what differs may. Leaves NAME.csv, and the force over time as NAME_springs.csv and so on. Returns a list, one table an interior: interior, E, nu, density, wave_speed, nodes, e, contact_time, contact_time_energy, force, inverted, row, scene, ringing (tables of omega, share and modes, those whose omega differ by less than 2 % as one) and cost (method, seconds, error, a_digit).
+---@param t ricochet.compare_fields
+---@return table
+function ricochet.compare(t) end
+
 ---@class ricochet.modes_fields
 ---@field body ricochet.body of springs or elements
 ---@field count? integer how many, the slowest first (default 12)

@@ -26,6 +26,7 @@ ricochet.accuracy = core.wrap(require("ricochet.accuracy").accuracy)
 ricochet.relevance = core.wrap(require("ricochet.effects").relevance)
 ricochet.plan = core.wrap(require("ricochet.plan").plan)
 ricochet.dem = core.wrap(require("ricochet.dem").dem)
+ricochet.compare = core.wrap(require("ricochet.compare").compare)
 
 --- refined(scene, factor): the same scene on finer lattices, or coarser ones.
 ricochet.refined = core.wrap(function(scene, factor)

@@ -44,7 +44,7 @@ class Pinned {
   bool known_ = false;
 };
 
-// The scene by the method and step (or theta) of the table on top of the stack.
+// The scene by the method and step (or theta) of the table on top of the stack, the step in the scene's units.
 Scene variant_of(lua_State* L, const Scene& scene) {
   Scene variant = scene;
   variant.integration.accuracy = not_given;
@@ -52,7 +52,7 @@ Scene variant_of(lua_State* L, const Scene& scene) {
   lua_getfield(L, -2, "step");
   lua_getfield(L, -3, "theta");
   variant.integration.method = lua_tostring(L, -3);
-  variant.integration.step = lua_isnil(L, -2) ? not_given : lua_tonumber(L, -2);
+  variant.integration.step = lua_isnil(L, -2) ? not_given : lua_tonumber(L, -2) / scene.units.worth("R/c");
   variant.integration.theta = lua_isnil(L, -1) ? not_given : lua_tonumber(L, -1);
   lua_pop(L, 3);
   return variant;

@@ -10,7 +10,8 @@ const std::vector<Group>& groups() {
       parameter_functions(), material_functions(), body_functions(),     point_functions(),      scene_functions(),
       estimate_functions(),  sweep_functions(),    series_functions(),   wave_functions(),       plot_functions(),
       picture_functions(),   record_functions(),   accuracy_functions(), elasticity_functions(), mesh_functions(),
-      dem_functions(),       mode_functions(),     ringing_functions(),  file_functions(),       theory_functions(),
+      dem_functions(),       compare_functions(),  mode_functions(),     ringing_functions(),    file_functions(),
+      theory_functions(),
   };
   return list;
 }

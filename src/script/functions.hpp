@@ -51,6 +51,7 @@ Group accuracy_functions();
 Group elasticity_functions();
 Group mesh_functions();
 Group dem_functions();
+Group compare_functions();
 Group mode_functions();
 Group ringing_functions();
 Group file_functions();

@@ -265,6 +265,7 @@ TEST_CASE("scripts and examples of the project run short") {
                                     "scripts/normal_speed.lua samples=2 nodes=60 speed=0.05,0.1",
                                     "scripts/materials.lua samples=1 nodes=400",
                                     "scripts/poisson_ratio.lua samples=2 nu=0,0.45 speed=0.02,0.1 h_min=0.1",
+                                    "scripts/three_approaches.lua samples=2 speed=0.02,0.1 h_min=0.1 nodes=150 xi=400",
                                     "scripts/rough_elements.lua samples=2 nodes=60 psi1=0,2,6",
                                     "scripts/rods.lua samples=2 rows=2 hardness=50",
                                     "scripts/taylor_bar.lua samples=1 across=2",
