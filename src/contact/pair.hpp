@@ -23,6 +23,18 @@ struct BodyNode {
   int body = 0, node = 0;
 };
 
+/// Where contact is stiffest.
+struct Stiffest {
+  double omega2 = 0;  ///< stiffness over mass [c^2/R^2]
+  BodyNode node;
+
+  void raise(double value, const BodyNode& at) {
+    if (!(value > omega2)) return;
+    omega2 = value;
+    node = at;
+  }
+};
+
 /// Nodes of the first body against cells of the second and, where the lane's law is two-sided, the other way round.
 template <int W>
 class Pair {
@@ -31,6 +43,7 @@ class Pair {
       : body_{first, second}, solid_{&of_first, &of_second}, laws_(laws) {
     if (laws.grip) grip_.emplace(*laws.grip, of_first, of_second);
     allowance_.setConstant(std::numeric_limits<double>::infinity());
+    of_modes_ = of_first.modes() || of_second.modes();
     for (const Solid* solid : solid_)
       if (solid->free > 0) lightest_ = std::min(lightest_, solid->mass.lightest());
   }
@@ -42,7 +55,7 @@ class Pair {
   /// contact.
   void set(int lane, const ExponentialRepulsion* law) {
     law_[lane] = law;
-    stiffest_[lane] = 0;
+    stiffest_[at(lane)].omega2 = 0;
     allowance_[lane] = law ? -1.0 : std::numeric_limits<double>::infinity();
     for (auto& candidates : candidates_[lane]) candidates.clear();
     if (grip_) grip_->clear(lane);
@@ -52,9 +65,10 @@ class Pair {
   /// Passes on what is remembered of an impact, after set().
   void carry(int lane, Carrier& carrier) {
     if (grip_) grip_->carry(lane, carrier);
-    carrier.pass(stiffest_[lane]);
-    carrier.pass_whole(stiffest_node_[lane].body);
-    carrier.pass_whole(stiffest_node_[lane].node);
+    Stiffest& stiffest = stiffest_[at(lane)];
+    carrier.pass(stiffest.omega2);
+    carrier.pass_whole(stiffest.node.body);
+    carrier.pass_whole(stiffest.node.node);
   }
 
   /// The candidates of a lane hold every node and cell within reach until both surfaces together have moved so far.
@@ -79,19 +93,20 @@ class Pair {
       if (candidates_[lane][0].empty() && candidates_[lane][1].empty()) continue;
       const double xi = law_[lane]->xi;
       int node = -1;
-      double on_node = 0, light = 0;
+      double on_node = 0, light = 0, together = 0;
+      Stiffest stiffest;
       energy[lane] = each(lane, bodies, [&](const Push& push) {
         const double repulsion = xi * push.energy;
         on_node = push.node == node ? on_node + repulsion : repulsion;
         light = push.node == node ? std::min(light, lightest(push)) : lightest(push);
         node = push.node;  // cells of a node stand together
-        const double stiffness = xi * on_node / light;
-        if (stiffness > stiffest_[lane]) {
-          stiffest_[lane] = stiffness;
-          stiffest_node_[lane] = {body_[push.side], push.node};
-        }
+        stiffest.raise(xi * on_node / light, {body_[push.side], push.node});
+        if (of_modes_) together += xi * repulsion * give(push);
         push_apart(push, lane, bodies);
       });
+      // Few modes move neighbours alike: no faster than by all the stiffness at once.
+      if (of_modes_) stiffest.omega2 = std::min(stiffest.omega2, together);
+      stiffest_[at(lane)].raise(stiffest.omega2, stiffest.node);
     }
     if (grip_) hold(*grip_, bodies);
     return energy;
@@ -100,11 +115,11 @@ class Pair {
   /// The greatest stiffness, xi F and that of friction, that contact put on one node in any evaluation since this was
   /// last asked, over the mass of the lightest node that moves with it. [c^2/R^2]
   double take_stiffest(int lane) {
-    const double stiffest = std::exchange(stiffest_[lane], 0.0);
+    const double stiffest = std::exchange(stiffest_[at(lane)].omega2, 0.0);
     return stiffest > 0 && grip_ ? stiffest + grip_->stiffness(lane) / lightest_ : stiffest;
   }
   /// Which node that was.
-  BodyNode stiffest_node(int lane) const { return stiffest_node_[lane]; }
+  BodyNode stiffest_node(int lane) const { return stiffest_[at(lane)].node; }
 
   /// Energy of the repulsion in each lane. [m0 c^2]
   Lane<W> energy(const Motions<W>& bodies) const {
@@ -182,6 +197,8 @@ class Pair {
   }
 
  private:
+  static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
   /// A candidate by the numbers of its nodes in their bodies: looked up once, not in every evaluation.
   struct Near {
     int node;
@@ -248,10 +265,23 @@ class Pair {
   double lightest(const Push& push) const {
     double least = std::numeric_limits<double>::infinity();
     push.each_force([&](int side, int node, const Vec2&) {
-      const Solid& solid = *solid_[static_cast<std::size_t>(side)];
+      const Solid& solid = *solid_[at(side)];
       if (node < solid.free) least = std::min(least, solid.mass[node]);
     });
     return least;
+  }
+
+  // How far a push drives its nodes apart for each unit of its force: of either body by the node that gives most.
+  // [1/m0]
+  double give(const Push& push) const {
+    std::array<double, 2> most{};
+    push.each_force([&](int side, int node, const Vec2&) {
+      const Solid& solid = *solid_[at(side)];
+      if (node >= solid.free) return;
+      const double gives = solid.modes() ? solid.modes()->give[at(node)] : 1 / solid.mass[node];
+      most[at(side)] = std::max(most[at(side)], gives);
+    });
+    return most[0] + most[1];
   }
 
   void push_apart(const Push& push, int lane, Motions<W>& bodies) const {
@@ -285,9 +315,9 @@ class Pair {
   Lane<W> allowance_;
   std::array<const ExponentialRepulsion*, W> law_{};
   std::array<std::array<std::vector<Near>, 2>, W> candidates_;  // [lane][side]
-  Lane<W> stiffest_ = Lane<W>::Zero();
+  std::array<Stiffest, W> stiffest_{};
+  bool of_modes_ = false;                                      // one of the bodies
   double lightest_ = std::numeric_limits<double>::infinity();  // of the masses that move [m0]
-  std::array<BodyNode, W> stiffest_node_{};
   std::optional<Grip<W>> grip_;
   mutable Gaps gaps_;  // of the lane at hand; kept for its memory
 };

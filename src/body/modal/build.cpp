@@ -1,5 +1,6 @@
 #include "body/modal/build.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "body/description.hpp"
@@ -28,6 +29,19 @@ MovedNodes moved(std::vector<int> nodes, const std::vector<Mode>& modes) {
   return moved;
 }
 
+// The greatest eigenvalue of what a force on a node does to the node: the flight of the body, its turning, its modes.
+double give(const Modes& modes, std::size_t rim_node) {
+  const Vec2& arm = modes.arm[static_cast<std::size_t>(modes.rim.node[rim_node])];
+  const Vec2 turned = perpendicular(arm);
+  Eigen::Matrix2d sum = modes.per_mass * Eigen::Matrix2d::Identity() + modes.per_inertia * turned * turned.transpose();
+  for (std::size_t k = 0; k < modes.omega.size(); ++k) {
+    const double* shape = modes.rim.of_mode(k) + 2 * rim_node;
+    const Vec2 moved(shape[0], shape[1]);
+    sum += moved * moved.transpose();
+  }
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(sum, Eigen::EigenvaluesOnly).eigenvalues()[1];
+}
+
 }  // namespace
 
 std::shared_ptr<const Solid> as_modes(const std::shared_ptr<const Solid>& solid, int count) {
@@ -46,6 +60,9 @@ std::shared_ptr<const Solid> as_modes(const std::shared_ptr<const Solid>& solid,
     modes.per_mass = 1 / solid->total_mass();
     modes.per_inertia = 1 / solid->inertia();
   }
+  modes.give.assign(solid->points.size(), 0);
+  for (std::size_t n = 0; n < modes.rim.node.size(); ++n)
+    modes.give[static_cast<std::size_t>(modes.rim.node[n])] = give(modes, n);
   Eigen::Index most = 0;
   slowest.back().shape.cwiseAbs().maxCoeff(&most);
   modes.fastest_node = static_cast<int>(most / 2);

@@ -34,6 +34,8 @@ struct Modes {
   Points arm;                       ///< [node] from the centre of mass, at rest [R]
   double per_mass = 0;              ///< 1/M, 0 of a held body [1/m0]
   double per_inertia = 0;           ///< 1/I, 0 of a held body [1/(m0 R^2)]
+  std::vector<double> give;         ///< [node] of the surface: the greatest acceleration that a unit of force gives it,
+                                    ///< 1/m where all modes move it, less where few do [1/m0]
   int fastest_node = 0;             ///< the one that moves most with the fastest mode
 };
 
