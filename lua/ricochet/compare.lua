@@ -243,18 +243,29 @@ local function exact_radius(t, original)
   return radius
 end
 
--- That disk by all its modes in closed form, with the moduli and the contact of another entry.
+-- That disk by its modes in closed form, with the moduli and the contact of another entry: by those below omega_most and
+-- below half of it, from which follows what all give, whose lack falls as 1/omega_most.
 local function exact_of(t, radius, like)
   local c = like.wave_speed
-  local modal = core.theory.modal_disk { nu = like.nu, speed = like.speed / c, alpha = like.row.xi * radius,
-    omega_most = t.omega_most }
+  local function impact(omega_most)
+    return core.theory.modal_disk { nu = like.nu, speed = like.speed / c, alpha = like.row.xi * radius,
+      omega_most = omega_most }
+  end
+  local half, whole = impact(t.omega_most / 2), impact(t.omega_most)
+  local function of_all(few, many) return 2 * many - few end
+  local energy_by_few = {}
+  for k in ipairs(half.omega) do energy_by_few[half.n[k] .. " " .. half.l[k]] = half.energy[k] end
   local modes = {}
-  for k, omega in ipairs(modal.omega) do modes[k] = { omega = omega / radius, share = modal.energy[k] } end
+  for k, omega in ipairs(whole.omega) do
+    local few = energy_by_few[whole.n[k] .. " " .. whole.l[k]] or whole.energy[k]
+    modes[k] = { omega = omega / radius, share = of_all(few, whole.energy[k]) }
+  end
   table.sort(modes, function(a, b) return a.omega < b.omega end)
   return {
     interior = "exact", E = like.E, nu = like.nu, density = like.density, wave_speed = c, nodes = 0, is_linear = true,
-    speed = like.speed, e = modal.e, contact_time = 0 / 0, contact_time_energy = modal.contact_time * radius / c,
-    force = 0 / 0, inverted = 0, ringing = strongest(modes),
+    speed = like.speed, e = of_all(half.e, whole.e), contact_time = 0 / 0,
+    contact_time_energy = of_all(half.contact_time, whole.contact_time) * radius / c, force = 0 / 0, inverted = 0,
+    ringing = strongest(modes),
   }
 end
 

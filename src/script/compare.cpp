@@ -38,9 +38,10 @@ Group compare_functions() {
                       {"omega_most",
                        "number",
                        "",
-                       "of a smooth disk head on to a plane: beside them what theory.modal_disk tells, with all modes "
-                       "below omega R/c_P = omega_most; left out unless given",
-                       {1, 160},
+                       "of a smooth disk head on to a plane: beside them what theory.modal_disk tells, extrapolated to "
+                       "all modes from those below omega R/c_P = omega_most and those below half of it; left out "
+                       "unless given",
+                       {2, 160},
                        "",
                        true},
                       {"count", "integer", "", "modes whose energies are taken, the slowest first", {1, 2000}, "40"},

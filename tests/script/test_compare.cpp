@@ -96,9 +96,16 @@ for i, v in ipairs { 0.003, 0.01, 0.03, 0.05, 0.1 } do
     modes = { nodes = 800 }, springs = { nodes = 800, placement = "triangular" }, name = "v" .. i }
   local linear, modes, springs, exact = table.unpack(list)
   off(linear, exact, 2e-3, 0.005, "linear elements and modes at " .. v)
-  for k = 1, 3 do
-    assert(math.abs(linear.ringing[k].share / exact.ringing[k].share - 1) < 0.05, "mode " .. k .. " at " .. v)
+  for _, ring in ipairs(exact.ringing) do
+    if ring.share < 0.1 * (1 - exact.e ^ 2) then break end  -- those that hold a tenth or more of what vibrates
+    local share = 0
+    for _, other in ipairs(linear.ringing) do
+      if math.abs(other.omega / ring.omega - 1) < 0.01 then share = share + other.share end
+    end
+    assert(math.abs(share / ring.share - 1) < 0.05, ("mode of omega %g at %g: %g for %g"):format(ring.omega, v, share,
+      ring.share))
   end
+  assert(math.abs(modes.force / linear.force - 1) < 0.05, "force at " .. v)
   local polynomial = ricochet.compare { scene = scene "polynomial", interiors = { "elements", "springs" }, count = 2,
     springs = { nodes = 800, placement = "triangular" }, name = "p" .. i }[1]
   assert(math.abs(polynomial.e - springs.e) < 5e-3, "triangular lattice at " .. v .. ": " .. polynomial.e - springs.e)
