@@ -36,9 +36,10 @@ const Columns& of_normal() {
       {{"e_n", "number", "",
         "restitution of the contact points along the contact's normal, -v_cn' / v_cn, with spin and the target's "
         "motion; a round body touches below its centre of mass: on a flat wall its e_n is e. Undefined, and beta_n "
-        "too, "
-        "where touches at several places of a body that is not round, or a normal that turns meanwhile, leave v_cn "
-        "uncertain by more than a tenth"},
+        "too, where touches at several places of a body that is not round, or a normal that turns meanwhile, leave "
+        "v_cn uncertain by more than a tenth; e_n alone, where the sides that stand for a smooth outline do, as the "
+        "contact moves along them: where two bodies slide or turn much faster than they meet. A rough rim's sides are "
+        "the surface. `reason` says which"},
        [](O o) { return o.e_n; }},
       {{"beta_n", "number", "", "the same across the normal, -v_ct' / v_ct; undefined if v_ct is below 1e-3 of v_cn"},
        [](O o) { return o.beta_n; }},

@@ -1,5 +1,7 @@
 #include "impact/report.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "impact/axes.hpp"
@@ -173,7 +175,7 @@ double contact_time_error(const Run& run, double arrives, double leaves) {
 // has no one place: the change of spin times the touches' deviation along t from their mean; none of a round body,
 // whose touch is at its foot. Where the normal turns meanwhile, it has no one direction: its deviation times the speed
 // along t.
-double uncertain_speed(const Run& run, const Relative& start, const Relative& after, const Vec2& t, double sliding) {
+double uncertain_by_place(const Run& run, const Relative& start, const Relative& after, const Vec2& t, double sliding) {
   const ContactFrame& frame = run.frame;
   const std::array<double, 2> turned{after.spin - start.spin, after.target_spin - start.target_spin};
   const double one_way = frame.normal.norm() / frame.load;
@@ -187,6 +189,12 @@ double uncertain_speed(const Run& run, const Relative& start, const Relative& af
   return speed;
 }
 
+// And by what stands for the smooth outlines: the sides of the rims, along which the contact moves.
+double uncertain_by_rims(const Run& run, const Relative& start, const Relative& after, double sliding) {
+  const double turning = std::max(std::abs(start.spin - start.target_spin), std::abs(after.spin - after.target_spin));
+  return (run.frame.uneven.sliding * sliding + run.frame.uneven.rolling * turning) / run.frame.load;
+}
+
 // Where the contact's normal is not y, what the paper defines along y has no meaning.
 constexpr double most_tilted = 0.1;
 // Of the normal speed, that the contact points' may be uncertain by.
@@ -194,18 +202,46 @@ constexpr double most_uncertain = 0.1;
 // Of the normal speed: below it what moves along the surface is that of the rim's own polygon.
 constexpr double least_slip = 1e-3;
 
+std::string places_leave_uncertain(double share) {
+  return fmt::format(
+      "e_n and beta_n are undefined: touches at several places of a body that is not round, or a normal that turns "
+      "meanwhile, leave v_cn uncertain by {:.0f} %",
+      100 * share);
+}
+
+std::string rims_leave_uncertain(double share) {
+  return fmt::format(
+      "e_n is undefined: the sides of the rims, along which the contact moves, leave v_cn uncertain by {:.0f} %; take "
+      "more nodes, or a harder contact",
+      100 * share);
+}
+
+void report_restitution(const Run& run, const Relative& start, const Relative& after, const Vec2& n, Outcome& o) {
+  if (run.clock().touching()) return;
+  const Vec2 t(normal(n), -tangential(n));
+  const Arms arms = arms_of(run, n, t);
+  const ContactPoint first = at_arms(start, arms, n, t), later = at_arms(after, arms, n, t);
+  o.error_contact_time = contact_time_error(run, first.n, later.n);
+  const double sliding = std::max(std::abs(first.t), std::abs(later.t)), towards = std::abs(first.n);
+  const double by_place = uncertain_by_place(run, start, after, t, sliding);
+  if (!(by_place <= most_uncertain * towards)) {
+    o.reason = places_leave_uncertain(by_place / towards);
+    return;
+  }
+  if (std::abs(first.t) > least_slip * towards) o.beta_n = -later.t / first.t;
+  const double by_rims = uncertain_by_rims(run, start, after, sliding);
+  if (by_rims <= most_uncertain * towards)
+    o.e_n = ratio(-later.n, first.n);
+  else
+    o.reason = rims_leave_uncertain(by_rims / towards);
+}
+
 void report_along_normal(const Run& run, const Relative& start, const Relative& after, const Vec2& j, Outcome& o) {
   if (!(run.frame.load > 0)) return;
   const Vec2 n = run.frame.normal.normalized(), t(normal(n), -tangential(n));
   o.normal_x = tangential(n);
   o.normal_y = normal(n);
-  const Arms arms = arms_of(run, n, t);
-  const ContactPoint first = at_arms(start, arms, n, t), later = at_arms(after, arms, n, t);
-  const double sliding = std::max(std::abs(first.t), std::abs(later.t));
-  const bool one_place = uncertain_speed(run, start, after, t, sliding) <= most_uncertain * std::abs(first.n);
-  if (one_place) o.e_n = ratio(-later.n, first.n);
-  o.error_contact_time = contact_time_error(run, first.n, later.n);
-  if (one_place && std::abs(first.t) > least_slip * std::abs(first.n)) o.beta_n = -later.t / first.t;
+  report_restitution(run, start, after, n, o);
   o.mu_n = ratio(std::abs(t.dot(j)), n.dot(j));
   if (std::abs(tangential(n)) <= most_tilted) return;
   for (double* of_y : {&o.e, &o.beta, &o.mu, &o.psi1, &o.psi2, &o.e_first, &o.mu_first}) *of_y = Outcome::undefined;

@@ -73,11 +73,12 @@ void Trials::run_one(Wanted& wanted, const std::atomic<bool>& stop) const {
   Trial& trial = wanted.trial;
   trial.hopeless = outcome.status == Status::tunnelled || outcome.status == Status::out_of_time;
   trial.counts = outcome.status != Status::no_contact;
-  trial.reason = outcome.reason;
   if (outcome.status == Status::finished) {
     trial.value = value_of(outcome, scene.integration.accuracy_of);
     trial.drift = outcome.energy_drift / scene.integration.energy_tolerance;
     trial.counts = !std::isnan(trial.value);
+  } else {
+    trial.reason = outcome.reason;
   }
   wanted.evaluations = outcome.steps * work_of_step(*option_.method, of.solids) * springs_of(of.solids);
   wanted.time = std::isnan(outcome.time) ? 0 : outcome.time;

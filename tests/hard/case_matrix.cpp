@@ -28,7 +28,8 @@ int main(int argc, char** argv) {
   std::map<std::string, std::array<int, 5>> endings;
   std::array<int, 5> kinds{};
   std::mutex counting;
-  int wrong = 0, done = 0;
+  int wrong = 0, done = 0, smooth = 0, smooth_measured = 0;
+  double most_e_n = 0;
   double slowest = 0;
   long slowest_seed = 0;
   ricochet::in_parallel(seeds, 0, [&](long seed) {
@@ -51,6 +52,11 @@ int main(int argc, char** argv) {
       slowest = seconds;
       slowest_seed = seed;
     }
+    if (verdict.e_n) {
+      ++smooth;
+      smooth_measured += std::isfinite(*verdict.e_n);
+      most_e_n = std::fmax(most_e_n, *verdict.e_n);
+    }
     if (verdict.wrong) {
       ++wrong;
       fmt::print("seed {}: {}\n  {}\n", seed, *verdict.wrong, random.text);
@@ -67,6 +73,8 @@ int main(int argc, char** argv) {
   };
   for (const auto& [ending, number] : endings) row(ending, number);
   row("", kinds);
+  fmt::print("of {} impacts of cold, smooth bodies that finish, {} have e_n, at most {:.4f}\n", smooth, smooth_measured,
+             most_e_n);
   fmt::print("{} scenes (seeds {} to {}), {} wrong; the slowest took {:.1f} s (seed {})\n", count, first,
              first + count - 1, wrong, slowest, slowest_seed);
   return wrong > 0;

@@ -25,6 +25,7 @@ struct Verdict {
   std::string ending;                ///< a status, or "refused"
   std::optional<std::string> wrong;  ///< what is wrong about it, if anything is
   std::string reason;                ///< what the program says
+  std::optional<double> e_n{};       ///< of cold, smooth bodies whose impact finished; NaN where it is undefined
 };
 
 /// Runs the scene, for at most `steps` steps, and judges its ending. A result must close its ledger and keep momentum;

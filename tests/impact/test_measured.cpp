@@ -106,7 +106,7 @@ TEST_CASE("on a flat wall or plane the contact's normal is y, and e_n is e to th
   for (const double roughness : {0.0, 0.03})
     for (const double psi1 : {0.0, 2.0}) {
       Scene scene = small_scene(3, psi1, roughness);
-      scene.launch.spin = 0.1;
+      scene.launch.spin = roughness > 0 ? 0.1 : 0.01;  // on the sides of a smooth rim a disk would roll
       for (const bool on_plane : {false, true}) {
         if (on_plane) scene.target = plane();
         const Outcome o = outcome_of(scene);
@@ -118,6 +118,33 @@ TEST_CASE("on a flat wall or plane the contact's normal is y, and e_n is e to th
         CHECK(o.beta_n == Catch::Detail::Approx(o.beta).epsilon(1e-12));
       }
     }
+}
+
+TEST_CASE("where a smooth rim's sides decide how fast bodies meet, e_n is undefined, and the row says why") {
+  Scene scene = small_scene(3, 0, 0);
+  const Outcome head_on = outcome_of(scene);
+  CHECK(std::isfinite(head_on.e_n));
+  CHECK(head_on.reason == "");
+  // A disk of 25 sides that rolls, twice as fast as it falls; one that slides over the nodes of a wall.
+  Scene rolls = scene, slides = scene;
+  rolls.launch.spin = 0.2;
+  slides.launch.psi1 = 10;
+  for (const Scene& uneven : {rolls, slides}) {
+    const Outcome o = outcome_of(uneven);
+    REQUIRE(o.status == Status::finished);
+    CHECK(std::isnan(o.e_n));
+    CHECK_THAT(o.reason, Catch::Matchers::Contains("the sides of the rims"));
+    for (const double kept : {o.e, o.mu_n, o.beta_n}) CHECK(std::isfinite(kept));
+  }
+  // The slopes of a rough rim are the surface; and a plane has none.
+  for (Scene rough : {small_scene(3, 10, 0.03), small_scene(3, 2, 0.03)}) {
+    rough.launch.spin = 0.2;
+    const Outcome o = outcome_of(rough);
+    CHECK(o.e_n == o.e);
+    CHECK(o.reason == "");
+  }
+  slides.target = plane();
+  CHECK(std::isfinite(outcome_of(slides).e_n));
 }
 
 TEST_CASE("disks off centre rebound along the line of centres as head on, and without friction") {

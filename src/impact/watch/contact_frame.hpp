@@ -18,7 +18,11 @@ struct Pose {
   double cosine = 1, sine = 0;
   Vec2 centre = Vec2::Zero();  ///< of mass [R]
 
-  Facing operator()(const Facing& at_rest) const { return {turned(at_rest.normal, cosine, sine), at_rest.curvature}; }
+  Facing operator()(const Facing& at_rest) const {
+    Facing facing = at_rest;
+    facing.normal = turned(at_rest.normal, cosine, sine);
+    return facing;
+  }
 };
 
 /// The turn that brings the surface's nodes nearest to where they are, by least squares; none of a held body, and of
@@ -57,6 +61,7 @@ template <int W>
 void add_to_frame(const Pair<W>& pair, int lane, const Motions<W>& bodies,
                   const std::array<const SmoothOutline*, 2>& outline, const std::array<Pose, 2>& pose, Run& run) {
   ContactFrame now;
+  const double xi = run.start.contact.xi;
   pair.each(lane, bodies, [&](const Push& push) {
     const int other = 1 - push.side;
     std::array<Facing, 2> facing;
@@ -65,6 +70,9 @@ void add_to_frame(const Pair<W>& pair, int lane, const Motions<W>& bodies,
     const Vec2 place = bodies[static_cast<std::size_t>(pair.body(push.side))].q.at(push.node, lane);
     now.load += push.energy;
     now.normal += push.energy * normal_between(facing[0], facing[1]);
+    const Unevenness uneven = unevenness_between(facing[0], facing[1], xi);
+    now.uneven.sliding += push.energy * uneven.sliding;
+    now.uneven.rolling += push.energy * uneven.rolling;
     for (int side : {0, 1}) {
       const Vec2 arm = place - pose[side].centre;
       now.arm[side] += push.energy * arm;
@@ -77,6 +85,8 @@ void add_to_frame(const Pair<W>& pair, int lane, const Motions<W>& bodies,
   frame.heaviest = std::max(frame.heaviest, now.load);
   frame.load += now.load;
   frame.normal += now.normal;
+  frame.uneven.sliding += now.uneven.sliding;
+  frame.uneven.rolling += now.uneven.rolling;
   for (int side : {0, 1}) {
     frame.arm[side] += now.arm[side];
     frame.arms2[side] += now.arms2[side];

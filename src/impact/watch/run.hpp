@@ -12,6 +12,7 @@
 #include "impact/outcome.hpp"
 #include "impact/roles.hpp"
 #include "impact/scene.hpp"
+#include "impact/watch/smooth_outline.hpp"
 #include "impact/watch/touches.hpp"
 
 namespace ricochet {
@@ -22,6 +23,7 @@ struct ContactFrame {
   bool asked = false;                                   ///< a look beside the usual ones, in that touch
   double heaviest = 0;                                  ///< weight in the touch that lasts, or lasted last
   Vec2 normal = Vec2::Zero();                           ///< from the target to the projectile
+  Unevenness uneven;                                    ///< of both rims
   std::array<Vec2, 2> arm{Vec2::Zero(), Vec2::Zero()};  ///< from the centres, projectile and target, to the contact [R]
   std::array<Eigen::Matrix2d, 2> arms2{Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Zero()};  ///< their squares, dyadic
   std::array<bool, 2> round{false, false};                                                 ///< the bodies are circles

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ricochet {
 namespace {
@@ -10,6 +11,22 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Radii of a circle's outline agree to this share.
 constexpr double round_share = 0.01;
+
+bool is_smooth(const Solid& solid, const Mesh<2>& mesh) {
+  for (std::size_t i = 0; i < mesh.node.size(); ++i)
+    if (solid.smooth[i] != solid.points[at(mesh.node[i])]) return false;
+  return true;
+}
+
+// A side that turns by less from the one before goes on straight, but for rounding.
+constexpr double least_turn = 1e-9;
+
+// The slopes of a rim as the other body feels them, where the point of touch moves along it.
+double slope_of(const Facing& facing, double xi) {
+  if (std::isinf(facing.side)) return 0;
+  const double bend = facing.curvature == Facing::corner ? 0 : std::abs(facing.curvature);
+  return bend * facing.side / std::sqrt(12.0) + 2 * std::numbers::ln2 / (xi * facing.side);
+}
 
 }  // namespace
 
@@ -38,10 +55,12 @@ void SmoothOutline::face_cells(const Solid& solid, const Mesh<2>& mesh) {
       ++cells[at(mesh.node[at(end)])];
     }
   }
+  const bool smooth = is_smooth(solid, mesh);
   std::vector<bool> corner(nodes_.size(), false);
   for (const int place : solid.corners) corner[at(mesh.node[at(place)])] = true;
   for (const int node : mesh.node) {
     Sides& sides = nodes_[at(node)];
+    if (smooth) sides.own.side = sides.before.side = sides.after.side = length[at(node)] / cells[at(node)];
     if (cells[at(node)] != 2) {  // an end of an open chain
       const Vec2 only = sides.before.normal + sides.after.normal;
       sides.own.normal = sides.before.normal = sides.after.normal = only;
@@ -53,7 +72,8 @@ void SmoothOutline::face_cells(const Solid& solid, const Mesh<2>& mesh) {
       sides.own.curvature = Facing::corner;
       continue;
     }
-    const double curvature = std::atan2(cross(before, after), before.dot(after)) / (length[at(node)] / 2);
+    const double turn = std::atan2(cross(before, after), before.dot(after));
+    const double curvature = std::abs(turn) < least_turn ? 0 : turn / (length[at(node)] / 2);
     sides.own.curvature = sides.before.curvature = sides.after.curvature = curvature;
     sides.before.normal = sides.after.normal = sides.own.normal;
   }
@@ -79,7 +99,8 @@ Facing SmoothOutline::at_cell(const Push& push) const {
   if (push.along == 0) return a.own;
   if (push.along == 1) return b.own;
   const Vec2 normal = (1 - push.along) * a.after.normal + push.along * b.before.normal;
-  return {normal.normalized(), (1 - push.along) * a.after.curvature + push.along * b.before.curvature};
+  return {normal.normalized(), (1 - push.along) * a.after.curvature + push.along * b.before.curvature,
+          (1 - push.along) * a.after.side + push.along * b.before.side};
 }
 
 Vec2 normal_between(const Facing& projectile, const Facing& target) {
@@ -88,6 +109,15 @@ Vec2 normal_between(const Facing& projectile, const Facing& target) {
   if (p == Facing::corner || t == 0) return target.normal;
   if (t == Facing::corner) return -projectile.normal;
   return (p * target.normal - t * projectile.normal).normalized();
+}
+
+Unevenness unevenness_between(const Facing& projectile, const Facing& target, double xi) {
+  const double k = std::max(0.0, projectile.curvature), other = std::max(0.0, target.curvature);
+  const double slope = slope_of(projectile, xi), other_slope = slope_of(target, xi);
+  if (k == other && (k == 0 || k == Facing::corner)) return {slope + other_slope, 0};
+  if (k == Facing::corner) return {other_slope, 0};
+  if (other == Facing::corner) return {slope, 0};
+  return {(other * slope + k * other_slope) / (k + other), (slope + other_slope) / (k + other)};
 }
 
 }  // namespace ricochet

@@ -14,6 +14,9 @@ struct Facing {
   static constexpr double corner = std::numeric_limits<double>::infinity();
   Vec2 normal;       ///< outward, of unit length
   double curvature;  ///< convex: above 0 [1/R]; `corner` where there is no one normal
+  /// Of the sides that stand for the outline there, on average [R]; infinite where they are the surface itself: of a
+  /// plane, and of a rim that is rough, whose slopes are meant.
+  double side = std::numeric_limits<double>::infinity();
 };
 
 class SmoothOutline {
@@ -44,5 +47,18 @@ class SmoothOutline {
 /// that the mean of both, each weighed by the other's curvature, is the normal at the point of touch itself; of two
 /// circles, the line of centres. [here] A flat side, and the side that a corner meets, count alone.
 Vec2 normal_between(const Facing& projectile, const Facing& target);
+
+/// What sides of the rims make of the bodies' motion along each other where they touch: motion towards each other.
+struct Unevenness {
+  double sliding = 0;  ///< of the speed at which the one slides on the other
+  double rolling = 0;  ///< of the speed at which the one turns against the other [R]
+};
+
+/// Where two smooth outlines of curvatures k and k' touch, slide at u and turn at w against each other, the point of
+/// touch moves along the first at (w - k' u)/(k + k') and along the second at (w + k u)/(k + k'). [kinematics of
+/// rolling; e.g. Montana 1988, here in the plane] A side of length l that stands for an outline of curvature k leans
+/// by k l/sqrt(12) against it, root mean square. Where two sides meet, both push, and the surface stands higher by
+/// ln 2/xi, over half a side. [here] Two flat sides slide, and do not roll.
+Unevenness unevenness_between(const Facing& projectile, const Facing& target, double xi);
 
 }  // namespace ricochet
