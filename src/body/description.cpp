@@ -76,6 +76,17 @@ const std::vector<Member<ElementNumbers>>& ElementNumbers::fields() {
       {{"fine_within", "number", "R", "how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given",
         not_negative, "", true},
        &ElementNumbers::fine_within},
+      {{"mesh",
+        "string",
+        "",
+        "how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a rectangle "
+        "with "
+        "sides along x and y, which do not lock where metal flows far",
+        any_number,
+        "delaunay",
+        false,
+        {"delaunay", "crossed"}},
+       &ElementNumbers::mesh},
   };
   return list;
 }
@@ -194,6 +205,7 @@ std::string text_of_shape(const Body& body) {
     text +=
         fmt::format(" mesh {} {} {} at {} {}", size.least, size.most, size.grade, size.fine_at.x(), size.fine_at.y());
     if (!std::isnan(n.fine_within)) text += fmt::format(" within {}", n.fine_within);
+    if (n.crossed()) text += " crossed";
   }
   if (n.angle != 0) text += fmt::format(" angle {}", n.angle);
   return text;
