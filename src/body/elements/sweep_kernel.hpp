@@ -28,7 +28,7 @@ template <int W, class Law>
 }
 
 /// The same of an element that yields: weight tau D^-T. It remembers what flows; what that loses adds to `lost`, and
-/// `across` becomes tau_zz.
+/// `across` becomes P_zz.
 template <int W>
 [[gnu::always_inline]] inline ElementEdges<W> pulls_by_flow(const HenckyFlow<W>& law, const ElementEdges<W>& d,
                                                             const Elements& elements, std::size_t e,
@@ -39,7 +39,7 @@ template <int W>
   Lane<W> of_volume = Lane<W>::Zero();
   const AxialTensor<Lane<W>> tau = law.flowed(F, area * elements.metric[e].per_rest_area, memory, of_volume);
   lost += elements.weight[e] * of_volume;
-  across = tau.zz;
+  across = tau.zz / hoop;
   const Lane<W> share = elements.weight[e] / area;
   const Lane<W> xx = share * tau.plane.xx, xy = share * tau.plane.xy, yy = share * tau.plane.yy;
   ElementEdges<W> pulls;
@@ -85,7 +85,6 @@ template <int W, bool rings, class Law>
         if constexpr (rings) hoop = (at.at[0] + position[j].at[0] + position[k].at[0]) * elements.ring[e].per_radii;
         if constexpr (Flows<Law, W>) {
           pulls = pulls_by_flow<W>(law, d, elements, e, hoop, body.flow->memory[e], lost, across);
-          across = across / hoop;
         } else {
           const AxialTensor<Lane<W>> P = law.stress(AxialTensor<Lane<W>>(gradient_of<W>(d, shape[e]), hoop));
           pulls = pulls_of<W>(P.plane, shape[e]);
