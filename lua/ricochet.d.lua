@@ -71,6 +71,7 @@ function ricochet.material(t) end
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
 ---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
+---@field mesh? "delaunay"|"crossed" how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a rectangle with sides along x and y, which do not lock where metal flows far (default delaunay)
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -109,6 +110,7 @@ function ricochet.body(t) end
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
 ---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
+---@field mesh? "delaunay"|"crossed" how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a rectangle with sides along x and y, which do not lock where metal flows far (default delaunay)
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -148,6 +150,7 @@ function ricochet.disk(t) end
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
 ---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
+---@field mesh? "delaunay"|"crossed" how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a rectangle with sides along x and y, which do not lock where metal flows far (default delaunay)
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -186,6 +189,7 @@ function ricochet.ellipse(t) end
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
 ---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
+---@field mesh? "delaunay"|"crossed" how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a rectangle with sides along x and y, which do not lock where metal flows far (default delaunay)
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -225,6 +229,7 @@ function ricochet.sphere(t) end
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
 ---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
+---@field mesh? "delaunay"|"crossed" how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a rectangle with sides along x and y, which do not lock where metal flows far (default delaunay)
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -264,6 +269,7 @@ function ricochet.cylinder(t) end
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
 ---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
+---@field mesh? "delaunay"|"crossed" how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a rectangle with sides along x and y, which do not lock where metal flows far (default delaunay)
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -303,6 +309,7 @@ function ricochet.rectangle(t) end
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
 ---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
+---@field mesh? "delaunay"|"crossed" how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a rectangle with sides along x and y, which do not lock where metal flows far (default delaunay)
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -341,6 +348,7 @@ function ricochet.regular_polygon(t) end
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
 ---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
+---@field mesh? "delaunay"|"crossed" how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a rectangle with sides along x and y, which do not lock where metal flows far (default delaunay)
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field anchored? function function (x, y) that is true where a node is held fixed
@@ -388,6 +396,7 @@ function ricochet.rotated(t) end
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
 ---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
+---@field mesh? "delaunay"|"crossed" how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a rectangle with sides along x and y, which do not lock where metal flows far (default delaunay)
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]
@@ -425,6 +434,7 @@ function ricochet.wall(t) end
 ---@field h_max? number the side of the largest triangles of such a mesh; 8 h_min unless given [R]
 ---@field grade? number by how much the sides of such a mesh grow for every unit of length (default 0.15)
 ---@field fine_within? number how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given [R]
+---@field mesh? "delaunay"|"crossed" how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a rectangle with sides along x and y, which do not lock where metal flows far (default delaunay)
 ---@field material? ricochet.material what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have its E and nu; the spring constant of springs is E2/1.155 (triangular), E2/1.16 (poisson_disk) or E2/1.08 (uniform) times the thickness, E2 the modulus in the plane; springs are linear unless quartic is given; nu is the lattice's
 ---@field thickness? number of a body of a material, across the plane: a disk is a cylinder of that length [m] (default 1)
 ---@field holes? number[][][] outlines inside it, free of nodes, whose rims are as its own [R]

@@ -1,7 +1,7 @@
 -- e of spheres that yield, on a rigid plane, against the speed in units of the yield speed v_y, for two ratios E*/Y;
 -- beside Johnson's fully plastic impact at a pressure of 3 Y, Wu, Li & Thornton's two laws and Jackson & Green's fit,
 -- and the share of the depth that the dent keeps. The window of the -1/4 law, and the speed at which yielding begins.
--- `samples`: speeds for each ratio. 135 s of one core; `full=true`: more speeds from lower ones on, and elements
+-- `samples`: speeds for each ratio. A minute of one core; `full=true`: more speeds from lower ones on, and elements
 -- of 0.6 of the side, half an hour or more.
 local ricochet = require "ricochet"
 local theory = ricochet.theory
@@ -32,10 +32,12 @@ local function pressed(ratio, x)
 end
 
 local function scene_at(ratio, x)
-  local h = pressed(ratio, x).a / across
+  local a = pressed(ratio, x).a
+  local h = a / across
   local at = impact_of(ratio, x)
   return ricochet.scene {
-    projectile = ricochet.sphere { E = E, nu = nu, density = density, h_min = h, h_max = math.max(0.12, h) },
+    projectile = ricochet.sphere { E = E, nu = nu, density = density, h_min = h, h_max = math.max(0.12, h),
+      fine_within = 1.25 * a },
     target = ricochet.plane {}, launch = { speed = at.v }, effects = { ricochet.yielding { yield = at.Y } },
   }
 end

@@ -40,7 +40,8 @@ std::shared_ptr<const Solid> build_solid(const Body& body) {
   const NodePlan plan = plan_nodes(body, body.anchored), placed = turned(plan, body.numbers.angle);
   if (body.rigid()) return build_rigid(placed);
   // Triangles of the plan as it was: a turned body is the same lattice.
-  JoinedNodes joined = join_nodes(body, placed, triangulate(plan.points, plan.rim_cells));
+  JoinedNodes joined =
+      join_nodes(body, placed, plan.triangles.empty() ? triangulate(plan.points, plan.rim_cells) : plan.triangles);
   if (body.numbers.of_elements())
     joined.solid->interior = build_elements(body, joined);
   else

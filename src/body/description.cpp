@@ -37,32 +37,9 @@ std::string text_of_law(const SpringLawNumbers& law) {
   return text;
 }
 
-}  // namespace
-
-const std::vector<Member<ElementNumbers>>& ElementNumbers::fields() {
-  static const std::vector<Member<ElementNumbers>> list{
-      {{"E", "number", "m0 c^2/R^2",
-        "of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 "
-        "c^2/R^3",
-        positive, "", true},
-       &ElementNumbers::E},
-      {{"nu", "number", "", "of elements: Poisson's ratio", {-1, 0.5, true, true}, "", true}, &ElementNumbers::nu},
-      {{"state",
-        "string",
-        "",
-        "of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long "
-        "cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its "
-        "section through the axis x = 0, along which it moves",
-        any_number,
-        "plane_stress",
-        false,
-        {"plane_stress", "plane_strain", "axisymmetric"}},
-       &ElementNumbers::state},
-      {{"law", "string", "",
-        "of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a "
-        "strain; st_venant_kirchhoff, which softens in compression",
-        any_number, "polynomial", false, solid_law_names()},
-       &ElementNumbers::law},
+// Of a body of elements, how they lie.
+std::vector<Member<ElementNumbers>> mesh_fields() {
+  return {
       {{"h_min", "number", "R",
         "of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around "
         "fine_at, and coarser farther away",
@@ -76,7 +53,53 @@ const std::vector<Member<ElementNumbers>>& ElementNumbers::fields() {
       {{"fine_within", "number", "R", "how far from fine_at such a mesh is as fine as h_min; 10 h_min unless given",
         not_negative, "", true},
        &ElementNumbers::fine_within},
+      {{"mesh",
+        "string",
+        "",
+        "how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a rectangle "
+        "with "
+        "sides along x and y, which do not lock where metal flows far",
+        any_number,
+        "delaunay",
+        false,
+        {"delaunay", "crossed"}},
+       &ElementNumbers::mesh},
   };
+}
+
+}  // namespace
+
+const std::vector<Member<ElementNumbers>>& ElementNumbers::fields() {
+  static const std::vector<Member<ElementNumbers>> list = [] {
+    std::vector<Member<ElementNumbers>> all{
+        {{"E", "number", "m0 c^2/R^2",
+          "of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 "
+          "c^2/R^3",
+          positive, "", true},
+         &ElementNumbers::E},
+        {{"nu", "number", "", "of elements: Poisson's ratio", {-1, 0.5, true, true}, "", true}, &ElementNumbers::nu},
+        {{"state",
+          "string",
+          "",
+          "of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long "
+          "cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its "
+          "section through the axis x = 0, along which it moves",
+          any_number,
+          "plane_stress",
+          false,
+          {"plane_stress", "plane_strain", "axisymmetric"}},
+         &ElementNumbers::state},
+        {{"law", "string", "",
+          "of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for "
+          "a "
+          "strain; st_venant_kirchhoff, which softens in compression",
+          any_number, "polynomial", false, solid_law_names()},
+         &ElementNumbers::law},
+    };
+    const std::vector<Member<ElementNumbers>> of_mesh = mesh_fields();
+    all.insert(all.end(), of_mesh.begin(), of_mesh.end());
+    return all;
+  }();
   return list;
 }
 
@@ -194,6 +217,7 @@ std::string text_of_shape(const Body& body) {
     text +=
         fmt::format(" mesh {} {} {} at {} {}", size.least, size.most, size.grade, size.fine_at.x(), size.fine_at.y());
     if (!std::isnan(n.fine_within)) text += fmt::format(" within {}", n.fine_within);
+    if (n.crossed()) text += " crossed";
   }
   if (n.angle != 0) text += fmt::format(" angle {}", n.angle);
   return text;

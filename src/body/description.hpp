@@ -32,6 +32,7 @@ struct ElementNumbers {
   double h_max = not_given;
   double grade = 0.15;
   double fine_within = not_given;  ///< ten times h_min unless given
+  std::string mesh = "delaunay";
 
   static const std::vector<Member<ElementNumbers>>& fields();
 };
@@ -61,7 +62,8 @@ struct BodyNumbers : SpringLawNumbers, ElementNumbers {
   /// Its outline is the half at x >= 0 of a section through the axis x = 0; E and density are then of space, in m0
   /// c^2/R^3 and m0/R^3.
   bool axisymmetric() const { return state == "axisymmetric"; }
-  bool meshed() const { return h_min == h_min; }  ///< by h_min, h_max and grade
+  bool meshed() const { return h_min == h_min; }                  ///< by h_min, h_max and grade
+  bool crossed() const { return meshed() && mesh == "crossed"; }  ///< see shape/crossed.hpp
   /// Of the area; NaN if every node has a mass of its own accord.
   double area_density() const;
 };

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/rng.hpp"
 #include "core/turn.hpp"
+#include "shape/crossed.hpp"
 #include "shape/mesh.hpp"
 #include "shape/outline.hpp"
 #include "shape/placement.hpp"
@@ -160,9 +161,21 @@ void check_spacing(const Body& body, double spacing) {
                                                   spacing, length));
 }
 
+CrossedGrid crossed_grid_of(const Body& body) {
+  std::optional<CrossedGrid> grid;
+  if (body.holes.empty()) grid = crossed_grid(body.outline, body.size_field());
+  if (!grid)
+    throw FieldError("mesh", "crossed is of a rectangle with sides along x and y and without holes; leave it out");
+  return *grid;
+}
+
 Rim lay_graded_rim(const Body& body) {
   check_mesh(body);
   Rim rim;
+  if (body.numbers.crossed()) {
+    rim.add(crossed_grid_of(body).rim());
+    return rim;
+  }
   for (const Points& chain : outlines_of(body)) rim.add(resample(chain, body.size_field()));
   if (!follows(rim))
     throw FieldError("h_max", "is too long to follow this outline without crossing it; lower it, or h_min");
@@ -217,6 +230,7 @@ std::vector<int> corners_of(const Body& body, const Rim& rim) {
 }
 
 Points plan_interior(const Body& body, const Rim& rim, const GivenNodes& nodes) {
+  if (body.numbers.crossed()) return crossed_grid_of(body).inside();
   if (body.numbers.meshed()) return mesh_interior(rim, body.size_field());
   if (!body.points.empty()) return nodes.inside;
   const BodyNumbers& numbers = body.numbers;
@@ -251,6 +265,7 @@ NodePlan plan_nodes(const Body& body, const std::vector<bool>& anchored_rim) {
   if (!body.rigid()) {
     const Points interior = plan_interior(body, rim, nodes);
     plan.points.insert(plan.points.end(), interior.begin(), interior.end());
+    if (body.numbers.crossed()) plan.triangles = crossed_grid_of(body).triangles();
   }
   plan.rim_cells = std::move(rim.cells);
   return plan;

@@ -2,6 +2,7 @@
 // Where the nodes of a body lie, before they are joined.
 
 #include "body/description.hpp"
+#include "shape/triangulate.hpp"
 
 namespace ricochet {
 
@@ -10,8 +11,9 @@ struct NodePlan {
   Points points;
   int rim = 0;
   Cells<2> rim_cells;
-  Points smooth_rim;         ///< the rim's points before roughness
-  std::vector<int> corners;  ///< which of them are corners of an outline
+  Points smooth_rim;                ///< the rim's points before roughness
+  std::vector<int> corners;         ///< which of them are corners of an outline
+  std::vector<Triangle> triangles;  ///< of a mesh that has its own; else those of Delaunay
 };
 
 /// The rim before roughness, which says where a body's outline lies and which rim nodes an anchor predicate holds.

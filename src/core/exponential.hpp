@@ -34,4 +34,15 @@ namespace ricochet {
   return (p + 1.0) * std::bit_cast<double>(exponent);
 }
 
+/// cosh(x) and sinh(x)/x of z = x^2 <= 0.01, of numbers or of lanes: exp(x) is the one and x times the other. The terms
+/// left out are below 2^-55.
+template <class Number>
+[[gnu::always_inline]] inline Number even_exponential(const Number& z) {
+  return (1.0 + z * (1.0 / 2)) + z * z * (1.0 / 24 + z * (1.0 / 720 + z * (1.0 / 40320)));
+}
+template <class Number>
+[[gnu::always_inline]] inline Number odd_exponential(const Number& z) {
+  return (1.0 + z * (1.0 / 6)) + z * z * (1.0 / 120 + z * (1.0 / 5040 + z * (1.0 / 362880)));
+}
+
 }  // namespace ricochet

@@ -128,7 +128,7 @@ Outcome run_scene(const Solids& solids, const Scene& scene, const std::atomic<bo
       watch();
     }
     if (!ended) finish(engine.look());
-    if (ended && result.status == Status::not_finite) break;
+    if (ended && (result.status == Status::not_finite || engine.broken(0))) break;
   }
   return result;
 }

@@ -30,6 +30,8 @@ class Engine {
   Engine(const Solids& solids, const Method& method, const std::vector<Effect>& effects);
 
   const Run& run(int lane) const { return watch_.run(lane); }
+  /// Whether the lane has ceased to be finite.
+  bool broken(int lane) const { return state_.broken[static_cast<std::size_t>(lane)].has_value(); }
   bool idle(int lane) const { return watch_.idle(lane); }
 
   /// Puts a scene into a lane. Returns the outcome at once if it never touches.

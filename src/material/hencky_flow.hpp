@@ -1,6 +1,9 @@
 #pragma once
 // A metal: an elastic law of logarithmic strains whose deviator cannot pass a yield stress.
 
+#include <bit>
+#include <cstdint>
+
 #include "core/exponential.hpp"
 #include "core/lane.hpp"
 #include "core/logarithm.hpp"
@@ -22,6 +25,11 @@ struct PlasticMemory {
 /// Past it, by f, d returns along itself: |d| -= g, a += sqrt(2/3) g, g = f/(2 mu + 2 H/3); what is lost by that is
 /// g (sqrt(2/3) (Y + H a) + H g/3). Volume is kept by what flows, as tr e is. [Simo, Comput. Methods Appl. Mech. Eng.
 /// 99, 61 (1992); Simo & Hughes, Computational Inelasticity, 1998, section 9.3]
+///
+/// Without principal values, as b has m = (b_xx + b_yy)/2 and a deviator of size r in the plane [here]:
+///   tr e = ln J,  2 e_3 = ln b_zz,  e_1 - e_2 = artanh(r/m),  and d in the plane is -d_3/2 and the deviator of b times
+///   artanh(r/m)/(2 r)
+/// whose series are short where elastic strains are small, as those of metals are.
 template <int W>
 struct HenckyFlow {
   using Number = Lane<W>;
@@ -29,18 +37,25 @@ struct HenckyFlow {
   double yield, hardening;  // Y and H [m0 c^2/R^3]
 
   Number energy(const AxialTensor<Number>& F, const PlasticMemory<W>& memory) const {
-    const Strains e = elastic_strains(F, memory);
+    const Strains e = elastic_strains(F, area_of(F), memory);
     return mu * squared(e) + 0.5 * bulk() * e.trace * e.trace;
   }
 
   /// P at F, after what flows has flowed; adds what that loses to `lost`. [per volume at rest]
-  [[gnu::always_inline]] AxialTensor<Number> stress(const AxialTensor<Number>& F, PlasticMemory<W>& memory,
-                                                    Number& lost) const {
-    Strains e = elastic_strains(F, memory);
-    const Number size = squared(e).sqrt(), limit = root * (yield + hardening * memory.strain);
-    const Number excess = 2.0 * mu * size - limit;
-    if ((excess > 0.0).any()) flow(F, size, limit, excess, e, memory, lost);
-    return stress_of(F, e);
+  AxialTensor<Number> stress(const AxialTensor<Number>& F, PlasticMemory<W>& memory, Number& lost) const {
+    const Inverse inverse(F);
+    const AxialTensor<Number> tau = flowed(F, inverse.area, memory, lost);
+    return {inverse.before_transposed(tau.plane), tau.zz * inverse.zz};
+  }
+
+  /// tau in the place of P. `area`: F's determinant in the plane.
+  [[gnu::always_inline]] AxialTensor<Number> flowed(const AxialTensor<Number>& F, const Number& area,
+                                                    PlasticMemory<W>& memory, Number& lost) const {
+    Strains e = elastic_strains(F, area, memory);
+    const Number limit = root * (yield + hardening * memory.strain), twice = 2.0 * mu, size2 = squared(e);
+    const Number past = twice * twice * size2 - limit * limit;
+    if (any_negative(-past)) flow(F.plane, past, size2, limit, e, memory, lost);
+    return kirchhoff(e);
   }
 
   /// The change of P by a change of F, as long as nothing flows: tau changes by Hooke's law of the strain's rate, and
@@ -48,7 +63,7 @@ struct HenckyFlow {
   AxialTensor<Number> tangent(const AxialTensor<Number>& F, const AxialTensor<Number>& dF,
                               const PlasticMemory<W>& memory) const {
     const Inverse inverse(F);
-    const AxialTensor<Number> tau = kirchhoff(elastic_strains(F, memory));
+    const AxialTensor<Number> tau = kirchhoff(elastic_strains(F, inverse.area, memory));
     const Tensor<Number> l = inverse.after(dF.plane);  // dF F^-1
     const Number hoop = dF.zz * inverse.zz, trace = l.xx + l.yy + hoop;
     const Number shear = mu * (l.xy + l.yx), spin = 0.5 * (l.xy - l.yx);
@@ -67,23 +82,29 @@ struct HenckyFlow {
 
   /// tau, by which the pressure and the deviator of a piece are told. [per volume at rest]
   AxialTensor<Number> kirchhoff(const AxialTensor<Number>& F, const PlasticMemory<W>& memory) const {
-    return kirchhoff(elastic_strains(F, memory));
+    return kirchhoff(elastic_strains(F, area_of(F), memory));
   }
 
  private:
   static constexpr double root = 0.81649658092772603;  // sqrt(2/3)
 
-  /// Elastic logarithmic strains: their deviator, the trace, and the directions in the plane.
+  static constexpr double short_series = 0.01;  // up to which squares of artanh's arguments it is used
+
+  /// Elastic logarithmic strains, and the deviator of b in the plane: its components and r^2.
   struct Strains {
-    Number first, second, third, trace;
-    Number cosine, sine;  // of twice the angle of the first
+    Number trace, third;        // of e, and d_3
+    Number half, shear, size2;  // (b_xx - b_yy)/2, b_xy and r^2
+    Number mean;                // m
+    Number per_size;            // (e_1 - e_2)/r
   };
 
   /// F^-1.
   struct Inverse {
     Number xx, xy, yx, yy, zz;
+    Number area;  // of F in the plane
     [[gnu::always_inline]] explicit Inverse(const AxialTensor<Number>& F) {
-      const Number over = 1.0 / (F.plane.xx * F.plane.yy - F.plane.xy * F.plane.yx);
+      area = area_of(F);
+      const Number over = 1.0 / area;
       xx = F.plane.yy * over;
       xy = -F.plane.xy * over;
       yx = -F.plane.yx * over;
@@ -100,9 +121,16 @@ struct HenckyFlow {
     }
   };
 
+  [[gnu::always_inline]] static Number area_of(const AxialTensor<Number>& F) {
+    return F.plane.xx * F.plane.yy - F.plane.xy * F.plane.yx;
+  }
+
   Number bulk() const { return lambda + 2.0 / 3 * mu; }
 
-  static Number squared(const Strains& e) { return e.first * e.first + e.second * e.second + e.third * e.third; }
+  // |d|^2
+  [[gnu::always_inline]] static Number squared(const Strains& e) {
+    return 1.5 * (e.third * e.third) + 0.5 * (e.per_size * e.per_size * e.size2);
+  }
 
   template <double function(double)>
   [[gnu::always_inline]] static Number each(const Number& x) {
@@ -114,63 +142,98 @@ struct HenckyFlow {
     return y;
   }
 
-  [[gnu::always_inline]] static Strains elastic_strains(const AxialTensor<Number>& F, const PlasticMemory<W>& memory) {
+  // Or not a number, of either sign. Eigen's own any() goes through one lane after another.
+  [[gnu::always_inline]] static bool any_negative(const Number& x) {
+    std::uint64_t signs = 0;
+    for (int lane = 0; lane < W; ++lane) signs |= std::bit_cast<std::uint64_t>(x[lane]);
+    return signs >> 63 != 0;
+  }
+
+  [[gnu::always_inline]] static Strains elastic_strains(const AxialTensor<Number>& F, const Number& area,
+                                                        const PlasticMemory<W>& memory) {
     const Tensor<Number>& G = F.plane;
     const Number xx = G.xx * memory.xx + G.xy * memory.xy, xy = G.xx * memory.xy + G.xy * memory.yy;
     const Number yx = G.yx * memory.xx + G.yy * memory.xy, yy = G.yx * memory.xy + G.yy * memory.yy;
-    const Number b_xx = xx * G.xx + xy * G.xy, b_xy = xx * G.yx + xy * G.yy, b_yy = yx * G.yx + yy * G.yy;
-    const Number mean = 0.5 * (b_xx + b_yy), half = 0.5 * (b_xx - b_yy), radius = (half * half + b_xy * b_xy).sqrt();
-    const Number largest = mean + radius;
-    const auto round = radius > 1e-15 * mean;  // else any direction will do
-    const Number over = 1.0 / round.select(radius, Number::Ones());
+    const Number b_xx = xx * G.xx + xy * G.xy, b_yy = yx * G.yx + yy * G.yy;
     Strains e;
-    e.cosine = round.select(half * over, Number::Ones());
-    e.sine = round.select(b_xy * over, Number::Zero());
-    const Number one = 0.5 * each<logarithm>(largest), both = 0.5 * each<logarithm>(b_xx * b_yy - b_xy * b_xy);
-    const Number three = 0.5 * each<logarithm>(F.zz * F.zz * memory.zz), two = both - one;
-    e.trace = both + three;
-    const Number third = e.trace / 3.0;
-    e.first = one - third;
-    e.second = two - third;
-    e.third = three - third;
+    e.shear = xx * G.yx + xy * G.yy;
+    e.half = 0.5 * (b_xx - b_yy);
+    e.mean = 0.5 * (b_xx + b_yy);
+    e.size2 = e.half * e.half + e.shear * e.shear;
+    const Number volume = area * F.zz, b_zz = F.zz * F.zz * memory.zz;
+    const Number per_mean = 1.0 / e.mean, v = (volume - 1.0) / (volume + 1.0), z = (b_zz - 1.0) / (b_zz + 1.0);
+    const Number v2 = v * v, z2 = z * z, r2 = e.size2 * (per_mean * per_mean);
+    e.trace = 2.0 * v * artanh_ratio(v2);
+    e.per_size = per_mean * artanh_ratio(r2);
+    const Number three = z * artanh_ratio(z2);
+    e.third = three - e.trace / 3.0;
+    if (any_negative(short_series - v2.max(z2).max(r2))) beyond(volume, b_zz, v2, z2, r2, e);
     return e;
   }
 
-  [[gnu::noinline]] void flow(const AxialTensor<Number>& F, const Number& size, const Number& limit,
-                              const Number& excess, Strains& e, PlasticMemory<W>& memory, Number& lost) const {
-    const auto flows = excess > 0.0;
-    const Number slip = flows.select(excess / (2.0 * mu + 2.0 / 3 * hardening), Number::Zero());
-    const Number kept = 1.0 - slip / flows.select(size, Number::Ones());
+  // The strains of lanes that the short series do not reach.
+  [[gnu::noinline]] static void beyond(const Number& volume, const Number& b_zz, const Number& v2, const Number& z2,
+                                       const Number& r2, Strains& e) {
+    const Number three = 0.5 * each<logarithm>(b_zz), size = e.size2.sqrt();
+    const Number near_third = e.third + e.trace / 3.0;
+    e.trace = (v2 <= short_series).select(e.trace, each<logarithm>(volume.abs()));
+    e.third = (z2 <= short_series).select(near_third, three) - e.trace / 3.0;
+    const Number ratio = size / e.mean;
+    e.per_size = (r2 <= short_series).select(e.per_size, 0.5 * each<logarithm>((1.0 + ratio) / (1.0 - ratio)) / size);
+  }
+
+  /// What flowing by w d does to b = m + D in the plane and across it: exp(-2 w d) b. With y = w d_3 and x = w (e_1 -
+  /// e_2), exp(y) (cosh x - sinh x/r D) and exp(-2 y).
+  struct Shrinking {
+    Number in_plane, across;       // exp(y), exp(-2 y)
+    Number cosine, sine_per_size;  // cosh x, sinh x/r
+  };
+
+  [[gnu::always_inline]] static Shrinking shrinking(const Number& w, const Strains& e) {
+    const Number y = w * e.third, slope = w * e.per_size, y2 = y * y, x2 = slope * slope * e.size2;
+    const Number even = even_exponential(y2), odd = y * odd_exponential(y2), backward = even - odd;
+    Shrinking by{even + odd, backward * backward, even_exponential(x2), slope * odd_exponential(x2)};
+    if (any_negative(short_series - y2.max(x2))) shrink_far(y, slope, y2, x2, by);
+    return by;
+  }
+
+  // What lanes that the short series do not reach do.
+  [[gnu::noinline]] static void shrink_far(const Number& y, const Number& slope, const Number& y2, const Number& x2,
+                                           Shrinking& by) {
+    const Number x = x2.sqrt(), up = each<exponential>(x), down = each<exponential>(-x);
+    by.in_plane = (y2 <= short_series).select(by.in_plane, each<exponential>(y));
+    by.across = (y2 <= short_series).select(by.across, each<exponential>(-2.0 * y));
+    by.cosine = (x2 <= short_series).select(by.cosine, 0.5 * (up + down));
+    by.sine_per_size = (x2 <= short_series).select(by.sine_per_size, slope * (0.5 * (up - down) / x));
+  }
+
+  // `past`: above 0 where something flows. Where nothing does, w = 0 leaves every bit as it was.
+  [[gnu::noinline]] void flow(const Tensor<Number>& F, const Number& past, const Number& size2, const Number& limit,
+                              Strains& e, PlasticMemory<W>& memory, Number& lost) const {
+    const Number size = size2.sqrt();
+    const Number share = ((2.0 * mu - limit / size) / (2.0 * mu + 2.0 / 3 * hardening)).max(Number::Zero());
+    Number w;
+#pragma GCC unroll 1
+    for (int lane = 0; lane < W; ++lane) w[lane] = past[lane] > 0 ? share[lane] : 0.0;
+    const Number slip = w * size, kept = 1.0 - w;
+    const Shrinking by = shrinking(w, e);
     lost += slip * (limit + hardening / 3 * slip);
     memory.strain += root * slip;
-    e.first *= kept;
-    e.second *= kept;
     e.third *= kept;
-    const Number third = e.trace / 3.0;
-    const Number one = each<exponential>(2.0 * (e.first + third)), two = each<exponential>(2.0 * (e.second + third)),
-                 three = each<exponential>(2.0 * (e.third + third));
-    const Number mean = 0.5 * (one + two), half = 0.5 * (one - two);
-    const Inverse inverse(F);
-    const Tensor<Number> b(mean + half * e.cosine, half * e.sine, half * e.sine, mean - half * e.cosine);
-    const Number xx = inverse.xx * b.xx + inverse.xy * b.yx, xy = inverse.xx * b.xy + inverse.xy * b.yy;
-    const Number yx = inverse.yx * b.xx + inverse.yy * b.yx, yy = inverse.yx * b.xy + inverse.yy * b.yy;
-    memory.xx = flows.select(xx * inverse.xx + xy * inverse.xy, memory.xx);
-    memory.xy = flows.select(xx * inverse.yx + xy * inverse.yy, memory.xy);
-    memory.yy = flows.select(yx * inverse.yx + yy * inverse.yy, memory.yy);
-    memory.zz = flows.select(three * inverse.zz * inverse.zz, memory.zz);
+    e.per_size *= kept;
+    // b of what is kept is a + c b, so C_p^-1 is a (F^T F)^-1 + c C_p^-1.
+    const Number c = by.in_plane * (by.cosine - e.mean * by.sine_per_size);
+    const Number a = by.in_plane * by.sine_per_size * (memory.xx * memory.yy - memory.xy * memory.xy);
+    memory.xx = a * (F.xy * F.xy + F.yy * F.yy) + c * memory.xx;
+    memory.xy = c * memory.xy - a * (F.xx * F.xy + F.yx * F.yy);
+    memory.yy = a * (F.xx * F.xx + F.yx * F.yx) + c * memory.yy;
+    memory.zz *= by.across;
   }
 
   [[gnu::always_inline]] AxialTensor<Number> kirchhoff(const Strains& e) const {
-    const Number pressure = bulk() * e.trace, twice = 2.0 * mu;
-    const Number mean = pressure + mu * (e.first + e.second), half = mu * (e.first - e.second);
-    const Number shear = half * e.sine;
-    return {{mean + half * e.cosine, shear, shear, mean - half * e.cosine}, pressure + twice * e.third};
-  }
-
-  [[gnu::always_inline]] AxialTensor<Number> stress_of(const AxialTensor<Number>& F, const Strains& e) const {
-    const Inverse inverse(F);
-    const AxialTensor<Number> tau = kirchhoff(e);
-    return {inverse.before_transposed(tau.plane), tau.zz * inverse.zz};
+    const Number pressure = bulk() * e.trace, third = mu * e.third, mean = pressure - third;
+    const Number slope = mu * e.per_size, half = slope * e.half, shear = slope * e.shear;
+    return {{mean + half, shear, shear, mean - half}, pressure + 2.0 * third};
   }
 };
 

@@ -88,7 +88,7 @@ void read_mesh(lua_State* L, Body& body) {
       if (has_field(L, 1, other)) throw FieldError(other, "give h_min or " + std::string(other) + ", not both");
     return;
   }
-  for (const char* field : {"h_max", "grade", "fine_at", "fine_within"})
+  for (const char* field : {"h_max", "grade", "fine_at", "fine_within", "mesh"})
     if (has_field(L, 1, field)) throw FieldError(field, "is of a mesh; give h_min too");
 }
 
@@ -157,8 +157,8 @@ std::string plan_key(const Body& body, const std::vector<bool>& anchored_rim) {
   std::string text = fmt::format("{} {} {} {} {} {} {};", n.interior, n.nodes, n.placement, n.seed, n.roughness,
                                  n.rim_spacing, n.margin);
   if (n.meshed())
-    text += fmt::format("{} {} {} {} {} {};", n.h_min, n.h_max, n.grade, n.fine_within, body.size_field().fine_at.x(),
-                        body.size_field().fine_at.y());
+    text += fmt::format("{} {} {} {} {} {} {};", n.mesh, n.h_min, n.h_max, n.grade, n.fine_within,
+                        body.size_field().fine_at.x(), body.size_field().fine_at.y());
   const auto add = [&](const Points& points) {
     for (const Vec2& p : points) text += fmt::format("{} {};", p.x(), p.y());
     text += '/';
@@ -216,7 +216,7 @@ void check_interior(lua_State* L, const Body& body) {
   else if (body.numbers.axisymmetric())
     throw FieldError("interior", "modes are of bodies in the plane, and this one is axisymmetric; take elements");
   if (!body.numbers.of_elements()) {
-    for (const char* field : {"E", "nu", "law", "h_min", "h_max", "grade", "fine_at", "fine_within"})
+    for (const char* field : {"E", "nu", "law", "h_min", "h_max", "grade", "fine_at", "fine_within", "mesh"})
       refuse(field, "is of elements; give interior = \"elements\" too");
     return;
   }

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "core/exponential.hpp"
 #include "core/logarithm.hpp"
@@ -17,6 +18,17 @@ TEST_CASE("exponential agrees with the C library to 2 units in the last place") 
   }
   CHECK(worst <= 2);
   CHECK(exponential(0) == 1);
+}
+
+TEST_CASE("the short series of exponential and logarithm agree with the C library as far as they reach") {
+  Random random(3, 0);
+  const double unit = std::numeric_limits<double>::epsilon();
+  for (int i = 0; i < 20000; ++i) {
+    const double x = std::pow(10, random.uniform(-9, -1)), z = x * x;
+    CHECK(std::abs(even_exponential(z) - std::cosh(x)) <= 2 * unit);
+    CHECK(std::abs(odd_exponential(z) * x / std::sinh(x) - 1) <= 2 * unit);
+    CHECK(std::abs(artanh_ratio(z) * x / std::atanh(x) - 1) <= 2 * unit);
+  }
 }
 
 TEST_CASE("logarithm agrees with the C library to 2 units in the last place, also near 1") {

@@ -158,13 +158,16 @@ Verdict judged(const RandomScene& random, double steps) {
       break;
     }
     case Status::unstable: {
-      if (o.reason.find("had turned over") != std::string::npos) {
+      const auto turned_over = [](const Outcome& outcome) {
+        return outcome.reason.find("had turned over") != std::string::npos;
+      };
+      if (turned_over(o)) {
         if (!find_effect<Yielding>(scene.effects) || !(told(o.reason, "elements that yield, ") > 0))
           wrong("nothing that yields was turned over");
         break;
       }
       Outcome finer = o;
-      for (int time = 0; time < 2 && finer.status == Status::unstable; ++time) {
+      for (int time = 0; time < 2 && finer.status == Status::unstable && !turned_over(finer); ++time) {
         const double step = told(finer.reason, "give a step of ");
         if (!(step > 0 && step < finer.step)) {
           wrong("no step is named");
@@ -172,7 +175,8 @@ Verdict judged(const RandomScene& random, double steps) {
         }
         finer = with_step(step);
       }
-      if (finer.status == Status::unstable) wrong("the step that it names is unstable too, and the one named then");
+      if (finer.status == Status::unstable && !turned_over(finer))
+        wrong("the step that it names is unstable too, and the one named then");
       break;
     }
     case Status::tunnelled:

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "impact/launch/launch.hpp"
@@ -102,6 +103,50 @@ TEST_CASE("a contact twice as hard changes e of a sphere that yields by less tha
   const Outcome twice = run(scene);
   fmt::print("xi {:g}: e {:.5f}; {:g}: {:.5f}\n", once.xi, once.e, twice.xi, twice.e);
   CHECK(twice.e == Catch::Detail::Approx(once.e).epsilon(0.01));
+}
+
+namespace {
+
+/// e_n of a disk that comes in at an angle to the normal, on a plane with friction; `speed`: along the normal. [c0,
+/// degrees]
+double e_n_of(double speed, double h_min, double mu, double angle) {
+  Scene scene = disk(speed, h_min, 0.005);
+  scene.launch.speed = not_given;
+  scene.launch.normal_speed = speed * c0;
+  scene.launch.tangential_speed = speed * c0 * std::tan(angle * std::numbers::pi / 180);
+  if (mu > 0) scene.effects.emplace_back(Friction{mu});
+  const Outcome o = run(scene);
+  REQUIRE(o.status == Status::finished);
+  CHECK(o.energy_closure < 1e-5);
+  fmt::print("disk at {:g} c0, h = {:g}, mu {:g}, {:2g} degrees: e_n {:.4f}, yielding takes {:.4f}\n", speed, h_min, mu,
+             angle, o.e_n, o.effect_energy[kind()] / o.before.total());
+  return o.e_n;
+}
+
+}  // namespace
+
+// Lim & Stronge, Int. J. Impact Eng. 22 (1998): what friction does along the surface leaves the normal force and the
+// energy that yielding takes alone, as long as what flows is contained by what does not. From a mu of about 0.3 on,
+// what slides is sheared most at its surface [Johnson, Contact Mechanics, 1985, section 7.1], and flows out of it.
+TEST_CASE("friction and the angle leave e_n of a disk that yields inside alone", "[P7]") {
+  const double smooth = e_n_of(5e-4, 0.02, 0, 0);
+  CHECK(smooth < 0.95);
+  CHECK(e_n_of(5e-4, 0.02, 0.1, 45) == Catch::Detail::Approx(smooth).epsilon(0.01));
+}
+
+TEST_CASE("e_n of a disk that yields does not depend on friction and angle while its flow is contained",
+          "[.slow][P7]") {
+  for (const double speed : {3e-4, 5e-4}) {
+    const double smooth = e_n_of(speed, 0.008, 0, 0);
+    for (const double mu : {0.1, 0.2})
+      for (const double angle : {0.0, 15.0, 30.0, 45.0, 60.0})
+        CHECK(e_n_of(speed, 0.008, mu, angle) == Catch::Detail::Approx(smooth).epsilon(0.01));
+    for (const double mu : {0.3, 0.4})
+      for (const double angle : {0.0, 15.0})
+        CHECK(e_n_of(speed, 0.008, mu, angle) == Catch::Detail::Approx(smooth).epsilon(0.01));
+    // It slides all along, and its surface flows.
+    CHECK(e_n_of(speed, 0.008, 0.4, 60) < 0.975 * smooth);
+  }
 }
 
 TEST_CASE("no element of a sphere that yields without hardening is shown beyond its yield stress") {

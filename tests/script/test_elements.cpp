@@ -25,6 +25,7 @@ for _, state in ipairs { "plane_stress", "plane_strain" } do
   near(cut.E, steel.E)
   near(cut.nu, steel.nu)
   near(band({ h_min = 0.05, h_max = 0.2, E = 50, nu = 0.3, state = state }, 1).E, 50)
+  near(band({ h_min = 0.05, h_max = 0.2, mesh = "crossed", E = 50, nu = 0.3, state = state }, 1).E, 50)
 end
 )");
   INFO(ended.err);
@@ -46,6 +47,10 @@ for name, body in pairs {
   assert(m.quality > 0.5, name .. " quality " .. m.quality)
   assert(math.abs(m.mass_error) < 0.005, name .. " mass " .. m.mass_error)
 end
+local crossed = ricochet.mesh { body = ricochet.rectangle { interior = "elements", E = 1, nu = 0.3, width = 1,
+  height = 0.5, h_min = 0.1, h_max = 0.1, mesh = "crossed" } }
+assert(crossed.nodes == 11 * 6 + 50 and crossed.triangles == 200 and math.abs(crossed.mass_error) < 1e-12)
+assert(crossed.quality > 0.89 and math.abs(crossed.longest - 0.1) < 1e-12)
 local m = ricochet.mesh { body = ricochet.disk { interior = "elements", E = 1, nu = 0.3, h_min = 0.02 } }
 assert(m.shortest < 0.02 and m.longest > 0.1 and m.longest < 0.25)
 )");
@@ -144,6 +149,8 @@ TEST_CASE("scripts: what says nothing of elements, or of springs, is refused wit
   CHECK_THAT(refused(of_elements + "h_min = 0.1, h_max = 0.05"), Contains("is below h_min = 0.1"));
   CHECK_THAT(refused(of_elements + "h_min = 0.1, nodes = 60"), Contains("give h_min or nodes, not both"));
   CHECK_THAT(refused(of_elements + "h_min = 1e-6, h_max = 1e-5"), Contains("raise it, or h_max or grade"));
+  CHECK_THAT(refused(of_elements + "h_min = 0.1, mesh = 'crossed'"), Contains("'mesh': crossed is of a rectangle"));
+  CHECK_THAT(refused(of_elements + "mesh = 'crossed'"), Contains("'mesh': is of a mesh; give h_min too"));
   CHECK_THAT(refused(of_elements + "h_min = 3"), Contains("too long to follow"));
   CHECK_THAT(refused(of_elements + "h_min = 0.1, points = { {0, 0}, {0.5, 0}, {0, 0.5} }"),
              Contains("are nodes given by hand, and a mesh places its own"));

@@ -433,7 +433,8 @@ TEST_CASE("all mistakes of a table are reported together, each at its line, with
       "error: s.lua:4: disk: 'seed' must be between 0 and 9.0072e+15, is -1\n    4 |   seed = -1,\n      |   ^^^^\n"
       "  valid fields: E, anchored, angle, density, fine_at, fine_within, grade, h_max, h_min, holes, interior, law, "
       "margin, mass, "
-      "material, modes, modes_of, nodes, nu, placement, points, prestress, quartic, radius, rim_spacing, roughness, "
+      "material, mesh, modes, modes_of, nodes, nu, placement, points, prestress, quartic, radius, rim_spacing, "
+      "roughness, "
       "seed, spin, state, "
       "stiffness, thickness, velocity\n");
 }

@@ -27,19 +27,27 @@ template <int W, class Law>
   return {Place<W, 2>(H.xx, H.yx), Place<W, 2>(H.xy, H.yy)};
 }
 
-/// The stress of an element with a third stretch; one that flows remembers it, and adds what it loses to `lost`.
-template <int W, class Law>
-[[gnu::always_inline]] inline AxialTensor<Lane<W>> axial_stress(const Law& law, Motion<W>& body,
-                                                                const Elements& elements, std::size_t e,
-                                                                const AxialTensor<Lane<W>>& F, Lane<W>& lost) {
-  if constexpr (Flows<Law, W>) {
-    Lane<W> of_volume = Lane<W>::Zero();
-    const AxialTensor<Lane<W>> P = law.stress(F, body.flow->memory[e], of_volume);
-    lost += elements.weight[e] * of_volume;
-    return P;
-  } else {
-    return law.stress(F);
-  }
+/// The same of an element that yields: weight tau D^-T. It remembers what flows; what that loses adds to `lost`, and
+/// `across` becomes P_zz.
+template <int W>
+[[gnu::always_inline]] inline ElementEdges<W> pulls_by_flow(const HenckyFlow<W>& law, const ElementEdges<W>& d,
+                                                            const Elements& elements, std::size_t e,
+                                                            const Lane<W>& hoop, PlasticMemory<W>& memory,
+                                                            Lane<W>& lost, Lane<W>& across) {
+  const AxialTensor<Lane<W>> F(gradient_of<W>(d, elements.shape[e]), hoop);
+  const Lane<W> area = d.first.at[0] * d.second.at[1] - d.first.at[1] * d.second.at[0];
+  Lane<W> of_volume = Lane<W>::Zero();
+  const AxialTensor<Lane<W>> tau = law.flowed(F, area * elements.metric[e].per_rest_area, memory, of_volume);
+  lost += elements.weight[e] * of_volume;
+  across = tau.zz / hoop;
+  const Lane<W> share = elements.weight[e] / area;
+  const Lane<W> xx = share * tau.plane.xx, xy = share * tau.plane.xy, yy = share * tau.plane.yy;
+  ElementEdges<W> pulls;
+  pulls.first.at[0] = xx * d.second.at[1] - xy * d.second.at[0];
+  pulls.first.at[1] = xy * d.second.at[1] - yy * d.second.at[0];
+  pulls.second.at[0] = xy * d.first.at[0] - xx * d.first.at[1];
+  pulls.second.at[1] = yy * d.first.at[0] - xy * d.first.at[1];
+  return pulls;
 }
 
 /// One force evaluation, kick and drift: v += kick F/m, x += drift v.
@@ -73,13 +81,17 @@ template <int W, bool rings, class Law>
       const ElementEdges<W> d{position[j] - at, position[k] - at};
       ElementEdges<W> pulls;
       if constexpr (rings || Flows<Law, W>) {
-        Lane<W> hoop = Lane<W>::Ones();
+        Lane<W> hoop = Lane<W>::Ones(), across;
         if constexpr (rings) hoop = (at.at[0] + position[j].at[0] + position[k].at[0]) * elements.ring[e].per_radii;
-        const AxialTensor<Lane<W>> F(gradient_of<W>(d, shape[e]), hoop);
-        const AxialTensor<Lane<W>> P = axial_stress<W>(law, body, elements, e, F, lost);
-        pulls = pulls_of<W>(P.plane, shape[e]);
+        if constexpr (Flows<Law, W>) {
+          pulls = pulls_by_flow<W>(law, d, elements, e, hoop, body.flow->memory[e], lost, across);
+        } else {
+          const AxialTensor<Lane<W>> P = law.stress(AxialTensor<Lane<W>>(gradient_of<W>(d, shape[e]), hoop));
+          pulls = pulls_of<W>(P.plane, shape[e]);
+          across = P.zz;
+        }
         if constexpr (rings) {
-          const Lane<W> inwards = elements.ring[e].hoop * P.zz;
+          const Lane<W> inwards = elements.ring[e].hoop * across;
           force[j].at[0] -= inwards;
           force[k].at[0] -= inwards;
           sum.at[0] -= inwards;

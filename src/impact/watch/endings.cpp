@@ -30,6 +30,11 @@ std::string text(const ending::BrokenNode& e, const Run& run) {
         "{} was no longer finite at t = 0, in the first step: forces beyond every number; lower contact.V0, the "
         "bodies' stiffness or quartic, or the speed",
         described(e.node));
+  if (e.flows)
+    return fmt::format(
+        "{} was no longer finite at t = {:.6g}: the forces had outgrown the time step {:.3g} R/c, as flow flattens "
+        "elements, and they vibrate the faster for it; give a step of {:.3g}",
+        described(e.node), run.time(), run.start.step, run.start.step / 8);
   return fmt::format(
       "{} was no longer finite at t = {:.6g}: the forces had outgrown the time step {:.3g} R/c; give a step half as "
       "long or a lower speed",
@@ -94,7 +99,7 @@ std::string text(const ending::NotParted& e, const Run& run) {
 Status status(const ending::Finished&) { return Status::finished; }
 Status status(const ending::PassedBy&) { return Status::no_contact; }
 Status status(const ending::NotTouched&) { return Status::no_contact; }
-Status status(const ending::BrokenNode&) { return Status::not_finite; }
+Status status(const ending::BrokenNode& e) { return e.flows ? Status::unstable : Status::not_finite; }
 Status status(const ending::EnergyBeyondNumbers&) { return Status::not_finite; }
 Status status(const ending::EnergyDrift&) { return Status::energy_drift; }
 Status status(const ending::Unstable&) { return Status::unstable; }

@@ -18,6 +18,7 @@ struct PassedBy {};
 struct NotTouched {};
 struct BrokenNode {
   BodyNode node;
+  bool flows;  ///< elements may have yielded before
 };
 struct EnergyBeyondNumbers {};
 struct EnergyDrift {

@@ -7,6 +7,12 @@
 
 namespace ricochet {
 
+/// Whether elements may have yielded in a run.
+template <int W>
+bool flowed(const State<W>& state, const Run& run) {
+  return run.steps > 0 && state.effects.flows().any();
+}
+
 /// Whether elements that yield have turned over in a lane: their law, of logarithms, has an infinite energy on the way
 /// there, which a step has leapt.
 template <int W>

@@ -209,7 +209,7 @@ class Watch {
   // Follows a lane; none: it goes on.
   std::optional<Ending> follow(int lane, Look& now) {
     Run& run = this->run(lane);
-    if (const auto& node = state_.broken[at(lane)]) return ending::BrokenNode{*node};
+    if (const auto& node = state_.broken[at(lane)]) return ending::BrokenNode{*node, flowed(state_, run)};
     if (const auto turned = turned_over(state_, lane)) return *turned;
     if (run.clock().touching()) take_frame(lane, now);
     if (!run.clock().touched()) keep_approach(lane, now);
