@@ -243,9 +243,8 @@ local function exact_radius(t, original)
   return radius
 end
 
-  local is_head_on = not (launch.psi1 or launch.angle or launch.tangential_speed or launch.height
-    or launch.spin)
--- below half of it, from which follows what all give, whose lack falls as 1/omega_most.
+-- That disk by its modes in closed form, with the moduli and the contact of another entry: by those below omega_most
+-- and below half of it, from which follows what all give, whose lack falls as 1/omega_most.
 local function exact_of(t, radius, like)
   local c = like.wave_speed
   local function impact(omega_most)
