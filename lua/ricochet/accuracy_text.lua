@@ -1,10 +1,11 @@
 -- What ricochet.accuracy prints, and its rows as CSV.
 local text = {}
 
---- The rows of a study, with their errors of `columns`.
-function text.csv(rows, columns)
+--- The rows of a study, with their errors of `columns`; `time` is the unit of steps.
+function text.csv(rows, columns, time)
   local header = {
-    "method", "step [R/c]", "theta", "status", "evaluations", "seconds [s]", "energy_drift", "momentum_residual",
+    "method", ("step [%s]"):format(time), "theta", "status", "evaluations", "seconds [s]", "energy_drift",
+    "momentum_residual",
   }
   for _, column in ipairs(columns) do header[#header + 1] = "error_of_" .. column end
   local lines = { table.concat(header, ",") }
@@ -38,8 +39,8 @@ end
 function text.print(study)
   local column = study.columns[1]
   print(study.caption)
-  print(("%-20s %11s %6s %10s %9s %11s %11s"):format("method", "step [R/c]", "theta", "force eval", "time [s]",
-    "error of " .. column, "energy drift"))
+  print(("%-20s %11s %6s %10s %9s %11s %11s"):format("method", ("step [%s]"):format(study.time_unit), "theta",
+    "force eval", "time [s]", "error of " .. column, "energy drift"))
   for _, row in ipairs(study.rows) do
     if row.status == "finished" then
       print(("%-20s %11.4g %6.2f %10.0f %9.3f %11.2g %11.2g"):format(row.method, row.step, row.theta, row.evaluations,
