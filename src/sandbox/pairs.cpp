@@ -61,6 +61,7 @@ bool list_keys(lua_State* L, std::vector<Key>& keys) {
 }
 
 int pairs(lua_State* L) {
+  luaL_checkany(L, 1);
   if (!lua_istable(L, 1) || luaL_getmetafield(L, 1, "__pairs") != LUA_TNIL) {
     lua_settop(L, 1);
     return original(L);

@@ -51,9 +51,10 @@ TEST_CASE("a limit on open files is told as one, not as a missing program") {
   const Workplace here;
   here.write("s.lua", plot);
   for (int files = 4; files < 12; ++files) {
-    const Ended ended = here.shell("ulimit -n " + std::to_string(files) + "; ricochet run s.lua --force 2>&1");
-    INFO(files << ": " << ended.out);
-    CHECK(ended.out.find("is not installed") == std::string::npos);
+    const Ended ended =
+        here.shell("ulimit -n " + std::to_string(files) + "; exec '" RICOCHET_PROGRAM "' run s.lua --force");
+    INFO(files << ": " << ended.status << ended.err);
+    CHECK(ended.err.find("is not installed") == std::string::npos);
     CHECK((ended.status == 0 || ended.status == 4 || ended.status == 127));  // 127: the program's own libraries
   }
 }
@@ -64,8 +65,9 @@ TEST_CASE("SIGHUP and SIGTERM end a run as ^C does, unless nohup has it ignored"
   for (const char* signal : {"HUP", "TERM"}) {
     INFO(signal);
     const std::string out = std::string("--out ") + signal;
-    const Ended ended = here.shell("ricochet run s.lua samples=300 --quiet " + out + " & p=$!; while [ ! -d " + signal +
-                                   "/s/parts ]; do sleep 0.01; done; kill -" + signal + " $p; wait $p");
+    const Ended ended =
+        here.shell("'" RICOCHET_PROGRAM "' run s.lua samples=300 --quiet " + out + " & p=$!; while [ ! -d " + signal +
+                   "/s/parts ]; do sleep 0.01; done; kill -" + signal + " $p; wait $p");
     CHECK(ended.status == 130);
     CHECK_THAT(ended.err, Catch::Matchers::Contains("--resume goes on from there"));
     CHECK(read_table(here.path / signal / "s/results.h5").rows() > 0);

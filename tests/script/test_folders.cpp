@@ -44,18 +44,19 @@ TEST_CASE("--force keeps earlier results until the new ones are whole, and --res
   const std::string before = file_bytes(here, "out/s/results.h5");
   // Killed as soon as the first of the new rows is stored.
   here.shell(
-      "ricochet run s.lua samples=200 --batch 1 --force --quiet & p=$!; "
+      "'" RICOCHET_PROGRAM
+      "' run s.lua samples=200 --batch 1 --force --quiet & p=$!; "
       "while [ ! -d out/s/parts.new ] && kill -0 $p 2>/dev/null; do sleep 0.01; done; sleep 0.1; kill -9 $p; wait");
   REQUIRE(fs::exists(here.path / "out/s/parts.new"));
   CHECK(file_bytes(here, "out/s/results.h5") == before);
   // Interrupted: the same, and told.
-  const Ended stopped =
-      here.shell("ricochet run s.lua samples=200 --force --quiet & p=$!; sleep 0.4; kill -INT $p; wait $p");
+  const Ended stopped = here.shell("'" RICOCHET_PROGRAM
+                                   "' run s.lua samples=200 --force --quiet & p=$!; sleep 0.4; kill -INT $p; wait $p");
   CHECK(stopped.status == 130);
   CHECK_THAT(stopped.err, Catch::Matchers::Contains("the earlier results stay until all are there"));
   CHECK(file_bytes(here, "out/s/results.h5") == before);
   fs::remove_all(here.path / "out/s/parts.new");
-  REQUIRE(here.shell("ricochet run s.lua samples=30 --force --quiet --batch 1 & p=$!; "
+  REQUIRE(here.shell("'" RICOCHET_PROGRAM "' run s.lua samples=30 --force --quiet --batch 1 & p=$!; "
                      "while [ ! -d out/s/parts.new ]; do sleep 0.01; done; kill -9 $p; wait; "
                      "ricochet run s.lua samples=30 --resume --quiet")
               .status == 0);

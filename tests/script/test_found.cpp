@@ -1,5 +1,5 @@
 // Cases from public reports about other programs: tests/found/, each a script that ends with 0 if this one does it
-// right. Its head names the reports, what happened here at commit 0a2d1a7, and what happens now.
+// right. Its head names the reports, what happened here at an earlier commit, and what happens now.
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -34,6 +34,6 @@ TEST_CASE("a case from public reports is short and names its reports and both ve
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     CHECK(std::count(text.begin(), text.end(), '\n') <= 30);
     CHECK_THAT(text, Catch::Matchers::Matches("#!/bin/sh\n# [A-Za-z0-9._-]+/[A-Za-z0-9._-]+#[0-9]+[^]*") &&
-                         Catch::Matchers::Contains("# Here at 0a2d1a7"));
+                         Catch::Matchers::Contains("# Here at "));
   }
 }

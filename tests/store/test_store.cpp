@@ -229,6 +229,7 @@ TEST_CASE("results in every format are the run's own, are found by their names, 
 TEST_CASE("what a run made is on its list; a folder of frames loses its frames alone, and a list leads nowhere else") {
   const Folder folder;
   write_everywhere(folder.path / "a.b", small_trajectory(), {});
+  fs::create_directories(folder.path / "frames");
   write_atomically(run_names::frame(folder.path / "frames", 7), "x");
   write_atomically(folder.path / "frames" / "photo.png", "x");
   write_atomically(folder.path / "plot.gp", "x");
