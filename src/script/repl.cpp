@@ -96,7 +96,9 @@ void find_candidates(lua_State* L, const std::string& text) {
       if (!first || !lua_isnil(L, -1)) break;
     }
     if (!lua_istable(L, -1)) break;
-    if (luaL_getmetafield(L, -1, "__index") == LUA_TTABLE) lua_replace(L, -2);  // the module is empty in front
+    const int behind = luaL_getmetafield(L, -1, "__index");  // the module is empty in front
+    if (behind == LUA_TTABLE) lua_replace(L, -2);
+    if (behind != LUA_TTABLE && behind != LUA_TNIL) lua_pop(L, 1);
     names = names_in(L, -1);
   }
   const std::string before = text.substr(0, start), part = text.substr(start);

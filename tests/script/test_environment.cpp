@@ -90,3 +90,25 @@ TEST_CASE("RICOCHET_FONT is the font of pictures, and one that cannot be read is
   REQUIRE(here.shell("export RICOCHET_FONT=" + mono.string() + "; ricochet run s.lua --force").status == 0);
   CHECK(here.read("out/s/still.png") != expected);
 }
+
+TEST_CASE("characters that no font has, and scripts that are not UTF-8, are warned of") {
+  const Workplace here;
+  std::string text = still;
+  text.replace(text.find("size ="), 0, "show = { title = '\xf3\xb0\x80\x80' }, ");  // of private use
+  const Ended private_use = here.script(text);
+  CHECK(private_use.status == 0);
+  CHECK_THAT(private_use.err, Catch::Matchers::Contains("warning: the font of pictures lacks U+F0000 and draws boxes"));
+  const Ended latin = here.script("local ricochet = require 'ricochet'\nprint('\xe4')\n", "--force");
+  CHECK(latin.status == 0);
+  CHECK_THAT(latin.err, Catch::Matchers::StartsWith("warning: s.lua:2 is not UTF-8; save the script as UTF-8"));
+}
+
+TEST_CASE("a label may begin with an apostrophe, and hold quotes of every kind") {
+  const Workplace here;
+  std::string text = plot;
+  text.replace(text.find("1 °"), 4, "'Tis \\\"a\\\" ''`title`");
+  const Ended ended = here.script(text);
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+}

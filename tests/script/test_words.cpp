@@ -141,3 +141,40 @@ TEST_CASE("what says nothing of modes is refused by name") {
   CHECK(first_line("modes_of = 'springs', E = 1") ==
         "error: s.lua:2: disk: 'E': is of elements; give modes_of = \"elements\" (or leave modes_of out)");
 }
+
+TEST_CASE("a start behind a tower on the line of flight is refused, unless its height is given") {
+  const Workplace here;
+  const auto with = [&](const std::string& launch) {
+    return here.script(R"(local ricochet = require "ricochet"
+local tower = { { -4, -1 }, { 4, -1 }, { 4, 0 }, { -1.6, 0 }, { -1.6, 6 }, { -2.4, 6 }, { -2.4, 0 }, { -4, 0 } }
+local row = ricochet.scene { projectile = ricochet.disk { nodes = 60 },
+  target = ricochet.body { outline = tower, nodes = 150 },
+  launch = { speed = 0.1, at = 2, )" +
+                           launch + " }, time_limit = 40 }:run()\nprint(row.status)\n",
+                       "--quiet");
+  };
+  CHECK(with("psi1 = 1").first_line() ==
+        "error: s.lua:5: scene: 'launch': the flight to the start passes through the target; give height, to start "
+        "below what is in the way, or another at, angle or psi1");
+  for (const char* free : {"psi1 = 1, height = 1", "psi1 = 0"}) CHECK_FALSE(with(free).out.empty());
+}
+
+TEST_CASE("what is undefined is shown as such, and accuracy tells steps in the scene's units") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+local flat = { projectile = ricochet.disk { nodes = 60, interior = "modes", E = 1e4, nu = 0.3 },
+  target = ricochet.plane {}, launch = { speed = 0.05 } }
+ricochet.relevance { scene = ricochet.scene(flat), effects = { ricochet.friction { mu = 0.3 } }, of = { "beta" },
+  samples = 2 }
+local steel = ricochet.disk { radius = 0.01, nodes = 60, material = ricochet.materials.steel, interior = "elements",
+  state = "plane_strain" }
+ricochet.accuracy { scene = ricochet.scene { units = "SI", projectile = steel, target = ricochet.plane {},
+  launch = { speed = 1 } }, methods = { "verlet" } }
+)",
+                                  "--quiet");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("nan") == std::string::npos);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("- +- -") && Catch::Matchers::Contains("step [s]"));
+  CHECK_THAT(here.read("out/s/accuracy.csv"), Catch::Matchers::StartsWith("method,step [s],"));
+}
