@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cfenv>
 #include <cmath>
-#include <limits>
 
 #include "theory/disk.hpp"
 #include "theory/disk_modes.hpp"
@@ -25,11 +23,11 @@
 namespace ricochet::theory {
 namespace {
 
-// What is not finite is no result, nor is 0 where something was too small for a number; only an optional one may be
-// undefined.
-Value result(const Field& field, Value value, bool underflow) {
+// What is not finite is no result, nor is what cannot be, such as a time of 0: something on the way was too large or
+// too small for a number. Only an optional result may be undefined.
+Value result(const Field& field, Value value) {
   const auto good = [&](double x) {
-    return (std::isfinite(x) && !(underflow && std::abs(x) < std::numeric_limits<double>::min())) ||
+    return (std::isfinite(x) && field.range.contains(x) && (x == 0 || std::isnormal(x))) ||
            (field.optional && std::isnan(x));
   };
   bool all = true;
@@ -62,24 +60,24 @@ Theory made(std::string name, std::string says, std::string valid, std::string s
               arguments.*place = std::get<std::remove_reference_t<decltype(arguments.*place)>>(found->second);
             },
             a.place);
-    std::feclearexcept(FE_UNDERFLOW);
     const Returned returned = function(arguments);
-    const bool underflow = std::fetestexcept(FE_UNDERFLOW) != 0;
     std::vector<Value> values;
     if constexpr (is_table)
       for (const auto& a : Returned::fields()) {
         const auto* one = std::get_if<double Returned::*>(&a.place);
-        values.push_back(result(
-            a.field, one ? Value(returned.**one) : Value(returned.*std::get<Numbers Returned::*>(a.place)), underflow));
+        values.push_back(
+            result(a.field, one ? Value(returned.**one) : Value(returned.*std::get<Numbers Returned::*>(a.place))));
       }
     else
-      values.push_back(result(single, returned, underflow));
+      values.push_back(result(single, returned));
     return values;
   };
   return theory;
 }
 
-Field number(const std::string& doc, const std::string& unit = "") { return {"value", "number", unit, doc}; }
+Field number(const std::string& doc, const std::string& unit = "", const Range& range = any_number) {
+  return {"value", "number", unit, doc, range};
+}
 
 void add_normal(std::vector<Theory>& list) {
   list.push_back(made(
@@ -112,7 +110,7 @@ void add_normal(std::vector<Theory>& list) {
       "viscous and elastic Poisson's ratios",
       "kuwabara1987; hayakawa2003, eq. kk-9",
       "ricochet.theory.kuwabara_kono_eta { R = 0.01, E = 1e9, nu = 0.3, m = 1e-3, v = 1, shear = 100, bulk = 200 }",
-      kuwabara_kono_eta, number("dimensionless viscosity")));
+      kuwabara_kono_eta, number("dimensionless viscosity", "", positive)));
   list.push_back(made("disk_force", "Disk on a wall: F = pi E* (h + tau0 dh/dt)/ln(4R/h), per unit thickness.",
                       "h << R", "gerl1999; hayakawa2003",
                       "ricochet.theory.disk_force { R = 1, E = 1e4, nu = 0.3, h = 0.01 }", disk_force,

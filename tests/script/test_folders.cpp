@@ -37,7 +37,7 @@ ricochet.animate { scene = ricochet.scene { projectile = ricochet.disk { nodes =
     CHECK_THAT(here.run("t.lua").first_line(), Catch::Matchers::StartsWith("error: t.lua:1: cannot read out/t/x"));
 }
 
-TEST_CASE("--force keeps earlier results until the new ones are whole, and --resume goes on with the new") {
+TEST_CASE("the option --force keeps earlier results until the new ones are whole, and --resume goes on with the new") {
   const Workplace here;
   here.write("s.lua", small_sweep);
   REQUIRE(here.run("s.lua samples=1 --quiet").status == 0);
@@ -80,7 +80,7 @@ TEST_CASE("a file that no run of the folder's made is neither removed nor overwr
   CHECK(here.read("out/s/photo.png") == "mine");
 }
 
-TEST_CASE("--new leaves earlier results and counts folders up; the refusal names it") {
+TEST_CASE("the option --new leaves earlier results and counts folders up, the refusal names it") {
   const Workplace here;
   here.write("s.lua", small_sweep);
   for (const char* folder : {"out/s", "out/s-2", "out/s-3"}) {

@@ -29,7 +29,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "standard output that nobody reads on is no error; one that cannot be written is told, and results are whole") {
+    "standard output that nobody reads on is no error, one that cannot be written is told, and results are whole") {
   const Workplace here;
   here.write("s.lua", small_sweep);
   CHECK(here.shell("{ ricochet run s.lua samples=1 --out pipe; echo $? >status.txt; } | true").err.find("error") ==
@@ -50,7 +50,7 @@ TEST_CASE(
   CHECK(here.read("status.txt") == "0\n");
 }
 
-TEST_CASE("--quiet leaves standard output to what the script prints; run.log holds the rest") {
+TEST_CASE("the option --quiet leaves standard output to what the script prints, and run.log holds the rest") {
   const Workplace here;
   const Ended ended = here.script(std::string(small_sweep) + "print 'mine'\n", "samples=1 --quiet");
   INFO(ended.err);

@@ -226,7 +226,7 @@ TEST_CASE("results in every format are the run's own, are found by their names, 
   CHECK(fs::is_empty(folder.path));
 }
 
-TEST_CASE("what a run made is on its list; a folder of frames loses its frames alone, and a list leads nowhere else") {
+TEST_CASE("what a run made is on its list, a folder of frames loses its frames alone, and a list leads nowhere else") {
   const Folder folder;
   write_everywhere(folder.path / "a.b", small_trajectory(), {});
   fs::create_directories(folder.path / "frames");
