@@ -22,7 +22,8 @@ constexpr const char* golden_e = "0x1.07548b62f2ecep+0";
 constexpr const char* impact = R"(
 local ricochet = require "ricochet"
 local scene = ricochet.scene { projectile = ricochet.disk { nodes = 60, placement = "triangular" },
-  target = ricochet.wall { nodes = 150, width = 4, depth = 1.5, stiffness = 400, placement = "triangular" }, launch = { psi1 = 1 } }
+  target = ricochet.wall { nodes = 150, width = 4, depth = 1.5, stiffness = 400, placement = "triangular" },
+  launch = { psi1 = 1 } }
 )";
 
 struct Trial {

@@ -50,8 +50,10 @@ TEST_CASE("the option --force keeps earlier results until the new ones are whole
   REQUIRE(fs::exists(here.path / "out/s/parts.new"));
   CHECK(file_bytes(here, "out/s/results.h5") == before);
   // Interrupted: the same, and told.
+  fs::remove_all(here.path / "out/s/parts.new");
   const Ended stopped = here.shell("'" RICOCHET_PROGRAM
-                                   "' run s.lua samples=200 --force --quiet & p=$!; sleep 0.4; kill -INT $p; wait $p");
+                                   "' run s.lua samples=200 --force --quiet & p=$!; "
+                                   "while [ ! -d out/s/parts.new ]; do sleep 0.01; done; kill -INT $p; wait $p");
   CHECK(stopped.status == 130);
   CHECK_THAT(stopped.err, Catch::Matchers::Contains("the earlier results stay until all are there"));
   CHECK(file_bytes(here, "out/s/results.h5") == before);
