@@ -682,8 +682,8 @@ function ricochet.series(t) end
 ---@field target_pressure_max number greatest pressure in the target, minus the mean of the normal stresses, of the nodes' means of their elements; of a plane body over its thickness, which is R in the paper's units; undefined without elements [m0 c^2/R^3]
 ---@field target_von_mises_max number the same of von Mises's stress [m0 c^2/R^3]
 ---@field target_von_mises_depth number how far from the surface the node of that stress is, at rest; undefined without elements [R]
----@field projectile table of the projectile: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]; if the series has `outlines`, its outline, a list of the places { x, y } [R] of the nodes of its surface, along it, of a body of revolution those at x >= 0, of a plane none
----@field target table of the target: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]; if the series has `outlines`, its outline, a list of the places { x, y } [R] of the nodes of its surface, along it, of a body of revolution those at x >= 0, of a plane none
+---@field projectile table of the projectile: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]; if the series has `outlines`, its outline, a list of the places { x, y } [R] of the nodes of its surface, along it, those of holes after a place of NaN each, of a body of revolution those at x >= 0, of a plane none
+---@field target table of the target: centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies translation, rotation, vibration [m0 c^2]; if the series has `outlines`, its outline, a list of the places { x, y } [R] of the nodes of its surface, along it, those of holes after a place of NaN each, of a body of revolution those at x >= 0, of a plane none
 
 ---@class ricochet.scene_bounces_fields
 ---@field count? integer how many (default 8)
@@ -1321,7 +1321,7 @@ function ricochet.theory.walton(t) end
 ---@field t1? number end of the first sticking, in compression times; in regime 1
 ---@field t2? number begin of sticking; in regime 2
 ---@field t3? number end of that sticking; in regime 2
---- beta of a contact with a tangential spring and friction, in three regimes: sticks at first, slides and sticks, slides. Valid: constant e and mu; small contact; bilinear springs instead of Hertz's. Source: maw1976; stronge2000; hayakawa2003, section III B, corrected here. Units in any consistent system of mass M, length L and time T.
+--- beta of a contact with a tangential spring and friction, in three regimes: sticks at first, slides and sticks, slides. Valid: constant e and mu; small contact; bilinear springs instead of Hertz's; e near 1: against Thornton's elements at e = 0.25 it misses by up to 2.3 where the contact sticks. Source: maw1976; stronge2000; hayakawa2003, section III B, corrected here. Units in any consistent system of mass M, length L and time T.
 ---@param t ricochet.theory_maw_fields
 ---@return ricochet.theory_maw_result
 function ricochet.theory.maw(t) end

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ Film::Film(const std::filesystem::path& path, int width, int height, double rate
   if (std::filesystem::is_directory(path, error))
     throw FileError(fmt::format("{} is a folder; give the film another name", path.string()));
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) throw FileError("cannot make a pipe to ffmpeg");
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    throw FileError(std::string("cannot make a pipe to ffmpeg: ") + std::strerror(errno));
   // x264 wants even sizes: an odd picture gets a line of white.
   std::vector<std::string> words{"ffmpeg",
                                  "-nostdin",
@@ -66,7 +68,8 @@ Film::Film(const std::filesystem::path& path, int width, int height, double rate
   pipe_ = ends[1];
   if (failed) {
     close(pipe_);
-    throw FileError("a film needs ffmpeg, which is not installed; apt-get install ffmpeg");
+    throw FileError(failed == ENOENT ? "a film needs ffmpeg, which is not installed; apt-get install ffmpeg"
+                                     : std::string("ffmpeg cannot be started: ") + std::strerror(failed));
   }
 }
 

@@ -5,25 +5,60 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <iterator>
 
 #include "core/error.hpp"
 
 namespace ricochet::render {
 
+namespace {
+
+constexpr const char* usual = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+
+// Of fonts-noto-cjk, fonts-wqy-microhei and fonts-droid-fallback.
+constexpr const char* fallbacks[] = {"/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
+                                     "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc",
+                                     "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf"};
+
+}  // namespace
+
 struct Font::Face {
   FT_Library library = nullptr;
-  FT_Face face = nullptr;
-  int size = 0;
+  std::vector<FT_Face> faces;  // the first one's glyphs go before those of the others
   ~Face() {
-    if (face) FT_Done_Face(face);
+    for (const FT_Face face : faces) FT_Done_Face(face);
     if (library) FT_Done_FreeType(library);
+  }
+  bool add(const char* path) {
+    FT_Face face = nullptr;
+    if (FT_New_Face(library, path, 0, &face)) return false;
+    faces.push_back(face);
+    return true;
+  }
+  // The first that has the character; the first of all, with its box, if none has. The others are opened when needed.
+  FT_Face of(char32_t character) {
+    for (std::size_t i = 0;; ++i) {
+      if (i == faces.size() && (i > 1 || std::none_of(std::begin(fallbacks), std::end(fallbacks),
+                                                      [this](const char* path) { return add(path); })))
+        return nullptr;
+      if (FT_Get_Char_Index(faces[i], character) != 0) return faces[i];
+    }
   }
 };
 
 Font::Font(const char* path) : face_(std::make_unique<Face>()), atlas_(static_cast<std::size_t>(side) * side, 0) {
   if (FT_Init_FreeType(&face_->library)) throw Error("FreeType cannot start");
-  if (FT_New_Face(face_->library, path, 0, &face_->face))
-    throw FileError(fmt::format("the font {} is missing; apt-get install fonts-dejavu-core", path));
+  const char* const own = std::getenv("RICOCHET_FONT");
+  const bool by_user = !path && own && *own;
+  const char* const file = path ? path : by_user ? own : usual;
+  if (face_->add(file)) return;
+  if (by_user)
+    throw FileError(
+        fmt::format("the font {} of RICOCHET_FONT cannot be read; give a TrueType or OpenType file there, or "
+                    "unset it",
+                    file));
+  throw FileError(fmt::format("the font {} is missing; apt-get install fonts-dejavu-core", file));
 }
 
 Font::~Font() = default;
@@ -31,13 +66,15 @@ Font::~Font() = default;
 const Font::Glyph& Font::glyph(char32_t character, int size) {
   const auto known = glyphs_.find({size, character});
   if (known != glyphs_.end()) return known->second;
-  if (face_->size != size) {
-    FT_Set_Pixel_Sizes(face_->face, 0, static_cast<FT_UInt>(size));
-    face_->size = size;
+  FT_Face face = face_->of(character);
+  if (!face) {
+    missing_.insert(character);
+    face = face_->faces.front();
   }
-  if (FT_Load_Char(face_->face, character, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT))
+  FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size));
+  if (FT_Load_Char(face, character, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT))
     throw Error(fmt::format("FreeType cannot draw the character U+{:04X}", static_cast<unsigned>(character)));
-  const FT_GlyphSlotRec* slot = face_->face->glyph;
+  const FT_GlyphSlotRec* slot = face->glyph;
   const FT_Bitmap& bitmap = slot->bitmap;
   Glyph glyph;
   glyph.width = static_cast<int>(bitmap.width);

@@ -2,17 +2,19 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace ricochet::render {
 
-/// DejaVu Sans, from Debian's fonts-dejavu-core. Throws FileError naming the package if it is not there.
+/// The font of $RICOCHET_FONT, or DejaVu Sans, from Debian's fonts-dejavu-core; what it lacks is taken from a font of
+/// Chinese, Japanese and Korean if one of Debian's is there. Throws FileError naming the package if there is no font.
 /// Glyphs are drawn once (FreeType) and kept in an atlas, a square of coverages from 0 to 255.
 class Font {
  public:
-  explicit Font(const char* path = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf");
+  explicit Font(const char* path = nullptr);
   ~Font();
   Font(const Font&) = delete;
   Font& operator=(const Font&) = delete;
@@ -26,6 +28,9 @@ class Font {
   /// The glyph of a character of `size` pixels an em. What the font lacks is its box for missing ones.
   const Glyph& glyph(char32_t character, int size);
 
+  /// The characters that were asked for and that no font has.
+  const std::set<char32_t>& missing() const { return missing_; }
+
   static constexpr int side = 2048;  ///< of the atlas
   const std::vector<std::uint8_t>& atlas() const { return atlas_; }
   int version() const { return version_; }  ///< changes with the atlas
@@ -33,6 +38,7 @@ class Font {
  private:
   struct Face;
   std::unique_ptr<Face> face_;
+  std::set<char32_t> missing_;
   std::map<std::pair<int, char32_t>, Glyph> glyphs_;
   std::vector<std::uint8_t> atlas_;
   int pen_x_ = 0, pen_y_ = 0, row_height_ = 0, version_ = 0;

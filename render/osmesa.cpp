@@ -2,6 +2,12 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -13,10 +19,28 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; 
 
 namespace ricochet::render {
 
+namespace {
+
+// Drawing is always Mesa's own, by the processor: what the user's environment asks of Mesa for other programs (WSL
+// exports GALLIUM_DRIVER=d3d12, say) would crash it here, or draw other pixels.
+void* load_osmesa() {
+  std::vector<std::string> names;
+  for (char** variable = environ; *variable; ++variable) {
+    const std::string_view text = *variable;
+    for (const char* prefix : {"MESA_", "GALLIUM_", "GALLIVM_", "LP_", "ST_", "DRAW_", "TGSI_", "NIR_", "SOFTPIPE_"})
+      if (text.starts_with(prefix)) names.emplace_back(text.substr(0, text.find('=')));
+  }
+  for (const std::string& name : names) unsetenv(name.c_str());
+  setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+  return dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+}
+
+}  // namespace
+
 void* osmesa_symbol(const char* name) {
   // Loaded alone: with libGL before it every pixel stays 0 without an error. Never unloaded: LLVM inside does not
   // survive that.
-  static void* const library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+  static void* const library = load_osmesa();
   if (!library)
     throw FileError(fmt::format(
         "the OSMesa library, which draws without a display, is missing ({}); apt-get install libosmesa6", dlerror()));

@@ -241,6 +241,7 @@ local function accuracy(given)
   local study = {
     rows = rows, columns = t.of, methods = {}, by_method = {}, reference = exact, floor = floor,
     caption = caption_of(t), lattice_samples = t.lattice_samples, division = refine.division { t.scene }, order = {},
+    time_unit = core.columns(core.given(t.scene).units).step,
   }
   study.lattice = t.lattices and lattice_study(t.scene, t.lattices, t.lattice_samples, t.of[1]) or false
   study.softness = softness_of(t.scene, t.of, soft)
@@ -250,7 +251,7 @@ local function accuracy(given)
   end
   sort_rows(study)
   text.print(study)
-  core.functions["file.write"](t.name .. ".csv", text.csv(rows, t.of))
+  core.functions["file.write"](t.name .. ".csv", text.csv(rows, t.of, study.time_unit))
   if is_drawable(study) then picture.draw(study, script) end
   study.cheapest = core.wrap(function(...) return cheapest_of(study, ...) end)
   return core.strict(study, "the study")

@@ -105,7 +105,7 @@ end
 
 --- Draws a study by a script of gnuplot.
 local function draw_study(study, script)
-  local column, lattice = study.columns[1], study.lattice
+  local column, lattice, step = study.columns[1], study.lattice, ("time step [%s]"):format(study.time_unit)
   local far = write_marks(study, script)
   if lattice then
     local lines = {}
@@ -127,14 +127,14 @@ local function draw_study(study, script)
     script:add("set xrange [%.9g:%.9g]", far.t_low * 0.8, far.t_high * 1.6)
     script:add("set yrange [%.9g:%.9g]", math.min(far.e_low, floor or math.huge) / 3, far.e_high * 3)
     script:add("set xtics (%s)", tics(far.t_low, far.t_high))
-    add_panel(script, study, { x = 2, y = 3, xlabel = "wall time [s]; marks labelled with the time step [R/c]",
+    add_panel(script, study, { x = 2, y = 3, xlabel = "wall time [s]; marks labelled with the " .. step,
       ylabel = "time-step error of " .. column, labels = true, guides = by_time })
     script:add("set xrange [%.9g:%.9g]", far.x_low * 0.8, far.x_high * 1.25)
     script:add("set xtics (%s)", tics(far.x_low, far.x_high))
-    add_panel(script, study, { x = 1, y = 3, xlabel = "time step [R/c]; beside each method its fitted order",
+    add_panel(script, study, { x = 1, y = 3, xlabel = step .. "; beside each method its fitted order",
       ylabel = "time-step error of " .. column, title = with_order, guides = by_step })
     script:add "set yrange [*:*]"
-    add_panel(script, study, { x = 1, y = 4, xlabel = "time step [R/c]", ylabel = "greatest energy drift" })
+    add_panel(script, study, { x = 1, y = 4, xlabel = step, ylabel = "greatest energy drift" })
     if lattice then add_lattice_panel(script, study) end
   end
   local count = lattice and 4 or 3

@@ -1,21 +1,25 @@
 -- What ricochet.accuracy prints, and its rows as CSV.
 local text = {}
 
---- The rows of a study, with their errors of `columns`.
-function text.csv(rows, columns)
+-- "" for what is undefined, as in the CSV of rows.
+local function cell(format, value)
+  return value == value and math.abs(value) < math.huge and format:format(value) or ""
+end
+
+--- The rows of a study, with their errors of `columns`; `time` is the unit of steps.
+function text.csv(rows, columns, time)
   local header = {
-    "method", "step [R/c]", "theta", "status", "evaluations", "seconds [s]", "energy_drift", "momentum_residual",
+    "method", ("step [%s]"):format(time), "theta", "status", "evaluations", "seconds [s]", "energy_drift",
+    "momentum_residual",
   }
   for _, column in ipairs(columns) do header[#header + 1] = "error_of_" .. column end
   local lines = { table.concat(header, ",") }
   for _, row in ipairs(rows) do
-    local is_told = row.momentum_residual == row.momentum_residual
     local cells = {
-      row.method, ("%.17g"):format(row.step), ("%.6g"):format(row.theta), row.status, ("%.0f"):format(row.evaluations),
-      ("%.6g"):format(row.wall_seconds), ("%.6g"):format(row.energy_drift),
-      is_told and ("%.6g"):format(row.momentum_residual) or "",
+      row.method, cell("%.17g", row.step), cell("%.6g", row.theta), row.status, ("%.0f"):format(row.evaluations),
+      cell("%.6g", row.wall_seconds), cell("%.6g", row.energy_drift), cell("%.6g", row.momentum_residual),
     }
-    for _, column in ipairs(columns) do cells[#cells + 1] = ("%.6g"):format(row.error[column] or 0 / 0) end
+    for _, column in ipairs(columns) do cells[#cells + 1] = cell("%.6g", row.error[column] or 0 / 0) end
     lines[#lines + 1] = table.concat(cells, ",")
   end
   return table.concat(lines, "\n") .. "\n"
@@ -38,14 +42,14 @@ end
 function text.print(study)
   local column = study.columns[1]
   print(study.caption)
-  print(("%-20s %11s %6s %10s %9s %11s %11s"):format("method", "step [R/c]", "theta", "force eval", "time [s]",
-    "error of " .. column, "energy drift"))
+  print(("%-20s %11s %6s %10s %9s %11s %11s"):format("method", ("step [%s]"):format(study.time_unit), "theta",
+    "force eval", "time [s]", "error of " .. column, "energy drift"))
   for _, row in ipairs(study.rows) do
     if row.status == "finished" then
       print(("%-20s %11.4g %6.2f %10.0f %9.3f %11.2g %11.2g"):format(row.method, row.step, row.theta, row.evaluations,
         row.wall_seconds, row.error[column], row.energy_drift))
     else
-      print(("%-20s %11.4g   %s: %s"):format(row.method, row.step, row.status, row.reason))
+      print(("%-20s %11s   %s: %s"):format(row.method, cell("%.4g", row.step), row.status, row.reason))
     end
   end
   for _, method in ipairs(study.methods) do

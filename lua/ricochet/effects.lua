@@ -106,6 +106,9 @@ local function refusals_in(scene, effects)
   return refusals
 end
 
+-- "-" for what is undefined.
+local function shown(format, value) return value == value and format:format(value) or "-" end
+
 -- What an effect changes of a column: `rows` and `bare` are of the same lattices, so their scatter falls out.
 local function change_of(column, rows, bare)
   local changes, values = {}, {}
@@ -139,8 +142,9 @@ local function relevance(given)
     for _, column in ipairs(t.of) do
       local c = change_of(column, rows, bare)
       entry[column] = c
-      print(("%-10s %8s %12.4f %22s %20.2g %7.0f%%  %s"):format(name, column, c.bare,
-        ("%+.2g +- %.1g"):format(c.change, c.se), c.sampling, 100 * entry.cost, verdict_of(c, rows, bare)))
+      print(("%-10s %8s %12s %22s %20s %7.0f%%  %s"):format(name, column, shown("%.4f", c.bare),
+        shown("%+.2g", c.change) .. " +- " .. shown("%.1g", c.se), shown("%.2g", c.sampling), 100 * entry.cost,
+        verdict_of(c, rows, bare)))
     end
     return entry
   end

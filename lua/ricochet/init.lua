@@ -52,7 +52,12 @@ ricochet.range = core.wrap(function(first, last, step)
   return list
 end)
 
-return setmetatable(ricochet, {
-  __index = function(_, name) core.unknown("the module", name, core.function_names()) end,
-  __newindex = function() core.fail "the module takes no new fields" end,
+-- What scripts hold is empty, so that every assignment meets __newindex, one of a name that is there too.
+setmetatable(ricochet, { __index = function(_, name) core.unknown("the module", name, core.function_names()) end })
+return setmetatable({}, {
+  __index = ricochet,
+  __newindex = function(_, name)
+    core.fail_here(("the module's '%s' cannot be set; write: local %s = ..."):format(tostring(name), tostring(name)))
+  end,
+  __pairs = function() return pairs(ricochet) end,
 })

@@ -143,11 +143,8 @@ local function shown(value)
   return tostring(value)
 end
 
---- Prints one line a group: mean +- standard error (standard deviation), finished and failed samples.
-function Summary:print()
-  if not core.is(self, Summary) then
-    core.fail_here "print is a method of a summary: write summary:print(), with a colon"
-  end
+--- One line a group: mean +- standard error (standard deviation), finished and failed samples.
+function Summary:__tostring()
   local header = { self.by }
   for _, column in ipairs(self.of) do
     local unit = self.units[column]
@@ -170,11 +167,31 @@ function Summary:print()
   for _, cells in ipairs(lines) do
     for i, cell in ipairs(cells) do widths[i] = math.max(widths[i] or 0, #cell) end
   end
+  local text = {}
   for _, cells in ipairs(lines) do
     local padded = {}
     for i, cell in ipairs(cells) do padded[i] = (" "):rep(widths[i] - #cell) .. cell end
-    print(table.concat(padded, "  "))
+    text[#text + 1] = table.concat(padded, "  ")
   end
+  return table.concat(text, "\n")
+end
+
+--- Prints it.
+function Summary:print()
+  if not core.is(self, Summary) then
+    core.fail_here "print is a method of a summary: write summary:print(), with a colon"
+  end
+  print(tostring(self))
+end
+
+--- How many there are, what varies in them, and where to look for the rest.
+function Rows:__tostring()
+  local finished = 0
+  for _, row in ipairs(self) do
+    if rawget(row, "status") == "finished" then finished = finished + 1 end
+  end
+  return ("%d rows, %d finished; rows[1] shows one, rows:summary { by = ..., of = { ... } } their means"):format(#self,
+    finished)
 end
 
 function rows_of(list)

@@ -203,7 +203,8 @@ const Columns& of_run() {
        [](O o) { return o.error_contact_time; }},
       {{"over_yield", "number", "",
         "1 if the greatest pressure that ricochet.estimate gives passes 1.67 times the yield stress of a body's "
-        "material, 0 if not: nothing yields here; undefined without a yield stress, or a law"},
+        "material (1.60 times it between axisymmetric bodies), 0 if not: nothing yields here; undefined without a "
+        "yield stress, or a law"},
        [](O o) { return o.over_yield; }},
       {{"plastic_strain_most", "number", "",
         "greatest plastic strain of an element; undefined without ricochet.yielding"},

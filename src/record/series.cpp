@@ -176,6 +176,23 @@ GreatestStress Sampler::stress_of(std::size_t body, const BodyShot& shot) const 
   return stress;
 }
 
+namespace {
+
+// Chain after chain, with a place of NaN between two.
+Points outline_of(const Surface& surface, const std::vector<Vec2>& place) {
+  Points outline;
+  const auto* mesh = std::get_if<Mesh<2>>(&surface);
+  if (!mesh) return outline;
+  for (const Chain& chain : chains_of(mesh->cell)) {
+    if (!outline.empty()) outline.emplace_back(not_given, not_given);
+    for (const int node : chain.node)
+      outline.push_back(place[static_cast<std::size_t>(mesh->node[static_cast<std::size_t>(node)])]);
+  }
+  return outline;
+}
+
+}  // namespace
+
 Sample Sampler::operator()(const Snapshot& shot) {
   Sample sample;
   sample.time = shot.time;
@@ -184,8 +201,7 @@ Sample Sampler::operator()(const Snapshot& shot) {
     BodySample& body = b == role::projectile ? sample.projectile : sample.target;
     body = {shot.rigid[b].centre,  shot.rigid[b].velocity,       0, shot.rigid[b].spin,
             shot.energy.bodies[b], stress_of(b, shot.bodies[b]), {}};
-    for (const int node : surface_nodes(solids_[b]->surface))
-      body.outline.push_back(shot.bodies[b].place[static_cast<std::size_t>(node)]);
+    body.outline = outline_of(solids_[b]->surface, shot.bodies[b].place);
     if (solids_[b]->anchored() || solids_[b]->axisymmetric) continue;
     // Whole turns are those that the spin has made since the last time.
     const double since = std::isnan(last_time_) ? shot.time : shot.time - last_time_;

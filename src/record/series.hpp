@@ -21,7 +21,7 @@ struct BodySample {
   double spin = 0;        ///< [c/R]
   BodyEnergy energy;
   GreatestStress stress;  ///< pressures of space: a plane body's over its thickness [m0 c^2/R^3]
-  Points outline;         ///< places of the nodes of its surface, along it; of a plane none [R]
+  Points outline;         ///< places of the nodes of its surface, along it, NaN between chains; of a plane none [R]
 };
 
 struct Sample {

@@ -98,15 +98,24 @@ void note_stop(lua_State* L);
 /// Where in the registry the exit status of the last error travels: a script that catches it sees plain text.
 inline constexpr const char* exit_status = "ricochet.exit";
 
+/// Any exception as an error with its exit status; one of the file system names its file.
+inline Error as_error(const std::exception& error) {
+  if (const auto* known = dynamic_cast<const Error*>(&error)) return *known;
+  if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
+    return FileError("cannot use " + file->path1().string() + ": " + file->code().message() +
+                     "; see that it and its folder can be read and written");
+  return Error(error.what());
+}
+
 /// A C++ function that Lua may call: exceptions become Lua errors, and the error text is that of the exception.
 template <int (*function)(lua_State*)>
 int guarded(lua_State* L) {
   try {
     return function(L);
   } catch (const std::exception& error) {
-    const auto* known = dynamic_cast<const Error*>(&error);
-    lua_pushstring(L, error.what());
-    lua_pushinteger(L, static_cast<int>(known ? known->exit : Exit::script));
+    const Error known = as_error(error);
+    lua_pushstring(L, known.what());
+    lua_pushinteger(L, static_cast<int>(known.exit));
   }
   note_stop(L);
   lua_setfield(L, LUA_REGISTRYINDEX, exit_status);
@@ -117,6 +126,9 @@ int guarded(lua_State* L) {
 
 /// Lua's coroutines, so that the one that runs is the one that stops.
 void open_coroutines(lua_State* L);
+
+/// pairs() in the same order in every run.
+void order_pairs(lua_State* L);
 
 /// Calls Lua's own function in the place of the one that replaces it, whose upvalue it is.
 inline int original(lua_State* L, int upvalue = 1) { return lua_tocfunction(L, lua_upvalueindex(upvalue))(L); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "script/displays.hpp"
 #include "script/fields.hpp"
 #include "script/objects.hpp"
 #include "script/read_body.hpp"
@@ -185,7 +186,7 @@ Group body_functions() {
       .functions = std::vector{of_outline} + sized_shapes() +
                    std::vector{polygon, rotated_function(), wall_function(), half_space_function(), plane_function()},
       .natives = {{"own_body", guarded<body<true>>}},
-      .add = [](lua_State* L) { make_type(L, "ricochet.body", collect_object<BodyObject>); }};
+      .add = [](lua_State* L) { make_type(L, "ricochet.body", collect_object<BodyObject>, guarded<body_shown>); }};
 }
 
 }  // namespace ricochet

@@ -177,7 +177,8 @@ fs::path claimed_path(lua_State* L, const char* field, const std::string& name) 
             fmt::format(
                 "'{}' was made, or holds what was made, by an earlier call of this script; give this one another name",
                 name)));
-  session.claim(session.own_folder());
+  session.folders.claim(session.own_folder());
+  session.folders.own(path);
   make_folder(path.parent_path());
   return path;
 }

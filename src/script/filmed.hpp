@@ -62,6 +62,16 @@ int push_filmed_rows(lua_State* L, const std::vector<FilmedScene>& scenes);
 
 /// A path for what this call makes, which no other call of the script has made. `field`: where its name stands.
 std::filesystem::path claimed_path(lua_State* L, const char* field, const std::string& name);
+/// The same of a file in each of some formats (store/sinks.hpp); the first one's path.
+template <class Sinks>
+std::filesystem::path claimed_files(lua_State* L, const char* field, const std::string& name, const Sinks& formats) {
+  std::filesystem::path first;
+  for (const auto& format : formats) {
+    const std::filesystem::path path = claimed_path(L, field, name + format.extension);
+    if (first.empty()) first = path;
+  }
+  return first;
+}
 
 /// Mistakes in fields of a scene stand in the scene's own table, the others at this call.
 template <class Work>

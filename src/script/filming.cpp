@@ -111,6 +111,17 @@ bool is_drawn(const fs::path& path, const render::Texts& texts) {
   return fs::exists(path, error) && render::png_texts(read_file(path)) == texts;
 }
 
+void warn_of_missing(const Shooting& shooting, const render::Font& font) {
+  if (font.missing().empty()) return;
+  std::string list;
+  for (const char32_t character : font.missing())
+    list += fmt::format("{}U+{:04X}", list.empty() ? "" : ", ", static_cast<unsigned>(character));
+  shooting.warn(
+      fmt::format("the font of pictures lacks {} and draws boxes; for Chinese, Japanese and Korean: apt-get "
+                  "install fonts-noto-cjk, for others give a font by RICOCHET_FONT",
+                  list));
+}
+
 // As many frames as the shortest source has.
 std::size_t count_of(const std::vector<Source>& sources) {
   std::size_t count = sources[0].subject->survey.times.size();
@@ -199,6 +210,7 @@ int shoot_sequence(const Shooting& shooting, const std::vector<Source>& sources,
   studio.finish();
   if (film) film->finish();
   remove_stale(sequence, count);
+  warn_of_missing(shooting, font);
   if (!no_film.empty())
     throw FileError(fmt::format("{} ({} frames are in {})", no_film, count, sequence.folder.string()));
   return static_cast<int>(count);
@@ -239,6 +251,7 @@ void shoot_still(const Shooting& shooting, const std::vector<Source>& sources, c
   const render::Image image =
       context.draw(render::paint(shooting.show, layout, font, tiles, shooting.show.clock ? clock : ""), font);
   write_atomically(path, render::png(image, texts_of(shooting, sources, which, tiles[0].frame->time)));
+  warn_of_missing(shooting, font);
 }
 
 }  // namespace ricochet

@@ -31,6 +31,7 @@ struct Shooting {
   int width = 1280, height = 720;
   std::string origin;  ///< hash of the script that made the scenes
   int threads = 0;     ///< that encode; 0: as many as the machine has
+  std::function<void(const std::string&)> warn = [](const std::string&) {};
 };
 
 /// A sequence of pictures: NNNNNN.png in `folder` (none if empty) and a film (none if empty).

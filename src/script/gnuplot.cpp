@@ -14,7 +14,11 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -58,42 +62,69 @@ bool start_no_process() {
   return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-enum Failure : char { none = 0, not_there, not_confined };
+// What the child reports: nothing, or why it is no gnuplot.
+struct Failure {
+  bool confining;
+  int error;
+};
 
 // In the child, between fork and exec: only calls that are safe there. Comes back if gnuplot cannot be run.
-Failure become_gnuplot(const std::filesystem::path& folder, const std::string& file, bool confined) {
+Failure become_gnuplot(const char* folder, const char* file, char* const* environment, bool confined) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // a run that its time ends leaves no gnuplot behind
   const int nothing = open("/dev/null", O_RDONLY);
-  if (chdir(folder.c_str()) != 0 || nothing < 0 || dup2(nothing, STDIN_FILENO) < 0) return not_there;
-  if (confined && !start_no_process()) return not_confined;
-  execlp("gnuplot", "gnuplot", file.c_str(), nullptr);
-  return not_there;
+  if (nothing < 0 || dup2(nothing, STDIN_FILENO) < 0 || chdir(folder) != 0) return {false, errno};
+  if (confined && !start_no_process()) return {true, errno};
+  char name[] = "gnuplot";
+  char* const words[] = {name, const_cast<char*>(file), nullptr};
+  execvpe(name, words, environment);
+  return {false, errno};
+}
+
+// This process's, but texts are UTF-8 whatever the user's language: gnuplot warns of "degree sign" otherwise.
+std::vector<std::string> environment_of_gnuplot() {
+  std::vector<std::string> list;
+  for (char** variable = environ; *variable; ++variable)
+    if (!std::string_view(*variable).starts_with("LC_ALL=")) list.emplace_back(*variable);
+  list.emplace_back("LC_ALL=C.UTF-8");
+  return list;
+}
+
+FileError cannot_start(int error) {
+  if (error == ENOENT) return FileError("gnuplot is not installed; apt-get install gnuplot-nox");
+  return FileError(std::string("gnuplot cannot be started: ") + std::strerror(error) +
+                   (error == EMFILE || error == ENFILE ? "; raise the limit (ulimit -n)" : ""));
 }
 
 }  // namespace
 
 int run_gnuplot(const std::filesystem::path& folder, const std::string& file, bool confined) {
+  const std::string place = folder.string();
+  std::vector<std::string> variables = environment_of_gnuplot();
+  std::vector<char*> environment;
+  for (std::string& variable : variables) environment.push_back(variable.data());
+  environment.push_back(nullptr);
   int report[2];
-  if (pipe2(report, O_CLOEXEC) != 0) throw FileError("gnuplot cannot be started: no more pipes");
+  if (pipe2(report, O_CLOEXEC) != 0) throw cannot_start(errno);
   const pid_t child = fork();
+  const int no_child = errno;
   if (child == 0) {
-    const char failure = become_gnuplot(folder, file, confined);
-    [[maybe_unused]] const auto written = write(report[1], &failure, 1);
+    const Failure failure = become_gnuplot(place.c_str(), file.c_str(), environment.data(), confined);
+    [[maybe_unused]] const auto written = write(report[1], &failure, sizeof failure);
     _exit(127);
   }
   close(report[1]);
-  char failure = none;
-  while (child > 0 && read(report[0], &failure, 1) < 0 && errno == EINTR) {
+  Failure failure{false, 0};
+  while (child > 0 && read(report[0], &failure, sizeof failure) < 0 && errno == EINTR) {
   }
   close(report[0]);
-  if (child < 0) throw FileError("gnuplot cannot be started: no more processes");
+  if (child < 0) throw cannot_start(no_child);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (failure == not_there) throw FileError("gnuplot is not installed; apt-get install gnuplot-nox");
-  if (failure == not_confined)
+  if (failure.confining)
     throw FileError(
         "this system cannot keep gnuplot from starting programs (seccomp); --unsafe draws plots without that");
+  if (failure.error != 0) throw cannot_start(failure.error);
   return status;
 }
 

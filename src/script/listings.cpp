@@ -11,6 +11,7 @@
 #include "core/spelling.hpp"
 #include "effect/catalogue.hpp"
 #include "script/fields.hpp"
+#include "script/terminal.hpp"
 #include "store/h5md.hpp"
 #include "store/table.hpp"
 #include "theory/catalogue.hpp"
@@ -33,34 +34,42 @@ std::string wrapped(const std::string& text, const std::string& indent, std::siz
   return result + indent + line + "\n";
 }
 
+// "name           first line", the other lines below the first.
+std::string named_lines(const std::string& name, const std::string& text) {
+  std::string result;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    result += fmt::format("{:<14} {}\n", result.empty() ? name : "", line);
+  return result;
+}
+
 void print_table(const Table& table) {
-  fmt::print("{} rows\n", table.rows());
+  putf("{} rows\n", table.rows());
   if (const TextColumn* status = table.text("status")) {
     std::map<std::string, int> counts;
     for (const std::string& value : status->values) ++counts[value];
-    for (const auto& [value, count] : counts) fmt::print("  {:<14} {}\n", value, count);
+    for (const auto& [value, count] : counts) putf("  {:<14} {}\n", value, count);
   }
-  for (const TextColumn& column : table.texts) fmt::print("  {:<28} {}\n", column.field.name, column.field.doc);
+  for (const TextColumn& column : table.texts) putf("  {:<28} {}\n", column.field.name, column.field.doc);
   for (const NumberColumn& column : table.numbers)
-    fmt::print(
-        "  {:<28} {}\n",
-        column.field.unit.empty() ? column.field.name : fmt::format("{} [{}]", column.field.name, column.field.unit),
-        column.field.doc);
+    putf("  {:<28} {}\n",
+         column.field.unit.empty() ? column.field.name : fmt::format("{} [{}]", column.field.name, column.field.unit),
+         column.field.doc);
 }
 
 }  // namespace
 
 void print_effects() {
   each_effect_kind([]<class E>(const E&) {
-    fmt::print("{}: {}\n  {}\n", E::name, E::doc, E::example);
+    putf("{}: {}\n  {}\n", E::name, E::doc, E::example);
     for (const Field& f : fields_of<E>())
-      fmt::print("    {:<12}{}{}{}\n", f.name, f.doc, f.unit.empty() ? "" : " [" + f.unit + "]",
-                 f.initial.empty() ? "" : " (default " + f.initial + ")");
-    if (E::energy_doc) fmt::print("  column {}_energy: {}\n", E::name, E::energy_doc);
-    if constexpr (SpringChange<E>) fmt::print("  column {}_springs: {}\n", E::name, E::count_doc);
-    fmt::print("\n");
+      putf("    {:<12}{}{}{}\n", f.name, f.doc, f.unit.empty() ? "" : " [" + f.unit + "]",
+           f.initial.empty() ? "" : " (default " + f.initial + ")");
+    if (E::energy_doc) putf("  column {}_energy: {}\n", E::name, E::energy_doc);
+    if constexpr (SpringChange<E>) putf("  column {}_springs: {}\n", E::name, E::count_doc);
+    putf("\n");
   });
-  fmt::print(
+  putf(
       "What a scene does not name in `effects = {{ ... }}` is not computed; ricochet effects --cost measures what each "
       "costs.\n");
 }
@@ -72,8 +81,8 @@ void print_theories(const std::string& name) {
     if (!name.empty() && t.name != name) continue;
     std::string names;
     for (const Field& f : t.arguments) names += (names.empty() ? "" : ", ") + f.name;
-    fmt::print("{} {{ {} }}\n{}{}{}", t.name, names, wrapped(t.says, "  "), wrapped("valid: " + t.valid, "  "),
-               wrapped("source: " + t.source, "  "));
+    putf("{} {{ {} }}\n{}{}{}", t.name, names, wrapped(t.says, "  "), wrapped("valid: " + t.valid, "  "),
+         wrapped("source: " + t.source, "  "));
   }
   if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end()) {
     known.push_back("errata");
@@ -83,7 +92,7 @@ void print_theories(const std::string& name) {
             did_you_mean(name, known)),
         Exit::usage);
   }
-  fmt::print(
+  putf(
       "\nAs ricochet.theory.NAME {{ field = value, ... }} in a script; fields, units and results in lua/REFERENCE.md, "
       "sources in src/theory/references.bib.\n"
       "Misprints of the paper: ricochet theory errata\n");
@@ -92,16 +101,15 @@ void print_theories(const std::string& name) {
 void print_errata() {
   int number = 0;
   for (const theory::Misprint& m : theory::errata())
-    fmt::print("{}. {}\n{}{}{}\n", ++number, m.where, wrapped(std::string("printed: ") + m.printed, "   "),
-               wrapped(std::string("right:   ") + m.right, "   "),
-               wrapped(std::string("checked: ") + m.checked, "   "));
+    putf("{}. {}\n{}{}{}\n", ++number, m.where, wrapped(std::string("printed: ") + m.printed, "   "),
+         wrapped(std::string("right:   ") + m.right, "   "), wrapped(std::string("checked: ") + m.checked, "   "));
 }
 
 void print_info(const std::string& path) {
   for (const auto& [name, text] : read_provenance(path))
-    if (name != "script" && !text.empty()) fmt::print("{:<14} {}\n", name, text.substr(0, text.find('\n')));
+    if (name != "script" && !text.empty()) put(named_lines(name, text));
   if (is_trajectory(path))
-    fmt::print("a trajectory (H5MD)\n");
+    putf("a trajectory (H5MD)\n");
   else
     print_table(read_table(path));
 }

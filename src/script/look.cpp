@@ -32,6 +32,7 @@ void finish(lua_State* L, Shooting& shooting) {
   });
   shooting.origin = session.provenance().at("script_hash");
   shooting.threads = session.options.threads;
+  shooting.warn = [&session](const std::string& text) { session.warn(text); };
 }
 
 }  // namespace

@@ -2,24 +2,21 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 #include "core/error.hpp"
 #include "core/lane.hpp"
 #include "core/spelling.hpp"
+#include "script/doctor.hpp"
 #include "script/listings.hpp"
 #include "script/reference.hpp"
 #include "script/render_command.hpp"
+#include "script/repl.hpp"
 #include "script/state.hpp"
+#include "script/terminal.hpp"
 
 namespace {
-
-// A script may raise an error of any length.
-std::string shortened(const std::string& message) {
-  constexpr std::size_t most = 20000;
-  return message.size() <= most ? message
-                                : message.substr(0, most) + fmt::format("... ({} bytes more)", message.size() - most);
-}
 
 using namespace ricochet;
 
@@ -50,16 +47,17 @@ void run_in(Session& session) {
 void run(RunOptions options, const std::string& script, const std::vector<std::string>& arguments) {
   refuse_odd_arguments(arguments);
   if (options.out.empty()) throw Error("--out needs a folder", Exit::usage);
-  if (options.resume && options.force)
-    throw Error("--resume continues earlier results and --force replaces them; give one of them", Exit::usage);
+  if (options.resume + options.force + options.fresh > 1)
+    throw Error("--resume continues earlier results, --force replaces them and --new leaves them; give one of them",
+                Exit::usage);
   Session session(std::move(options), script, arguments);
   // With arguments, a misspelt one is reported first: ricochet.parameters then looks at the folder.
-  if (!session.options.help && arguments.empty()) session.refuse_earlier_results(session.own_folder());
+  if (!session.options.help && arguments.empty()) session.folders.refuse_earlier(session.own_folder());
   try {
     run_in(session);
   } catch (const Error& error) {
-    session.log(fmt::format("error: {}\n", shortened(error.what())));
-    const bool keep = error.exit == Exit::script && !stop_requested && session.something_stored();
+    session.log(complaint(error.what()));
+    const bool keep = error.exit == Exit::script && !stop_requested && session.folders.something_stored();
     try {
       session.write_log();
     } catch (const FileError&) {  // the first error is the one to report
@@ -72,29 +70,6 @@ void run(RunOptions options, const std::string& script, const std::vector<std::s
   session.finish();
   if (session.nothing_finished())
     throw Error("not one impact finished; the first ended " + session.first_failure, Exit::numerical);
-}
-
-// The user's next line; false at the end.
-bool prompted(std::string& line) {
-  fmt::print("> ");
-  std::fflush(stdout);
-  return static_cast<bool>(std::getline(std::cin, line));
-}
-
-void repl() {
-  Session session({}, "repl", {});
-  State state(session);
-  state.run_text("rawset(_G, 'ricochet', require 'ricochet')");
-  fmt::print("{}\nLua with `ricochet` loaded; end with ^D.\n", version_text().substr(0, version_text().find('\n')));
-  std::string line;
-  while (prompted(line)) {
-    try {
-      state.run_text(line);
-    } catch (const Error& error) {
-      fmt::print(stderr, "error: {}\n", shortened(error.what()));
-    }
-  }
-  fmt::print("\n");
 }
 
 /// The commands of the program, and what the user gave.
@@ -118,12 +93,26 @@ CLI::Validator within(double low, double high) {
   return CLI::Validator(mistake, fmt::format("{:g} to {:g}", low, high));
 }
 
+// The same of whole numbers.
+CLI::Validator count_within(int low, int high) {
+  const auto mistake = [=](const std::string& text) -> std::string {
+    long long value = 0;
+    const bool right = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+    return right ? "" : fmt::format("{} is no whole number of {} to {}", text, low, high);
+  };
+  return CLI::Validator(mistake, fmt::format("{} to {}", low, high));
+}
+
 void add_script(Commands& c, CLI::App* command) {
-  command->add_option("SCRIPT", c.script, "the Lua script");
+  command->add_option("SCRIPT", c.script, "the Lua script; - reads it from standard input");
   command->add_option("name=value", c.arguments, "the script's parameters");
 }
 
-void add_out(Commands& c, CLI::App* command) {
+// What every command takes that runs impacts.
+void add_running(Commands& c, CLI::App* command) {
+  command->add_option("--threads", c.options.threads, "worker threads; all cores unless given")
+      ->check(count_within(1, 1024));
+  command->add_flag("--quiet", c.options.quiet, "print what the script prints, and warnings, alone");
   command->add_option("--out", c.options.out, fmt::format("folder of the results (default: {})", RunOptions{}.out));
 }
 
@@ -133,28 +122,26 @@ void add_run(Commands& c) {
   command->set_help_flag();  // --help after the script is the script's own
   add_script(c, command);
   RunOptions& options = c.options;
-  command->add_option("--threads", options.threads, "worker threads; all cores unless given")
-      ->check(CLI::Range(1, 1024));
   command
       ->add_option("--batch", options.batch,
                    fmt::format("impacts that advance together, 1 to {}; never changes a result", lanes))
-      ->check(CLI::Range(1, lanes));
-  add_out(c, command);
+      ->check(count_within(1, lanes));
+  add_running(c, command);
   command
       ->add_option("--max-seconds", options.max_seconds,
                    "end the run after so many seconds, impacts included; what is stored stays (default: no limit)")
       ->check(within(1e-3, 1e9));
   command->add_flag("--resume", options.resume, "go on with earlier results");
   command->add_flag("--force", options.force, "replace earlier results");
+  command->add_flag("--new", options.fresh, "leave earlier results and go to a folder NAME-2, NAME-3 ...");
   command->add_flag("--check", options.check, "build every scene, run none");
   command->add_flag("--traceback", options.traceback, "show where in the scripts an error came from");
-  command->add_flag("--quiet", options.quiet, "no progress");
   command->add_flag("--unsafe", options.unsafe, "lift the sandbox: io, os.execute, debug");
   command->add_flag("--help,-h", options.help, "this, or the script's own parameters");
   command->callback([&c] {
     if (!c.script.empty()) return run(c.options, c.script, c.arguments);
     if (!c.options.help) throw Error("run needs a script: ricochet run SCRIPT [name=value ...]", Exit::usage);
-    std::cout << c.run->help();
+    put(c.run->help("ricochet"));
   });
 }
 
@@ -163,8 +150,9 @@ void add_accuracy(Commands& c) {
       "accuracy", "What accuracy costs in a script's first scene: ricochet accuracy SCRIPT [name=value ...]");
   add_script(c, command);
   command->get_option("SCRIPT")->required();
-  add_out(c, command);
+  add_running(c, command);
   command->add_flag("--force", c.options.force, "replace earlier results");
+  command->add_flag("--new", c.options.fresh, "leave earlier results and go to a folder NAME-2, NAME-3 ...");
   command->callback([&c] {
     c.options.study = "require('ricochet').accuracy { scene = first_scene }";
     run(c.options, c.script, c.arguments);
@@ -174,7 +162,7 @@ void add_accuracy(Commands& c) {
 void price_effects(Commands& c) {
   c.options.study = "require('ricochet.effects').cost(first_scene, 5)";
   if (!c.script.empty()) return run(c.options, c.script, c.arguments);
-  Session session({}, "effects", {});
+  Session session(c.options, "effects", {});
   State(session).run_text("require('ricochet.effects').cost(nil, 5)");
 }
 
@@ -184,7 +172,7 @@ void add_effects(Commands& c) {
       "The effects that a scene may name, and what they cost: ricochet effects [--cost [SCRIPT [name=value ...]]]");
   command->add_flag("--cost", c.price, "measure what each costs, in the script's first scene or the paper's soft wall");
   add_script(c, command);
-  add_out(c, command);
+  add_running(c, command);
   command->callback([&c] {
     if (c.price) return price_effects(c);
     if (!c.script.empty())
@@ -207,7 +195,11 @@ void add_theory(Commands& c) {
 }
 
 void add_repl_and_info(Commands& c) {
-  c.app.add_subcommand("repl", "Type Lua")->callback(repl);
+  c.app.add_subcommand("repl", "Type Lua")->callback(run_repl);
+  c.app.add_subcommand("doctor", "What of the program works on this machine, what does not, and what to install")
+      ->callback([] {
+        if (!examine()) throw Error("the main job, an impact whose rows are stored, cannot be done here");
+      });
   CLI::App* command = c.app.add_subcommand("info", "What a results.h5 holds and where it came from");
   command->add_option("FILE", c.file, "an HDF5 file of ours")->required();
   command->callback([&c] { print_info(c.file); });
@@ -230,7 +222,7 @@ void add_render(Commands& c) {
                    fmt::format("frames a second of the film (default: {})", RenderOptions{}.rate))
       ->check(within(1, 240));
   command->add_option("--threads", drawing.threads, "threads that encode; all cores unless given")
-      ->check(CLI::Range(1, 1024));
+      ->check(count_within(1, 1024));
   command->add_flag("--resume", drawing.resume, "keep the frames that are drawn already");
   command->add_flag("--force", drawing.force, "replace what is there");
   command->add_flag("--quiet", drawing.quiet, "print nothing");
@@ -240,7 +232,7 @@ void add_render(Commands& c) {
 void add_reference(Commands& c) {
   CLI::App* command = c.app.add_subcommand("reference", "Print the reference of the Lua module");
   command->add_flag("--stubs", c.stubs, "as definitions for the Lua language server");
-  command->callback([&c] { std::cout << (c.stubs ? editor_stubs() : reference_page()); });
+  command->callback([&c] { put(c.stubs ? editor_stubs() : reference_page()); });
 }
 
 // What the user may have meant by words that do not parse.
@@ -272,28 +264,41 @@ void program(int count, char** words) {
   try {
     c.app.parse(count, words);
   } catch (const CLI::CallForHelp&) {
-    std::cout << c.app.help();
+    put(c.app.help());
   } catch (const CLI::CallForVersion&) {
-    std::cout << version_text() << '\n';
+    put(version_text() + "\n");
   } catch (const CLI::ParseError& error) {
     const std::string hint = hint_of(c, {words + std::min(count, 1), words + count});
     throw Error(fmt::format("{}{}; see ricochet --help", error.what(), hint), Exit::usage);
   }
 }
 
+// The program's exit status.
+Exit answer(int count, char** words) {
+  try {
+    program(count, words);
+    return Exit::ok;
+  } catch (const Error& error) {
+    say(complaint(error.what()));
+    return error.exit;
+  } catch (const std::filesystem::filesystem_error& error) {
+    say(complaint(as_error(error).what()));
+    return Exit::file;
+  } catch (const std::exception& error) {
+    say(complaint(fmt::format("{} (this is a mistake of the program; please report it)", error.what())));
+    return Exit::script;
+  }
+}
+
 }  // namespace
 
 int main(int count, char** words) {
+  open_standard_descriptors();
   catch_signals();
-  try {
-    program(count, words);
-    return 0;
-  } catch (const Error& error) {
-    const std::string message = error.what();
-    fmt::print(stderr, "error: {}\n", shortened(message.substr(0, message.find_last_not_of('\n') + 1)));
-    return static_cast<int>(error.exit);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {} (this is a mistake of the program; please report it)\n", error.what());
-    return static_cast<int>(Exit::script);
-  }
+  const Exit status = answer(count, words);
+  const std::string lost = output_lost();
+  if (status != Exit::ok || lost.empty()) return static_cast<int>(status);
+  say(complaint(fmt::format(
+      "some of the output was lost: standard output cannot be written ({}); what the run stored is whole", lost)));
+  return static_cast<int>(Exit::file);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "script/displays.hpp"
 #include "script/fields.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
@@ -35,7 +36,7 @@ int member(lua_State* L) {
 }
 
 void make_material_type(lua_State* L) {
-  make_type(L, "ricochet.material", collect_object<MaterialObject>);
+  make_type(L, "ricochet.material", collect_object<MaterialObject>, guarded<material_shown>);
   luaL_getmetatable(L, "ricochet.material");
   lua_pushcfunction(L, guarded<member>);
   lua_setfield(L, -2, "__index");

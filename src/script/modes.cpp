@@ -125,7 +125,7 @@ void draw_sheet(lua_State* L, const Spectrum& spectrum, const std::string& hash,
   }
   const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(picks.size()))));
   at_call(L, [&] { shoot_still(shooting, {source_of(spectrum, hash, moments)}, picks, columns, path); });
-  session_of(L).print(fmt::format("modes: {}\n", path.string()));
+  session_of(L).inform(fmt::format("modes: {}\n", path.string()));
 }
 
 void film_mode(lua_State* L, const Spectrum& spectrum, const std::string& hash, const ModesAsked& asked) {
@@ -142,7 +142,7 @@ void film_mode(lua_State* L, const Spectrum& spectrum, const std::string& hash, 
   Sequence sequence;
   sequence.film = claimed_path(L, "film", asked.film);
   at_call(L, [&] { shoot_sequence(shooting, {source_of(spectrum, hash, moments)}, sequence); });
-  session_of(L).print(fmt::format("film: {}\n", sequence.film.string()));
+  session_of(L).inform(fmt::format("film: {}\n", sequence.film.string()));
 }
 
 // { { x =, y =, ux =, uy = }, ... } of the free nodes; the greatest displacement is 1.

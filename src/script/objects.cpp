@@ -4,6 +4,7 @@
 
 #include "core/spelling.hpp"
 #include "impact/outcome.hpp"
+#include "script/displays.hpp"
 #include "script/reader.hpp"
 
 namespace ricochet {
@@ -41,10 +42,13 @@ void close_metatable(lua_State* L, lua_CFunction index) {
   lua_setfield(L, -2, "__metatable");
 }
 
-void make_type(lua_State* L, const char* type, lua_CFunction collector, std::initializer_list<luaL_Reg> methods) {
+void make_type(lua_State* L, const char* type, lua_CFunction collector, lua_CFunction shown,
+               std::initializer_list<luaL_Reg> methods) {
   luaL_newmetatable(L, type);
   lua_pushcfunction(L, collector);
   lua_setfield(L, -2, "__gc");
+  lua_pushcfunction(L, shown);
+  lua_setfield(L, -2, "__tostring");
   close_metatable(L, guarded<unknown_method>);
   lua_newtable(L);
   for (const luaL_Reg& method : methods) {
@@ -59,6 +63,8 @@ void push_strict(lua_State* L, const std::string& what) {
   lua_createtable(L, 0, 3);
   lua_pushstring(L, what.c_str());
   lua_setfield(L, -2, "__name");
+  lua_pushcfunction(L, guarded<values_shown>);
+  lua_setfield(L, -2, "__tostring");
   close_metatable(L, guarded<unknown_result>);
   lua_setmetatable(L, -2);
 }
@@ -73,7 +79,11 @@ void push_row(lua_State* L, const Row& row) {
     std::visit([&](auto place) { push_value(L, row.*place); }, member.place);
     lua_setfield(L, -2, member.field.name.c_str());
   }
-  if (luaL_newmetatable(L, "row")) close_metatable(L, guarded<unknown_column>);
+  if (luaL_newmetatable(L, "row")) {
+    lua_pushcfunction(L, guarded<values_shown>);
+    lua_setfield(L, -2, "__tostring");
+    close_metatable(L, guarded<unknown_column>);
+  }
   lua_setmetatable(L, -2);
 }
 

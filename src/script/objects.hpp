@@ -56,8 +56,10 @@ inline EffectObject& effect_at(lua_State* L, int index) {
   return *static_cast<EffectObject*>(luaL_checkudata(L, index, "ricochet.effect"));
 }
 
-/// Makes the metatable of a type of objects: they take no new fields and have only these methods.
-void make_type(lua_State* L, const char* type, lua_CFunction collector, std::initializer_list<luaL_Reg> methods = {});
+/// Makes the metatable of a type of objects: they take no new fields and have only these methods. `shown`: what
+/// tostring() gives (displays.hpp).
+void make_type(lua_State* L, const char* type, lua_CFunction collector, lua_CFunction shown,
+               std::initializer_list<luaL_Reg> methods = {});
 
 /// Adds to the metatable on top of the stack: scripts see none, and `index` answers for names that are not there.
 void close_metatable(lua_State* L, lua_CFunction index);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -70,7 +71,9 @@ void push_number(lua_State* L, const Parameter& p, const std::string& text) {
                             p.field.doc.empty() ? "" : fmt::format(" ({})", p.field.doc)));
   };
   const std::string unit = p.field.unit.empty() ? "" : fmt::format(" [{}]", p.field.unit);
-  if (!parse_number(text, value)) wrong((p.whole ? "a whole number" : "a number") + unit);
+  if (!parse_number(text, value))
+    wrong((p.whole ? "a whole number" : "a number") + unit +
+          (text.find(',') == std::string::npos ? "" : ", with a point before its decimals"));
   if (p.whole && value != std::floor(value)) wrong("a whole number" + unit);
   if (!p.field.range.contains(value)) wrong(fmt::format("a number{},{}", unit, range_of(p)));
   if (p.whole)
@@ -102,7 +105,14 @@ void push_given(lua_State* L, const Parameter& p, const std::string& text) {
       lua_Integer n = 0;
       for (std::size_t start = 0; start <= text.size();) {
         const std::size_t comma = std::min(text.find(',', start), text.size());
-        push_number(L, p, text.substr(start, comma - start));
+        const std::string element = text.substr(start, comma - start);
+        if (start > 0 && element.size() > 1 && element[0] == '0' &&
+            std::isdigit(static_cast<unsigned char>(element[1])))
+          throw Error(
+              fmt::format("parameter '{}' is a list, in which '{}' has a number of its own after the comma; write "
+                          "decimals with a point",
+                          p.field.name, text));
+        push_number(L, p, element);
         lua_seti(L, -2, ++n);
         start = comma + 1;
       }
@@ -291,7 +301,7 @@ int parameters(lua_State* L) {
     throw Error("the script was only asked for its parameters");
   }
   refuse_unknown_arguments(session, given, names, help);
-  session.refuse_earlier_results(session.own_folder());
+  session.folders.refuse_earlier(session.own_folder());
   lua_settop(L, values);
   lua_createtable(L, 0, 2);
   close_metatable(L, guarded<unknown_parameter>);

@@ -122,19 +122,15 @@ int animate(lua_State* L) {
   if (session.options.check) return push_filmed_rows(L, scenes);
   const Sequence sequence = sequence_of(L);
   follow(L, scenes);
-  if (!sequence.folder.empty()) {
-    session.replace_product(sequence.folder);
-    make_folder(sequence.folder);
-  }
   const std::vector<double> times = at_scene(session, call_site(L), scenes[0], [&] {
     return times_of(scenes, members_of_call<FrameTimes>(L, {}, scenes[0].scene.units));
   });
   std::vector<Source> sources;
   for (const FilmedScene& filmed : scenes) sources.push_back(source_of(filmed, times));
   const int count = at_call(L, [&] { return shoot_sequence(shooting, sources, sequence); });
-  if (!sequence.folder.empty()) session.print(fmt::format("{} frames in {}\n", count, sequence.folder.string()));
+  if (!sequence.folder.empty()) session.inform(fmt::format("{} frames in {}\n", count, sequence.folder.string()));
   if (!sequence.film.empty())
-    session.print(fmt::format("film: {}, {:.3g} s\n", sequence.film.string(), count / sequence.rate));
+    session.inform(fmt::format("film: {}, {:.3g} s\n", sequence.film.string(), count / sequence.rate));
   return push_filmed_rows(L, scenes);
 }
 
@@ -182,7 +178,7 @@ int still(lua_State* L) {
   for (const FilmedScene& filmed : scenes) moments.push_back({std::isnan(at) ? filmed.course.tightest : at});
   shoot_moments(L, shooting, scenes, moments, static_cast<int>(scenes.size()), path,
                 [&](std::size_t i, std::size_t) { return scenes[i].title; });
-  session.print(fmt::format("picture: {}\n", path.string()));
+  session.inform(fmt::format("picture: {}\n", path.string()));
   return push_filmed_rows(L, scenes);
 }
 
@@ -238,7 +234,7 @@ int contact_sheet(lua_State* L) {
   int columns = static_cast<int>(in_row);
   if (scenes.size() == 1) columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(in_row))));
   shoot_moments(L, shooting, scenes, moments, grid.columns > 0 ? grid.columns : columns, path, caption);
-  session.print(fmt::format("contact sheet: {}\n", path.string()));
+  session.inform(fmt::format("contact sheet: {}\n", path.string()));
   return push_filmed_rows(L, scenes);
 }
 

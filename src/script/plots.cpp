@@ -22,7 +22,9 @@ int gnuplot(lua_State* L) {
   Session& session = session_of(L);
   const fs::path script = below_folder(L, luaL_checkstring(L, 1) + std::string(run_names::plot_script));
   const auto beside = [&](const char* extension) { return fs::path(script).replace_extension(extension); };
-  session.claim(session.own_folder());
+  session.folders.claim(session.own_folder());
+  for (const char* kind : {run_names::plot_script, run_names::picture, run_names::vector_picture})
+    session.folders.own(beside(kind));
   write_atomically(script, luaL_checkstring(L, 2));
   for (const char* kind : {run_names::picture, run_names::vector_picture})  // gnuplot would write through a link
     if (fs::is_symlink(beside(kind))) fs::remove(beside(kind));
@@ -32,7 +34,7 @@ int gnuplot(lua_State* L) {
   const fs::path picture = beside(run_names::picture);
   if (!fs::exists(picture))
     throw FileError(fmt::format("gnuplot has not drawn {}; is the gnuplot in PATH the real one?", picture.string()));
-  session.print(fmt::format("plot: {}\n", picture.string()));
+  session.inform(fmt::format("plot: {}\n", picture.string()));
   return 0;
 }
 

@@ -122,8 +122,11 @@ class PlaceFunction {
 
   bool given() const { return lua_isfunction(L_, index_); }
 
-  bool truth_at(const Vec2& p) const {
+  bool truth_at(const Vec2& p, const char* field) const {
     call_at(p);
+    if (!lua_isboolean(L_, -1) && !lua_isnil(L_, -1))
+      throw FieldError(field, fmt::format("the function must return true or false, gave {} at ({:.4g}, {:.4g})",
+                                          shown(L_, -1), p.x(), p.y()));
     const bool value = lua_toboolean(L_, -1);
     lua_pop(L_, 1);
     return value;
@@ -215,9 +218,15 @@ void check_interior(lua_State* L, const Body& body) {
       refuse(field, "is of a body of modes; give interior = \"modes\" too");
   else if (body.numbers.axisymmetric())
     throw FieldError("interior", "modes are of bodies in the plane, and this one is axisymmetric; take elements");
+  if (body.numbers.of_modes()) {
+    refuse("law", "says nothing of modes, which are small vibrations about rest; leave it out");
+    if (body.numbers.quartic != 0)
+      refuse("quartic", "says nothing of modes, which are small vibrations about rest; leave it out");
+  }
   if (!body.numbers.of_elements()) {
     for (const char* field : {"E", "nu", "law", "h_min", "h_max", "grade", "fine_at", "fine_within", "mesh"})
-      refuse(field, "is of elements; give interior = \"elements\" too");
+      refuse(field, body.numbers.of_modes() ? "is of elements; give modes_of = \"elements\" (or leave modes_of out)"
+                                            : "is of elements; give interior = \"elements\" too");
     return;
   }
   refuse("stiffness", "is of springs; elements have E and nu, or a material");
@@ -295,13 +304,13 @@ Body read_body(lua_State* L) {
   std::vector<bool> anchored_rim;
   const Rim rim = plan_rim(made);
   if (anchored.given())
-    for (const Vec2& p : rim.points) anchored_rim.push_back(anchored.truth_at(p));
+    for (const Vec2& p : rim.points) anchored_rim.push_back(anchored.truth_at(p, "anchored"));
   const auto plan = planned(session_of(L), made, anchored_rim);
   if (!made.points.empty() || made.numbers.meshed()) made.numbers.nodes = static_cast<int>(plan->points.size());
   if (anchored.given()) {
     made.anchored = anchored_rim;
     for (std::size_t i = made.anchored.size(); i < plan->points.size(); ++i)
-      made.anchored.push_back(anchored.truth_at(plan->points[i]));
+      made.anchored.push_back(anchored.truth_at(plan->points[i], "anchored"));
     if (std::count(made.anchored.begin(), made.anchored.end(), false) == 0 && !made.rigid())
       throw FieldError("anchored", "holds every node; nothing could move: give interior = \"rigid\" instead");
   }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "core/spelling.hpp"
 #include "script/value_types.hpp"
@@ -99,10 +101,22 @@ class Check {
         mistakes.push_back({path, fmt::format("{}'{}' is missing: {}", where, field.name, field.doc)});
       return;
     }
+    if (field.unit == "degrees" && lua_type(L_, -1) == LUA_TNUMBER) warn_of_radians(field, lua_tonumber(L_, -1));
     if (const std::string mistake = mistake_in(L_, -1, field); !mistake.empty())
       mistakes.push_back({below(path, field.name), where + mistake});
     else if (const Function* inner = inner_table(field.type))
       table(-1, inner->fields, below(path, field.name));
+  }
+
+  // math.pi/3 is no angle in degrees that anybody means.
+  void warn_of_radians(const Field& field, double value) {
+    for (int part = 1; part <= 12; ++part)
+      for (int k = 1; k <= 2 * part; ++k)
+        if (value != 0 && std::abs(std::abs(value) - k * std::numbers::pi / part) < 1e-12)
+          return session_of(L_).warn(fmt::format("'{}' is in degrees, and {:.6g} are given; for math.pi{}{} write {:g}",
+                                                 field.name, value, k > 1 ? fmt::format("*{}", k) : "",
+                                                 part > 1 ? fmt::format("/{}", part) : "",
+                                                 std::copysign(180.0 * k / part, value)));
   }
 
   lua_State* L_;

@@ -37,7 +37,7 @@ int record(lua_State* L) {
   const FilmedScene& filmed = scenes[0];
   if (session.options.check) return push_filmed_rows(L, scenes);
   const std::string name = members_of_call(L, trajectory_name).out;
-  const fs::path path = claimed_path(L, "out", name + trajectory_sinks().front().extension);
+  const fs::path path = claimed_files(L, "out", name, trajectory_sinks());
   const FrameTimes wanted = members_of_call(L, record_times, filmed.scene.units);
   follow(L, scenes);
   const CallSite call = call_site(L);
@@ -47,7 +47,7 @@ int record(lua_State* L) {
     provenance["scene"] = filmed.scene.text();
     provenance["scene_hash"] = filmed.scene.hash();
     write_everywhere(fs::path(path).replace_extension(), trajectory, provenance);
-    session.print(fmt::format("{} frames in {}\n", trajectory.frames().size(), path.string()));
+    session.inform(fmt::format("{} frames in {}\n", trajectory.frames().size(), path.string()));
   });
   return push_filmed_rows(L, scenes);
 }
@@ -62,11 +62,13 @@ int lammps(lua_State* L) {
   at_scene(session, call_site(L), filmed, [&] {
     const fs::path data = below_folder(L, members_of_call(L, lammps_name).out + ".data");
     const LammpsFiles files = lammps_files(filmed.scene, filmed.solids, data.stem().string());
-    session.claim(session.own_folder());
+    session.folders.claim(session.own_folder());
+    const fs::path input = fs::path(data).replace_extension(".in");
+    for (const fs::path& file : {data, input}) session.folders.own(file);
     make_folder(data.parent_path());
     write_atomically(data, files.data);
-    write_atomically(fs::path(data).replace_extension(".in"), files.input);
-    session.print(fmt::format("LAMMPS files: {}, beside it .in\n", data.string()));
+    write_atomically(input, files.input);
+    session.inform(fmt::format("LAMMPS files: {}, beside it .in\n", data.string()));
   });
   return 0;
 }

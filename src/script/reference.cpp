@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/spelling.hpp"
 #include "impact/outcome.hpp"
 #include "integrate/method.hpp"
 #include "script/functions.hpp"
@@ -129,6 +130,19 @@ std::string section_of(const Function& f) {
   return text;
 }
 
+std::string section_for_terminal(const Function& f) {
+  std::string text = f.name + ": " + f.doc + "\n";
+  if (!f.example.empty()) text += "  " + f.example + "\n";
+  for (const Field& field : f.fields) {
+    const std::string range = accepted(field);
+    text += fmt::format("  {:<14} {}{}{}\n", field.name, with_unit(field), range.empty() ? "" : "; " + range,
+                        field.initial.empty() ? field.optional ? "; optional" : "" : "; default " + field.initial);
+  }
+  for (const Field& field : f.results) text += fmt::format("  gives {:<8} {}\n", field.name, with_unit(field));
+  text.pop_back();
+  return text;
+}
+
 std::string section_of_methods() {
   std::string text = methods_head;
   for (const Method& m : methods())
@@ -145,6 +159,19 @@ std::string section_of_columns() {
 }
 
 }  // namespace
+
+std::string help_on(const std::string& name) {
+  std::string list;
+  std::vector<std::string> names;
+  for (const Function& f : functions()) {
+    if (f.name == name) return section_for_terminal(f);
+    names.push_back(f.name);
+    const std::size_t width = list.size() - (list.rfind('\n') + 1);
+    list += (list.empty() ? "" : width + f.name.size() > 110 ? ",\n" : ", ") + f.name;
+  }
+  if (!name.empty()) throw Error(fmt::format("there is no '{}' in the reference{}", name, did_you_mean(name, names)));
+  return "help \"NAME\" tells all of one of these; ricochet reference prints the whole page.\n" + list;
+}
 
 std::string editor_stubs() {
   std::string text = stubs_head;

@@ -8,4 +8,8 @@ namespace ricochet {
 std::string editor_stubs();
 std::string reference_page();
 
+/// What the reference says of a function, for a terminal; without a name, the names of all. Throws Error for a name
+/// that there is not.
+std::string help_on(const std::string& name);
+
 }  // namespace ricochet

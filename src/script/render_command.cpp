@@ -9,6 +9,7 @@
 #include "core/spelling.hpp"
 #include "record/whole_section.hpp"
 #include "script/report.hpp"
+#include "script/terminal.hpp"
 #include "script/value_types.hpp"
 #include "store/files.hpp"
 #include "store/h5md.hpp"
@@ -89,6 +90,7 @@ Shooting shooting_of(const RenderOptions& options) {
     refuse(fmt::format("{}: {}", error.field, error.what()));
   }
   shooting.threads = options.threads;
+  shooting.warn = [](const std::string& text) { say("warning: " + text + "\n"); };
   return shooting;
 }
 
@@ -136,8 +138,8 @@ void render_file(const RenderOptions& options) {
                       }};
   const int count = shoot_sequence(shooting, {source}, sequence);
   if (options.quiet) return;
-  if (!sequence.folder.empty()) fmt::print("{} frames in {}\n", count, sequence.folder.string());
-  if (!sequence.film.empty()) fmt::print("film: {}\n", sequence.film.string());
+  if (!sequence.folder.empty()) putf("{} frames in {}\n", count, sequence.folder.string());
+  if (!sequence.film.empty()) putf("film: {}\n", sequence.film.string());
 }
 
 }  // namespace ricochet

@@ -21,7 +21,7 @@ namespace {
 fs::path below(lua_State* L, const fs::path& folder, const char* what, const std::string& name, bool links) {
   const fs::path path(name);
   bool plain = !name.empty() && path.is_relative() && name.find('\\') == std::string::npos &&
-               name.find('\0') == std::string::npos;
+               name.find('\0') == std::string::npos && name.find('\n') == std::string::npos;
   for (const fs::path& part : path) plain = plain && part != ".." && part != ".";
   if (!plain)
     throw at_line(L, fmt::format("'{}' is no name below {}; give a relative name without '..'", name.c_str(), what));
@@ -72,8 +72,9 @@ int file_write(lua_State* L) {
   std::size_t length = 0;
   const char* text = luaL_checklstring(L, 2, &length);
   if (session.options.check) return 0;
-  session.claim(session.own_folder());
+  session.folders.claim(session.own_folder());
   at_script(L, [&] {
+    session.folders.own(path);
     make_folder(path.parent_path());
     write_atomically(path, {text, length});
   });

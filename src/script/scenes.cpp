@@ -8,6 +8,7 @@
 #include "impact/batch.hpp"
 #include "impact/launch/launch.hpp"
 #include "impact/outcome.hpp"
+#include "script/displays.hpp"
 #include "script/fields.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
@@ -186,7 +187,7 @@ int scene_run(lua_State* L) {
   if (stop_requested) throw Error("interrupted", Exit::interrupted);
   const Method& method = scene.method();
   if (!session.options.check && outcome.status != Status::no_contact)
-    session.print_first(
+    session.inform_first(
         fmt::format("{}:{}", object.site.file, object.site.line),
         fmt::format("scene: {}, time step {}, theta {:.4g} and at most {:.3g} (stable below {:.4g}); frequency bound "
                     "{}\n{}",
@@ -333,8 +334,8 @@ Function effect_function() {
 }
 
 void make_types(lua_State* L) {
-  make_type(L, "ricochet.effect", collect_object<EffectObject>);
-  make_type(L, "ricochet.scene", collect_object<SceneObject>,
+  make_type(L, "ricochet.effect", collect_object<EffectObject>, guarded<effect_shown>);
+  make_type(L, "ricochet.scene", collect_object<SceneObject>, guarded<scene_shown>,
             {{"run", guarded<scene_run>}, {"text", guarded<scene_text>}, {"hash", guarded<scene_hash>}});
 }
 

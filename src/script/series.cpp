@@ -75,7 +75,7 @@ int sample(lua_State* L) {
   std::vector<double> times{0};
   if (!session.options.check) {
     lua_getfield(L, 1, "name");
-    claimed_path(L, "name", file_of(lua_tostring(L, -1)));
+    claimed_files(L, "name", lua_tostring(L, -1), rows_sinks());
     follow(L, scenes);
     times = series_times(L, filmed, wanted);
   }
@@ -142,7 +142,7 @@ int store_series(lua_State* L) {
   provenance["scene"] = scene.text();
   provenance["scene_hash"] = scene.hash();
   write_everywhere(fs::path(path).replace_extension(), table, provenance);
-  session.print(fmt::format("series: {} points in {}\n", table.rows(), path.string()));
+  session.inform(fmt::format("series: {} points in {}\n", table.rows(), path.string()));
   return 0;
 }
 
@@ -185,7 +185,7 @@ int bounces(lua_State* L) {
   }
   if (stop_requested) throw Error("interrupted", Exit::interrupted);
   if (!result.reason.empty())
-    session.print(fmt::format("{} of {} bounces: {}\n", result.list.size(), count, result.reason));
+    session.inform(fmt::format("{} of {} bounces: {}\n", result.list.size(), count, result.reason));
   lua_createtable(L, static_cast<int>(result.list.size()), 0);
   for (std::size_t k = 0; k < result.list.size(); ++k) {
     push_bounce(L, static_cast<int>(k) + 1, result.list[k], object.scene.units);
@@ -210,7 +210,8 @@ Function state_table() {
   const std::string body =
       "centre x, y [R], its velocity vx, vy [c], angle it has turned by [rad], spin [c/R], and the energies "
       "translation, rotation, vibration [m0 c^2]; if the series has `outlines`, its outline, a list of the places { x, "
-      "y } [R] of the nodes of its surface, along it, of a body of revolution those at x >= 0, of a plane none";
+      "y } [R] of the nodes of its surface, along it, those of holes after a place of NaN each, of a body of "
+      "revolution those at x >= 0, of a plane none";
   std::vector<Field> fields;
   for (const auto& [field, value] : Sample::fields()) fields.push_back(field);
   fields.push_back({"projectile", "table", "", "of the projectile: " + body});

@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "script/terminal.hpp"
 #include "script/version.hpp"
 #include "store/files.hpp"
 #include "store/hdf5_version.hpp"
@@ -36,6 +37,9 @@ void catch_signals() {
   action.sa_handler = on_signal;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction hang_up {};
+  sigaction(SIGHUP, nullptr, &hang_up);
+  if (hang_up.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
   action.sa_handler = on_alarm;
   sigaction(SIGALRM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
@@ -73,56 +77,16 @@ Session::Session(RunOptions run_options, fs::path script_path, std::vector<std::
     throw FileError(fmt::format("the Lua library is missing: {} has no ricochet/init.lua", library.string()));
 }
 
-void Session::refuse_earlier_results(const fs::path& place) const {
-  std::error_code error;
-  if (options.resume || options.force || options.check) return;
-  if (fs::exists(place, error) && !fs::is_directory(place, error))
-    throw FileError(fmt::format("{} is a file; give another folder with --out", place.string()));
-  if (fs::exists(place, error) && !fs::is_empty(place, error))
-    throw FileError(fmt::format("{} already holds results; {}--force replaces them, --out DIR goes elsewhere",
-                                place.string(), options.study.empty() ? "--resume continues them, " : ""));
-}
-
-void Session::claim(const fs::path& place) {
-  if (claimed_.count(place)) return;
-  refuse_earlier_results(place);
-  make_folder(place);
-  locks_.emplace_back(place);
-  refuse_earlier_results(place);  // what another run left while this one waited to begin
-  if (options.force) {
-    std::error_code error;  // of a link that leads nowhere
-    for (const auto& entry : fs::directory_iterator(place))
-      if (run_names::is_product(entry.path())) old_[entry.path()] = fs::last_write_time(entry.path(), error);
-  }
-  claimed_.insert(place);
-}
-
-void Session::replace_results(const fs::path& place) {
-  if (!options.force || !replaced_.insert(place).second) return;
-  run_names::remove_results(place);
-}
-
-void Session::replace_product(const fs::path& path) {
-  if (old_.erase(path) > 0) fs::remove_all(path);
-}
-
 void Session::finish() {
-  for (const fs::path& place : claimed_) replace_results(place);
-  for (const auto& [path, written] : old_) {
-    std::error_code error;
-    if (fs::last_write_time(path, error) == written) fs::remove_all(path, error);
-  }
+  folders.remove_replaced();
   write_log();
-}
-
-bool Session::something_stored() const {
-  return std::any_of(claimed_.begin(), claimed_.end(), run_names::holds_results);
 }
 
 bool Session::first_picture_named(const fs::path& path) {
   const auto within = [](const fs::path& inner, const fs::path& outer) {
     return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
   };
+  if (repl) return true;
   for (const fs::path& other : pictures_)
     if (within(path, other) || within(other, path)) return false;
   return pictures_.insert(path).second;
@@ -134,20 +98,19 @@ void Session::print(const std::string& text) {
     throw Error(
         "the script has printed more than 64 MiB, all of which run.log would hold; write what is so long with "
         "ricochet.file.write");
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  std::fflush(stdout);
+  put(text);
   log(text);
 }
 
 void Session::warn(const std::string& text) {
   if (!warned_.insert(text).second) return;
-  fmt::print(stderr, "warning: {}\n", text);
+  say(fmt::format("warning: {}\n", text));
   log("warning: " + text + "\n");
 }
 
 void Session::write_log() const {
-  if (claimed_.empty() || options.check) return;
-  const fs::path place = claimed_.count(own_folder()) ? own_folder() : *claimed_.begin();
+  if (folders.any_claimed().empty() || options.check) return;
+  const fs::path place = folders.claimed(own_folder()) ? own_folder() : folders.any_claimed();
   write_atomically(place / run_names::log, log_);
 }
 

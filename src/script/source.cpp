@@ -91,11 +91,40 @@ std::optional<std::size_t> field_in(const std::vector<Token>& tokens, std::size_
 
 }  // namespace
 
+std::string without_outer_locals(const std::string& source) {
+  const std::vector<Token> tokens = tokens_of(source);
+  std::vector<std::size_t> starts{0};  // of the lines
+  for (std::size_t i = 0; i < source.size(); ++i)
+    if (source[i] == '\n') starts.push_back(i + 1);
+  const auto offset = [&](const Token& t) {
+    return starts[static_cast<std::size_t>(t.line) - 1] + static_cast<std::size_t>(t.column) - 1;
+  };
+  std::string text = source;
+  std::vector<std::size_t> undefined;  // where names end that get no value
+  int depth = 0;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (opens(tokens[i].text)) ++depth;
+    if (closes(tokens[i].text)) --depth;
+    if (depth != 0 || tokens[i].text != "local") continue;
+    text.replace(offset(tokens[i]), 5, 5, ' ');
+    std::size_t last = i + 1;
+    if (last >= tokens.size() || tokens[last].text == "function") continue;
+    while (last + 2 < tokens.size() && tokens[last + 1].text == ",") last += 2;
+    if (last + 1 >= tokens.size() || tokens[last + 1].text != "=")
+      undefined.push_back(offset(tokens[last]) + tokens[last].text.size());
+  }
+  for (auto at = undefined.rbegin(); at != undefined.rend(); ++at) text.insert(*at, " = nil");
+  return text;
+}
+
 std::optional<SourcePlace> find_field(const std::string& source, int line, const std::string& function,
                                       const std::vector<std::string>& path) {
   const std::vector<Token> tokens = tokens_of(source);
+  bool at_line = false;  // a call in the line itself goes before one in the next
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     if (tokens[i].line < line || tokens[i].line > line + 1 || tokens[i].text != function) continue;
+    if (at_line && tokens[i].line > line) break;
+    at_line = true;
     std::size_t open = i + 1;
     if (tokens[open].text == "(" && open + 1 < tokens.size()) ++open;
     if (tokens[open].text != "{") continue;

@@ -20,6 +20,10 @@ struct SourcePlace {
 std::optional<SourcePlace> find_field(const std::string& source, int line, const std::string& function,
                                       const std::vector<std::string>& path);
 
+/// A chunk's text in which what it declares as local outside of every block is assigned instead, so that it outlives
+/// the chunk: "local x = 1" is "x = 1", "local x" is "x = nil".
+std::string without_outer_locals(const std::string& source);
+
 /// The error of a file's syntax: Lua's own message, what it leaves unsaid (" (did you mean 'return' for 'retrun' in
 /// line 4?)", " (is a comma missing before it?)", or nothing), and the line.
 Error syntax_error(const std::string& name, const std::string& source, const std::string& message);

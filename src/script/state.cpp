@@ -8,6 +8,7 @@
 
 #include "core/spelling.hpp"
 #include "script/reader.hpp"
+#include "script/script_file.hpp"
 #include "store/files.hpp"
 
 namespace ricochet {
@@ -217,7 +218,7 @@ State::State(Session& session)
                 .script = session.script,
                 .native = "ricochet.core",
                 .sources = session.sources,
-                .read = read_file,
+                .read = read_source,
                 .where = where,
                 .at_line = at_line,
                 .syntax_error = syntax_error,
@@ -298,19 +299,10 @@ void State::call_chunk(int results) {
 }
 
 void State::run_script() {
-  std::error_code error;
-  if (!fs::exists(session_.script, error)) {
-    std::vector<std::string> near;
-    for (const auto& entry : fs::directory_iterator(
-             session_.script.has_parent_path() ? session_.script.parent_path() : fs::path("."), error))
-      near.push_back(entry.path().filename().string());
-    const std::string hint = did_you_mean(session_.script.filename().string(), near);
-    throw FileError(fmt::format(
-        "there is no script {}{}", session_.script.string(),
-        hint.empty() ? fmt::format(" (looked for {})", fs::absolute(session_.script, error).string()) : hint));
-  }
+  check_script(session_.script);
   const Clock clock(L_, session_.options.max_seconds, session_.script.string());
   load_file(L_, session_.script, session_.script.string(), false);
+  warn_of_encoding(session_);
   call_chunk(0);
   if (!session_.parameters_declared) refuse_unused_arguments(session_);
 }
@@ -333,8 +325,14 @@ void State::study_first_scene() {
   call_chunk(0);
 }
 
-void State::run_text(const std::string& text) {
+void State::run_chunk() {
   const Clock clock(L_, session_.options.max_seconds, session_.script.string());
+  call_chunk(LUA_MULTRET);
+  for (int i = 1; i <= lua_gettop(L_); ++i) session_.print(displayed(L_, i) + "\n");
+  lua_settop(L_, 0);
+}
+
+void State::run_text(const std::string& text) {
   const std::string expression = "return " + text;
   lua_settop(L_, 0);
   if (luaL_loadbufferx(L_, expression.data(), expression.size(), "=repl", "t") != LUA_OK) {
@@ -345,9 +343,7 @@ void State::run_text(const std::string& text) {
       throw Error(message);
     }
   }
-  call_chunk(LUA_MULTRET);
-  for (int i = 1; i <= lua_gettop(L_); ++i) session_.print(displayed(L_, i) + "\n");
-  lua_settop(L_, 0);
+  run_chunk();
 }
 
 }  // namespace ricochet

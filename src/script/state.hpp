@@ -16,8 +16,10 @@ class State {
   void run_script();
   /// What accuracy costs in the first scene that the script made. Throws Error.
   void study_first_scene();
-  /// Runs one piece of text (the repl). Throws Error. Prints the values of an expression.
+  /// Runs one piece of text. Throws Error. Prints the values of an expression.
   void run_text(const std::string& text);
+  /// Runs the chunk on top of the stack and prints its values. Throws Error.
+  void run_chunk();
 
   lua_State* lua() const { return L_; }
 

@@ -7,7 +7,7 @@
 namespace ricochet {
 
 Telling printed(Session& session, SceneName name) {
-  return {[&session](const std::string& line) { session.print(line + "\n"); }, std::move(name)};
+  return {[&session](const std::string& line) { session.inform(line + "\n"); }, std::move(name)};
 }
 
 Telling logged(Session& session, SceneName name) {

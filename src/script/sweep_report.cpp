@@ -10,6 +10,7 @@
 
 #include "impact/estimate.hpp"
 #include "impact/outcome.hpp"
+#include "script/terminal.hpp"
 #include "shape/outline.hpp"
 
 namespace ricochet {
@@ -57,10 +58,10 @@ void Progress::add(std::size_t count, std::size_t failed) {
                                        static_cast<double>(total_ - done_) / rate, failed_);
   if (quiet_) return;
   if (terminal_) {
-    fmt::print(stderr, "\r\033[K{}{}", line, done_ == total_ ? "\n" : "");
+    say(fmt::format("\r\033[K{}{}", line, done_ == total_ ? "\n" : ""));
   } else if (done_ * 10 / total_ > tenth_) {
     tenth_ = done_ * 10 / total_;
-    fmt::print(stderr, "{}\n", line);
+    say(line + "\n");
   }
 }
 
@@ -118,7 +119,7 @@ RunProgress::RunProgress(bool quiet, bool terminal, double time_limit)
     : quiet_(quiet), terminal_(terminal), time_limit_(time_limit), next_(terminal ? 1 : 10) {}
 
 RunProgress::~RunProgress() {
-  if (told_ && terminal_) fmt::print(stderr, "\r\033[K");
+  if (told_ && terminal_) say("\r\033[K");
 }
 
 std::string RunProgress::line(double time, double seconds) {
@@ -130,7 +131,7 @@ std::string RunProgress::line(double time, double seconds) {
 void RunProgress::tell(double time) {
   const std::string text = line(time, std::chrono::duration<double>(Clock::now() - start_).count());
   if (text.empty()) return;
-  terminal_ ? fmt::print(stderr, "\r\033[K{}", text) : fmt::print(stderr, "{}\n", text);
+  say(terminal_ ? "\r\033[K" + text : text + "\n");
   told_ = true;
 }
 

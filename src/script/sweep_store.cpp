@@ -93,13 +93,17 @@ std::string Parameters::place(std::size_t scene) const {
 Store::Store(Session& session, const std::string& name, const std::vector<std::string>& hashes,
              const Parameters& parameters)
     : session_(session),
-      folder_(session.folder(name)),
+      folder_(session.folders.named(name)),
+      parts_(run_names::parts(folder_)),
       hashes_(hashes),
       parameters_(parameters),
       rows_(hashes.size()),
       done_(hashes.size(), false) {
   for (std::size_t i = 0; i < hashes_.size(); ++i) scenes_[hashes_[i]].push_back(i);
-  session.claim(folder_);
+  session.folders.claim(folder_);
+  std::error_code error;
+  if (session.options.force || (session.options.resume && fs::exists(run_names::new_parts(folder_), error)))
+    parts_ = run_names::new_parts(folder_);
   if (session.options.resume) load();
 }
 
@@ -110,14 +114,27 @@ void Store::add(const std::vector<std::pair<std::size_t, Row>>& batch) {
     rows.push_back(&row);
     key += row.hash;
   }
-  session_.replace_results(folder_);
-  make_folder(run_names::parts(folder_));
-  write_table(run_names::part(folder_, hash_text(key)), table_of(rows), session_.made_by());
+  if (session_.options.force && count_ == 0) run_names::remove_parts(parts_);  // of another try
+  make_folder(parts_);
+  write_table(run_names::part(parts_, hash_text(key)), table_of(rows), session_.made_by());
   for (const auto& [index, row] : batch) accept(row);
 }
 
+bool Store::replaces() const {
+  std::error_code error;
+  return parts_ == run_names::new_parts(folder_) && fs::exists(run_names::readable_results(folder_), error);
+}
+
+void Store::stop_early() {
+  if (!replaces()) assemble();
+}
+
+std::string Store::left_behind() const {
+  return fmt::format("{} of {} impacts are stored in {}; --resume goes on from there{}", count_, rows_.size(),
+                     folder_.string(), replaces() ? ", and the earlier results stay until all are there" : "");
+}
+
 void Store::assemble() {
-  session_.replace_results(folder_);
   std::vector<const Row*> rows;
   std::vector<std::size_t> scenes;
   for (std::size_t i = 0; i < rows_.size(); ++i)
@@ -128,7 +145,9 @@ void Store::assemble() {
   Table table = table_of(rows);
   for (std::size_t p = parameters_.names.size(); p-- > 0;) add_parameter(table, p, scenes);
   write_everywhere(run_names::results(folder_), table, session_.provenance());
-  fs::remove_all(run_names::parts(folder_));
+  for (const fs::path& parts : {run_names::parts(folder_), run_names::new_parts(folder_)})
+    run_names::remove_parts(parts);
+  session_.folders.results_are_whole(folder_);
 }
 
 void Store::add_parameter(Table& table, std::size_t p, const std::vector<std::size_t>& scenes) const {

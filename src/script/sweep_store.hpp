@@ -41,8 +41,15 @@ class Store {
 
   /// The results, in every format, of every row there is, in the sweep's order; then the parts are not needed any more.
   void assemble();
+  /// The same of a sweep that stops early, unless it would replace earlier results with less: then the parts stay
+  /// beside them.
+  void stop_early();
+  /// "12 of 40 impacts are stored in out/s; --resume goes on from there".
+  std::string left_behind() const;
 
  private:
+  // True if earlier results stay until all new rows are there.
+  bool replaces() const;
   // Fills in the row at every scene that it is of: rows of equal scenes are the same row. False if there is none.
   bool accept(const Row& row);
   // Puts the column of parameter `p` before all others.
@@ -50,7 +57,7 @@ class Store {
   void load();
 
   Session& session_;
-  std::filesystem::path folder_;
+  std::filesystem::path folder_, parts_;
   const std::vector<std::string>& hashes_;
   const Parameters& parameters_;
   std::unordered_map<std::string, std::vector<std::size_t>> scenes_;  // by hash

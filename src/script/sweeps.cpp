@@ -27,11 +27,6 @@ SweepOptions options_of(const Session& session) {
   return options;
 }
 
-std::string left_behind(const Store& store, std::size_t total) {
-  return fmt::format("{} of {} impacts are stored in {}; --resume goes on from there", store.count(), total,
-                     store.folder().string());
-}
-
 void warn_of_twins(Session& session, const std::string& name, const std::vector<std::string>& hashes) {
   const std::size_t once = std::unordered_set<std::string>(hashes.begin(), hashes.end()).size();
   if (once == hashes.size()) return;
@@ -76,8 +71,8 @@ SweepUse run_and_store(Session& session, Store& store, const Request& sweep, con
   };
   if (!run_chosen(scenes, todo, options_of(session), stop_requested, keep, printed(session, sweep.scene_name()),
                   &use)) {
-    store.assemble();
-    throw Error(fmt::format("interrupted: {}", left_behind(store, scenes.size())), Exit::interrupted);
+    store.stop_early();
+    throw Error("interrupted: " + store.left_behind(), Exit::interrupted);
   }
   return use;
 }
@@ -159,7 +154,7 @@ std::vector<Row> check_only(Session& session, const Request& sweep) {
   check_scenes(sweep.scenes, std::vector<bool>(sweep.scenes.size(), true), options_of(session), stop_requested);
   std::vector<Row> rows;
   for (const Scene& scene : sweep.scenes) rows.push_back(row_of(scene, Outcome{}, 0));
-  session.print(fmt::format("{}: {} scenes are sound\n", sweep.name, sweep.scenes.size()));
+  session.inform(fmt::format("{}: {} scenes are sound\n", sweep.name, sweep.scenes.size()));
   return rows;
 }
 
@@ -185,7 +180,7 @@ void tell_end(Session& session, const Request& sweep, const Store& store, const 
                         use->seconds, use->threads, use->threads == 1 ? "" : "s", 100 * use->idle_threads,
                         100 * use->idle_lanes);
   for (const Row& row : rows) session.count(row);
-  session.print(text);
+  session.inform(text);
   warn_of_limit(session, sweep.scenes, rows, sweep.scene_name());
 }
 
@@ -200,10 +195,10 @@ std::vector<Row> run(Session& session, Request& sweep) {
   try {
     use = run_and_store(session, store, sweep, hashes);
   } catch (const FileError& error) {
-    throw FileError(fmt::format("{}\n  {}", error.what(), left_behind(store, sweep.scenes.size())));
+    throw FileError(fmt::format("{}\n  {}", error.what(), store.left_behind()));
   } catch (const SceneError&) {
-    store.assemble();
-    sweep.stored = "\n  " + left_behind(store, sweep.scenes.size());
+    store.stop_early();
+    sweep.stored = "\n  " + store.left_behind();
     throw;
   }
   store.assemble();

@@ -77,7 +77,7 @@ int wave_rows(lua_State* L) {
   std::vector<double> times{0};
   if (!session.options.check) {
     lua_getfield(L, 1, "name");
-    claimed_path(L, "name", std::string(lua_tostring(L, -1)) + rows_sinks().front().extension);
+    claimed_files(L, "name", lua_tostring(L, -1), rows_sinks());
     follow(L, scenes);
     times = series_times(L, filmed, wanted);
   }

@@ -196,4 +196,14 @@ double support(const Points& outline, const Vec2& direction) {
   return largest;
 }
 
+bool is_convex(const Points& outline) {
+  const std::size_t n = outline.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 before = outline[(i + 1) % n] - outline[i], after = outline[(i + 2) % n] - outline[(i + 1) % n];
+    const double cross = before.x() * after.y() - before.y() * after.x();
+    if (cross < -1e-9 * before.norm() * after.norm()) return false;
+  }
+  return true;
+}
+
 }  // namespace ricochet

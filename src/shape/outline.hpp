@@ -30,6 +30,9 @@ bool is_simple(const CellTree& chains);
 /// True if the outline turns by more than 30 degrees at its point i: a corner, which the rim keeps.
 bool is_corner(const Points& outline, std::size_t i);
 
+/// True for a counter-clockwise outline without a dent.
+bool is_convex(const Points& outline);
+
 /// Even-odd rule, over all chains of a surface; points on it may fall on either side.
 bool inside(const CellTree& surface, const Vec2& point);
 

@@ -69,8 +69,8 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes)
     while (!bytes.empty()) {
       const ssize_t written = write(file.value(), bytes.data(), bytes.size());
       if (written < 0 && errno == EINTR) continue;
-      if (written < 0) {
-        const int error = errno;
+      if (written <= 0) {
+        const int error = written < 0 ? errno : EIO;
         unlink(beside.c_str());
         fail(path, "write", error);
       }
@@ -90,6 +90,12 @@ void make_folder(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) fail(path, "make folder", error.value());
+}
+
+void remove_file(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  if (error) fail(path, "remove", error.value());
 }
 
 std::string read_file(const std::filesystem::path& path) {

@@ -13,6 +13,9 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes)
 /// Makes a folder and its parents. Throws FileError.
 void make_folder(const std::filesystem::path& path);
 
+/// Removes a file or an empty folder, if there is one; a link, not what it leads to. Throws FileError.
+void remove_file(const std::filesystem::path& path);
+
 /// The whole file. Throws FileError.
 std::string read_file(const std::filesystem::path& path);
 

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <sstream>
 
+#include "store/files.hpp"
 #include "store/sinks.hpp"
 
 namespace ricochet::run_names {
@@ -22,13 +25,22 @@ bool has_extension_of(const fs::path& path, std::initializer_list<const char*> e
   return std::find(extensions.begin(), extensions.end(), path.extension()) != extensions.end();
 }
 
-// A folder of frames holds nothing but frames.
-bool is_folder_of_frames(const fs::path& path) {
-  if (!fs::is_directory(path) || fs::is_empty(path)) return false;
-  const auto is_frame = [](const fs::directory_entry& entry) {
-    return has_extension_of(entry.path(), {picture, new_extension});
-  };
-  return std::all_of(fs::directory_iterator(path), fs::directory_iterator(), is_frame);
+// True for frame(), whole or not.
+bool is_frame(fs::path name) {
+  if (has_extension_of(name, {new_extension})) name = name.stem();
+  const std::string number = name.stem();
+  return has_extension_of(name, {picture}) && number.size() >= 6 &&
+         std::all_of(number.begin(), number.end(), [](unsigned char c) { return std::isdigit(c); });
+}
+
+bool is_part(fs::path name) { return has_extension_of(name, {rows_sinks().front().extension, new_extension}); }
+
+// Those of a folder that are of one kind, then the folder if nothing else is left.
+void remove_those(const fs::path& folder, bool (*of_kind)(fs::path)) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (of_kind(entry.path().filename())) remove_file(entry.path());
+  if (fs::is_empty(folder, error)) remove_file(folder);
 }
 
 }  // namespace
@@ -41,50 +53,80 @@ fs::path readable_results(const fs::path& folder) { return with(results(folder),
 
 fs::path parts(const fs::path& folder) { return folder / parts_name; }
 
-fs::path part(const fs::path& folder, const std::string& key) {
-  return with(parts(folder) / key, rows_sinks().front().extension);
+fs::path new_parts(const fs::path& folder) { return unfinished(parts(folder)); }
+
+fs::path part(const fs::path& parts, const std::string& key) {
+  return with(parts / key, rows_sinks().front().extension);
 }
 
 std::vector<fs::path> stored(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
-  if (fs::exists(readable_results(folder), error)) files.push_back(readable_results(folder));
-  if (fs::exists(parts(folder), error))
-    for (const auto& entry : fs::directory_iterator(parts(folder)))
+  const bool replaced = fs::exists(new_parts(folder), error);
+  if (!replaced && fs::exists(readable_results(folder), error)) files.push_back(readable_results(folder));
+  const fs::path rows = replaced ? new_parts(folder) : parts(folder);
+  if (fs::exists(rows, error))
+    for (const auto& entry : fs::directory_iterator(rows))
       if (has_extension_of(entry.path(), {rows_sinks().front().extension})) files.push_back(entry.path());
   return files;
 }
 
 bool holds_results(const fs::path& folder) {
   std::error_code error;
-  return fs::exists(readable_results(folder), error) || fs::exists(parts(folder), error);
+  return fs::exists(readable_results(folder), error) || fs::exists(parts(folder), error) ||
+         fs::exists(new_parts(folder), error);
 }
 
 void remove_results(const fs::path& folder) {
-  for (const RowsSink& sink : rows_sinks()) fs::remove_all(with(results(folder), sink.extension));
-  fs::remove_all(parts(folder));
+  for (const RowsSink& sink : rows_sinks()) remove_file(with(results(folder), sink.extension));
+  remove_parts(parts(folder));
+  remove_parts(new_parts(folder));
 }
+
+void remove_parts(const fs::path& parts) { remove_those(parts, is_part); }
 
 fs::path frame(const fs::path& folder, std::size_t k) { return folder / fmt::format("{:06}{}", k, picture); }
 
 bool is_of_the_run(const fs::path& name) {
   fs::path first = *name.begin();
   if (has_extension_of(first, {new_extension})) first = first.stem();
-  if (first == log || first == parts_name) return true;
+  if (first == log || first == list || first == parts_name) return true;
   return std::any_of(rows_sinks().begin(), rows_sinks().end(),
                      [&](const RowsSink& sink) { return first == with(results_stem, sink.extension); });
 }
 
+std::set<std::string> made_in(const fs::path& folder) {
+  std::set<std::string> names;
+  std::error_code error;
+  if (!fs::is_regular_file(folder / list, error)) return names;
+  std::istringstream lines(read_file(folder / list));
+  const fs::path root = fs::weakly_canonical(folder, error);
+  for (std::string name; std::getline(lines, name);) {
+    const fs::path real = fs::weakly_canonical((folder / name).parent_path(), error);
+    const bool below = std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
+    if (!name.empty() && below && !is_of_the_run(name)) names.insert(name);  // whoever wrote the list
+  }
+  return names;
+}
+
+void write_made(const fs::path& folder, const std::set<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += name + "\n";
+  write_atomically(folder / list, text);
+}
+
 bool is_product(const fs::path& path) {
-  if (is_of_the_run(path.filename())) return false;
-  if (has_extension_of(path, {picture, vector_picture, film, plot_script, new_extension})) return true;
-  for (const TrajectorySink& sink : trajectory_sinks())
-    if (has_extension_of(path, {sink.extension})) return true;
-  // A series, whose readable file stands beside the others.
-  for (const RowsSink& sink : rows_sinks())
-    if (has_extension_of(path, {sink.extension}))
-      return fs::exists(fs::path(path).replace_extension(rows_sinks().front().extension));
-  return is_folder_of_frames(path);
+  std::error_code error;
+  if (!fs::is_directory(path, error)) return fs::exists(path, error) && !has_extension_of(path, {plot_script});
+  const fs::directory_iterator entries(path, error);
+  return std::any_of(begin(entries), end(entries), [](const auto& entry) { return is_frame(entry.path().filename()); });
+}
+
+void remove_product(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(fs::symlink_status(path, error))) return remove_those(path, is_frame);
+  remove_file(path);
+  remove_file(unfinished(path));
 }
 
 }  // namespace ricochet::run_names

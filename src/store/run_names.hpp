@@ -3,6 +3,7 @@
 // extensions (sinks.hpp); here they are joined to names.
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,15 +17,20 @@ std::filesystem::path unfinished(std::filesystem::path path);
 /// A sweep's results, without the extension of a format; and the file of them that can be read back.
 std::filesystem::path results(const std::filesystem::path& folder);
 std::filesystem::path readable_results(const std::filesystem::path& folder);
-/// The rows of one batch, until all are there; `key` tells batches apart.
-std::filesystem::path part(const std::filesystem::path& folder, const std::string& key);
+/// The folder of rows until all are there. New ones, which will replace the earlier results with all their parts, stand
+/// in one of their own.
 std::filesystem::path parts(const std::filesystem::path& folder);
-/// The results and parts in a folder that can be read back.
+std::filesystem::path new_parts(const std::filesystem::path& folder);
+/// The rows of one batch, in either; `key` tells batches apart.
+std::filesystem::path part(const std::filesystem::path& parts, const std::string& key);
+/// The results and parts in a folder that can be read back: the new ones if there are some.
 std::vector<std::filesystem::path> stored(const std::filesystem::path& folder);
 /// True if a folder holds any of them.
 bool holds_results(const std::filesystem::path& folder);
-/// Removes results and parts, in all formats.
+/// Removes results and parts, in all formats. Throws FileError.
 void remove_results(const std::filesystem::path& folder);
+/// Removes a folder of parts. Throws FileError.
+void remove_parts(const std::filesystem::path& parts);
 
 /// Picture `k` of a sequence.
 std::filesystem::path frame(const std::filesystem::path& folder, std::size_t k);
@@ -36,7 +42,16 @@ inline constexpr const char* plot_script = ".gp";
 /// True for names (below the run's folder) of what a run leaves itself, results and log: no script may write there.
 bool is_of_the_run(const std::filesystem::path& name);
 
-/// True for what a script's plots, pictures, films, series and recordings leave.
+/// The list of what a script's plots, pictures, films, series and recordings left in a folder: names below it, one a
+/// line.
+inline constexpr const char* list = "run.files";
+std::set<std::string> made_in(const std::filesystem::path& folder);
+void write_made(const std::filesystem::path& folder, const std::set<std::string>& names);
+/// True if something of that list is there and would be a loss: a file other than what gnuplot draws from, or a folder
+/// with frames.
 bool is_product(const std::filesystem::path& path);
+/// Removes what a run made: a file, or the frames of a folder, and the folder if nothing else lies in it. Throws
+/// FileError.
+void remove_product(const std::filesystem::path& path);
 
 }  // namespace ricochet::run_names

@@ -26,14 +26,15 @@ Arguments<SphereImpact> SphereImpact::fields() {
 }
 
 Arguments<HertzImpact> HertzImpact::fields() {
-  return {{{"h0", "number", "L", "greatest compression"}, &HertzImpact::h0},
-          {{"t_c", "number", "T", "contact time"}, &HertzImpact::t_c},
-          {{"F", "number", "M L T^-2", "greatest force"}, &HertzImpact::F},
-          {{"a", "number", "L", "greatest radius of the contact"}, &HertzImpact::a},
-          {{"kappa", "number", "M L^-1/2 T^-2", "m_eff v^2 = m_eff (dh/dt)^2 + kappa h^(5/2)"}, &HertzImpact::kappa},
-          {{"D", "number", "M^-1 L T^2", "(3/4) [(1 - nu^2)/E + (1 - nu2^2)/E2]"}, &HertzImpact::D},
-          {{"R_eff", "number", "L", "R R2 / (R + R2)"}, &HertzImpact::R_eff},
-          {{"m_eff", "number", "M", "m m2 / (m + m2)"}, &HertzImpact::m_eff}};
+  return {{{"h0", "number", "L", "greatest compression", positive}, &HertzImpact::h0},
+          {{"t_c", "number", "T", "contact time", positive}, &HertzImpact::t_c},
+          {{"F", "number", "M L T^-2", "greatest force", positive}, &HertzImpact::F},
+          {{"a", "number", "L", "greatest radius of the contact", positive}, &HertzImpact::a},
+          {{"kappa", "number", "M L^-1/2 T^-2", "m_eff v^2 = m_eff (dh/dt)^2 + kappa h^(5/2)", positive},
+           &HertzImpact::kappa},
+          {{"D", "number", "M^-1 L T^2", "(3/4) [(1 - nu^2)/E + (1 - nu2^2)/E2]", positive}, &HertzImpact::D},
+          {{"R_eff", "number", "L", "R R2 / (R + R2)", positive}, &HertzImpact::R_eff},
+          {{"m_eff", "number", "M", "m m2 / (m + m2)", positive}, &HertzImpact::m_eff}};
 }
 
 ContactForce hertz_force(const Compression& at) {

@@ -64,8 +64,8 @@ Arguments<PressedSphere> PressedSphere::fields() {
 }
 
 Arguments<PlasticPress> PlasticPress::fields() {
-  return {{{"F", "number", "M L T^-2", "force"}, &PlasticPress::F},
-          {{"a", "number", "L", "radius of the contact"}, &PlasticPress::a},
+  return {{{"F", "number", "M L T^-2", "force", positive}, &PlasticPress::F},
+          {{"a", "number", "L", "radius of the contact", positive}, &PlasticPress::a},
           {{"residual", "number", "L", "depth of the dent that stays"}, &PlasticPress::residual}};
 }
 
@@ -85,9 +85,9 @@ Arguments<PressedImpact> PressedImpact::fields() {
 Arguments<PressedRebound> PressedRebound::fields() {
   using S = PressedRebound;
   return {{{"e", "number", "", "restitution coefficient"}, &S::e},
-          {{"depth", "number", "L", "greatest depth"}, &S::depth},
-          {{"F", "number", "M L T^-2", "greatest force"}, &S::F},
-          {{"a", "number", "L", "greatest radius of the contact"}, &S::a},
+          {{"depth", "number", "L", "greatest depth", positive}, &S::depth},
+          {{"F", "number", "M L T^-2", "greatest force", positive}, &S::F},
+          {{"a", "number", "L", "greatest radius of the contact", positive}, &S::a},
           {{"residual", "number", "L", "depth of the dent that stays"}, &S::residual}};
 }
 

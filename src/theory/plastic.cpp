@@ -39,17 +39,16 @@ Arguments<YieldPoint> YieldPoint::fields() {
 }
 
 Arguments<Yield> Yield::fields() {
-  return {{{"v", "number", "L T^-1", "normal speed at which yield begins"}, &Yield::v},
-          {{"F", "number", "M L T^-2", "force at which it begins"}, &Yield::F},
-          {{"p0", "number", "M L^-1 T^-2", "greatest pressure of the contact then, 1.60 Y"}, &Yield::p0}};
+  return {{{"v", "number", "L T^-1", "normal speed at which yield begins", positive}, &Yield::v},
+          {{"F", "number", "M L T^-2", "force at which it begins", positive}, &Yield::F},
+          {{"p0", "number", "M L^-1 T^-2", "greatest pressure of the contact then, 1.60 Y", positive}, &Yield::p0}};
 }
 
 Yield yield_speed(const YieldPoint& point) {
   checked(point);
   const double p0 = 1.6 * point.Y, R = point.R, E = point.E_star;
-  const double F = std::pow(pi * p0, 3) * R * R / (6 * E * E);
-  const double W = std::pow(pi * p0, 5) * R * R * R / (60 * std::pow(E, 4));
-  return {std::sqrt(2 * W / point.m), F, p0};
+  const double strain = pi * p0 / E;  // powers of pressures would leave the range of numbers
+  return {std::sqrt(std::pow(strain, 5) * R / 30 * E / point.m) * R, std::pow(strain, 3) / 6 * E * R * R, p0};
 }
 
 }  // namespace ricochet::theory

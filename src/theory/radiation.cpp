@@ -127,9 +127,9 @@ SphereImpact RadiatingImpact::hertzian() const {
 
 Arguments<RadiationLoss> RadiationLoss::fields() {
   using S = RadiationLoss;
-  return {{{"energy", "number", "M L^2 T^-2", "radiated"}, &S::energy},
+  return {{{"energy", "number", "M L^2 T^-2", "radiated", positive}, &S::energy},
           {{"e", "number", "", "restitution coefficient if nothing else takes energy"}, &S::e},
-          {{"one_minus_e2", "number", "", "1 - e^2"}, &S::one_minus_e2}};
+          {{"one_minus_e2", "number", "", "1 - e^2", positive}, &S::one_minus_e2}};
 }
 
 RadiationLoss radiation_loss(const RadiatingImpact& impact) {
@@ -137,8 +137,9 @@ RadiationLoss radiation_loss(const RadiatingImpact& impact) {
   const SphereImpact hertzian = impact.hertzian();
   const double kappa = hertzian.kappa(), h0 = hertzian.h0(), nu = impact.nu2;
   const double G = impact.E2 / (2 * (1 + nu)), c_P = std::sqrt(zeta_squared(nu) * G / impact.rho2);
-  const double rates = 45.0 / 16 * boost::math::beta(0.8, 1.5) * kappa * kappa * h0 * h0 * impact.v;
-  const double energy = radiation_shares({nu}).T / (2 * pi * G * c_P) * rates,
+  // Products of the impact's own with the half-space's, which stay within the range of numbers.
+  const double rates = 45.0 / 16 * boost::math::beta(0.8, 1.5) * (kappa * h0) * (kappa * h0 / G) * (impact.v / c_P);
+  const double energy = radiation_shares({nu}).T / (2 * pi) * rates,
                loss = 2 * energy / (impact.m * impact.v * impact.v);
   if (loss >= 1) throw FieldError("v", fmt::format("is too high: {:.3g} of the energy would be radiated", loss));
   return {energy, std::sqrt(1 - loss), loss};

@@ -15,9 +15,9 @@ Arguments<PlateImpact> PlateImpact::fields() {
 
 Arguments<PlateRebound> PlateRebound::fields() {
   using S = PlateRebound;
-  return {{{"lambda", "number", "", "Zener's inelasticity parameter"}, &S::lambda},
-          {{"e", "number", "", "restitution coefficient if nothing else takes energy"}, &S::e},
-          {{"t_c", "number", "T", "contact time"}, &S::t_c}};
+  return {{{"lambda", "number", "", "Zener's inelasticity parameter", positive}, &S::lambda},
+          {{"e", "number", "", "restitution coefficient if nothing else takes energy", positive}, &S::e},
+          {{"t_c", "number", "T", "contact time", positive}, &S::t_c}};
 }
 
 PlateRebound zener(const PlateImpact& impact) {

@@ -491,8 +491,10 @@ TEST_CASE("existing results are neither overwritten nor lost by a mistake") {
   REQUIRE(here.script(small_sweep, "samples=1 --quiet").status == 0);
   const std::string before = here.read("out/s/results.h5");
   Ended ended = here.script(small_sweep, "samples=1");
-  CHECK(ended.first_line() ==
-        "error: out/s already holds results; --resume continues them, --force replaces them, --out DIR goes elsewhere");
+  CHECK(
+      ended.first_line() ==
+      "error: out/s already holds results; --resume continues them, --force replaces them, --new leaves them and goes "
+      "to out/s-2");
   CHECK(ended.status == 4);
   CHECK_THAT(here.run("s.lua sampels=2").first_line(),
              Catch::Matchers::StartsWith("error: unknown parameter 'sampels' (did you mean 'samples'?)"));

@@ -17,7 +17,7 @@ using namespace ricochet::test;
 
 TEST_CASE("a sweep leaves rows, CSV, log and provenance") {
   const Workplace here;
-  const Ended ended = here.script(small_sweep, "--quiet");
+  const Ended ended = here.script(small_sweep);
   INFO(ended.err);
   REQUIRE(ended.status == 0);
   CHECK_THAT(ended.out, Catch::Matchers::Contains("s: 12 of 12 impacts finished; out/s/results.h5"));
@@ -66,7 +66,7 @@ TEST_CASE("a scene that asks for an accuracy says what was chosen, and its rows 
   const Workplace here;
   std::string text = small_sweep;
   text.replace(text.find("launch ="), 0, "accuracy = 1e-5, ");
-  const Ended ended = here.script(text, "samples=2 --quiet");
+  const Ended ended = here.script(text, "samples=2");
   INFO(ended.err);
   CHECK(ended.status == 0);
   CHECK_THAT(ended.out, Catch::Matchers::Matches(

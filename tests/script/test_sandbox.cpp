@@ -442,6 +442,8 @@ TEST_CASE("gnuplot starts no programs, and writes through no link") {
   here.write("mine.png", "mine");
   fs::create_directories(here.path / "out/s");
   for (const char* link : {"out/s/p.png", "out/s/p.svg"}) fs::create_symlink(here.path / "mine.png", here.path / link);
+  CHECK_THAT(here.run("s.lua --resume").first_line(), Catch::Matchers::Contains("out/s/p.png is in the way"));
+  here.write("out/s/run.files", "p.png\np.svg\n");  // as if a run had made them
   CHECK(here.run("s.lua --resume").status == 0);
   CHECK(here.read("mine.png") == "mine");
   CHECK(here.read("out/s/p.png").substr(1, 3) == "PNG");

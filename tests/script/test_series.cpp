@@ -104,6 +104,27 @@ TEST_CASE("mistakes in a series are told at their place") {
   CHECK_THAT(told("{}"), Contains("'of' names nothing beside the time"));
 }
 
+TEST_CASE("an outline with a hole has a place of NaN between its chains") {
+  const Ended run = script_with_module(R"(
+local hole = { { -0.4, -0.4 }, { 0.4, -0.4 }, { 0.4, 0.4 }, { -0.4, 0.4 } }
+local ball = ricochet.scene { projectile = ricochet.disk { nodes = 80, holes = { hole } }, target = ricochet.plane {},
+  launch = { speed = 0.05 } }
+local outside, gaps, inside
+ricochet.series { scene = ball, outlines = true, points = 2, duration = 1, of = { a = function(state)
+  outside, gaps, inside = 0, 0, 0
+  for _, p in ipairs(state.projectile.outline) do
+    local r = math.sqrt((p[1] - state.projectile.x) ^ 2 + (p[2] - state.projectile.y) ^ 2)
+    if r ~= r then gaps = gaps + 1 elseif gaps == 0 then outside = outside + 1 else inside = inside + 1 end
+    assert(r ~= r or (gaps == 0) == (r > 0.9))
+  end
+  return gaps
+end } }
+assert(gaps == 1 and outside > 10 and inside > 4)
+)");
+  INFO(run.err);
+  CHECK(run.status == 0);
+}
+
 TEST_CASE("bounces are rows, and tell why they end") {
   const Workplace place;
   const Ended run = place.script(head + R"(

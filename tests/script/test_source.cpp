@@ -29,6 +29,13 @@ TEST_CASE("a field is found in its own table, not in comments, strings or inner 
   CHECK_FALSE(find_field(script, 4, "scene", {"launch", "spin"}));
 }
 
+TEST_CASE("a field that is missing is not found in the next call's table") {
+  const std::string calls = "local a = disk {}\nlocal b = disk { E = 2 }\nlocal c =\ndisk { E = 2 }\n";
+  CHECK_FALSE(find_field(calls, 1, "disk", {"E"}));
+  CHECK(find_field(calls, 2, "disk", {"E"})->line == 2);
+  CHECK(find_field(calls, 3, "disk", {"E"})->line == 4);
+}
+
 TEST_CASE("an excerpt shows the line and points below the name, tabs kept") {
   CHECK(excerpt(script, {7, 2, 5}) == "    7 | \tradus = 4,\n      | \t^^^^^\n");
   CHECK(excerpt(script, {1, 1, 0}) == "    1 | local r = require \"ricochet\"\n");

@@ -63,7 +63,7 @@ TEST_CASE("a mistake in a theory's table is reported at the field's own line") {
   CHECK_THAT(mistake("ricochet.theory:rods { L = 1 }"),
              Contains("error: s.lua:2: theory.rods takes one table and is called with a dot"));
   CHECK_THAT(mistake("ricochet.theory.hertz { R = 1e300, E = 1e300, nu = 0, m = 1, v = 1 }"),
-             Contains("error: s.lua:2: theory.hertz: 'kappa' is too large or too small for a number at these values"));
+             Contains("error: s.lua:2: theory.hertz: 'h0' is too large or too small for a number at these values"));
 }
 
 TEST_CASE("ricochet theory lists what there is, ricochet theory errata the misprints") {

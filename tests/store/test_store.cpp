@@ -218,7 +218,6 @@ TEST_CASE("results in every format are the run's own, are found by their names, 
     CHECK(fs::exists(folder.path / name));
     CHECK(run_names::is_of_the_run(name));
     CHECK(run_names::is_of_the_run(name + ".new"));
-    CHECK_FALSE(run_names::is_product(folder.path / name));
   }
   CHECK(run_names::holds_results(folder.path));
   CHECK(run_names::stored(folder.path) == std::vector<fs::path>{run_names::readable_results(folder.path)});
@@ -227,21 +226,27 @@ TEST_CASE("results in every format are the run's own, are found by their names, 
   CHECK(fs::is_empty(folder.path));
 }
 
-TEST_CASE("a recorded impact in every format is a product, and so is a folder of frames, but no other folder") {
+TEST_CASE("what a run made is on its list, a folder of frames loses its frames alone, and a list leads nowhere else") {
   const Folder folder;
   write_everywhere(folder.path / "a.b", small_trajectory(), {});
-  for (const TrajectorySink& sink : trajectory_sinks()) {
-    const fs::path path = folder.path / (std::string("a.b") + sink.extension);
-    INFO(path);
-    CHECK(fs::exists(path));
-    CHECK(run_names::is_product(path));
-    CHECK_FALSE(run_names::is_of_the_run(path.filename()));
-  }
   fs::create_directories(folder.path / "frames");
-  CHECK_FALSE(run_names::is_product(folder.path / "frames"));
   write_atomically(run_names::frame(folder.path / "frames", 7), "x");
+  write_atomically(folder.path / "frames" / "photo.png", "x");
+  write_atomically(folder.path / "plot.gp", "x");
+  const std::set<std::string> made{"a.b.h5", "a.b.xdmf", "frames", "plot.gp", "gone.png"};
+  run_names::write_made(folder.path, made);
+  CHECK(run_names::made_in(folder.path) == made);
+  CHECK(run_names::is_of_the_run(run_names::list));
+  for (const TrajectorySink& sink : trajectory_sinks())
+    CHECK(run_names::is_product(folder.path / (std::string("a.b") + sink.extension)));
   CHECK(run_names::is_product(folder.path / "frames"));
-  write_atomically(folder.path / "frames" / "note.txt", "x");
+  CHECK_FALSE(run_names::is_product(folder.path / "plot.gp"));
+  CHECK_FALSE(run_names::is_product(folder.path / "gone.png"));
+  for (const std::string& name : made) run_names::remove_product(folder.path / name);
+  CHECK(fs::exists(folder.path / "frames" / "photo.png"));
+  CHECK_FALSE(fs::exists(run_names::frame(folder.path / "frames", 7)));
   CHECK_FALSE(run_names::is_product(folder.path / "frames"));
-  CHECK_FALSE(run_names::is_product(folder.path / "note.txt"));
+  CHECK_FALSE(fs::exists(folder.path / "a.b.h5"));
+  write_atomically(folder.path / run_names::list, "../up.png\n/etc/passwd\nresults.h5\nsub/../../up.png\nfine.png\n");
+  CHECK(run_names::made_in(folder.path) == std::set<std::string>{"fine.png"});
 }

@@ -12,6 +12,7 @@
 #include "impact/launch/contact_rule.hpp"
 #include "impact/launch/step.hpp"
 #include "impact/launch/symmetry.hpp"
+#include "shape/outline.hpp"
 
 namespace ricochet {
 namespace {
@@ -96,6 +97,22 @@ ExponentialRepulsion widened(ExponentialRepulsion contact, double energy) {
                                      scene.launch.at, first, last));
 }
 
+// Refuses a start that the projectile could only have come to through the target: time 0 is the end of a free flight. A
+// script that gives the height says itself where that begins.
+void check_arrival(const Scene& scene, const Solids& solids, const Flight& flight, Placement seen) {
+  if (!std::isnan(scene.launch.height) || std::holds_alternative<Plane>(solids[1]->surface) ||
+      is_convex(solids[1]->smooth))
+    return;
+  seen.velocity = -seen.velocity;
+  seen.spin = -seen.spin;
+  const double touch = 0.01 * flight.distance(seen);
+  if (flight.closest_approach(seen, touch) <= touch)
+    throw FieldError(
+        "launch",
+        "the flight to the start passes through the target; give height, to start below what is in the way, "
+        "or another at, angle or psi1");
+}
+
 // The run begins where the flight, seen by the target, has come to: the target's centre is where it was built.
 void settle(Start& start, const Placement& seen) {
   Placement& target = start.bodies[1];
@@ -145,6 +162,7 @@ Start launch(const Scene& described, const Solids& solids) {
   const double thrown = placement ? placement->velocity.y() : 0, fall = start.bodies[0].acceleration.y();
   start.touches = placement && flight.advance(*placement, start.contact.reach);
   if (!placement) return start;
+  check_arrival(scene, solids, flight, *placement);
   if (fall != 0) start.fell = (placement->velocity.y() - thrown) / fall;
   settle(start, *placement);
   return start;

@@ -1,0 +1,11 @@
+#!/bin/sh
+# bheisler/criterion.rs#422, ploteria/ploteria#22, NetsBlox/NetsBlox#2727: a quote in a title ends gnuplot's string.
+# SiegeLord/RustGnuplot#92: a backquote in one runs a program.
+# Here at 0a2d1a7: a label that begins with an apostrophe could not be plotted (doubled quotes). Now: it can.
+cat >plot.lua <<'LUA'
+local ricochet = require "ricochet"
+for i, title in ipairs { "'Tis", "it's", "''", "a'", "`touch run`", '"$(touch run)"', "\\'" } do
+  ricochet.plot { x = "a", y = { "b" }, name = "p" .. i, title = title, xlabel = title, theory = { b = { { 1, 1 }, { 2, 2 } } } }
+end
+LUA
+ricochet run plot.lua --quiet && [ -e out/plot/p7.png ] && [ ! -e run ] && [ ! -e out/plot/run ]

@@ -1,0 +1,10 @@
+#!/bin/sh
+# jrouwe/JoltPhysics#1286, piqnt/planck.js#223, bulletphysics/bullet3#1530: a ball of e = 1 gains or loses height at every bounce.
+# Here at 906eec7 and now: energy closes in a bounce under gravity, and e stays below 1.
+cat >b.lua <<'LUA'
+local ricochet = require "ricochet"
+local row = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 },
+  launch = { speed = 0.05, height = 0.5 }, effects = { ricochet.gravity { g = 1e-3 } } }:run()
+assert(row.status == "finished" and row.e < 1 and row.e > 0.5 and math.abs(row.energy_closure) < 1e-6, row.energy_closure)
+LUA
+ricochet run b.lua --quiet
