@@ -142,7 +142,7 @@ struct HenckyFlow {
     return y;
   }
 
-  // Or not a number, of either sign. Eigen's own any() goes through one lane after another.
+  // Or not a number, of either sign: cheaper than to compare.
   [[gnu::always_inline]] static bool any_negative(const Number& x) {
     std::uint64_t signs = 0;
     for (int lane = 0; lane < W; ++lane) signs |= std::bit_cast<std::uint64_t>(x[lane]);

@@ -122,7 +122,8 @@ requires(W <= 2 && D == 2) [[gnu::noinline]] void sweep(Motion<W>& body, const S
   };
   constexpr int at_once = 4 / W;
   const Lane<W> stiffness = body.stiffness * law.scale();
-  const Lane<4> all_stiffness = stiffness.template replicate<at_once, 1>();
+  Lane<4> all_stiffness;
+  for (int k = 0; k < 4; ++k) all_stiffness[k] = stiffness[k % W];
   const std::size_t count = springs.list.size();
   std::size_t s = 0;
   for (; s + at_once <= count; s += at_once) pull_by(std::integral_constant<int, at_once>{}, s, all_stiffness);
