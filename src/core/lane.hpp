@@ -9,8 +9,8 @@
 
 namespace ricochet {
 
-/// A register's numbers, and what comparing them gives: -1 where true, else 0. Written out: GCC 12 forgets the attribute
-/// where it depends on a template's parameter.
+/// A register's numbers, and what comparing them gives: -1 where true, else 0. Written out: GCC 12 forgets the
+/// attribute where it depends on a template's parameter.
 template <int W>
 struct Register;
 template <>
@@ -40,7 +40,8 @@ struct Lane;
 /// What a comparison gives: true or false in each lane.
 template <int W>
 struct Truth {
-  typename Register<W>::Truths v;
+  using Truths = typename Register<W>::Truths;
+  Truths v;
 
   bool operator[](int lane) const {
     if constexpr (W == 1)
@@ -57,8 +58,8 @@ struct Truth {
   /// That of `yes` where true, else that of `no`.
   Lane<W> select(const Lane<W>& yes, const Lane<W>& no) const { return Lane<W>(v ? yes.v : no.v); }
 
-  friend Truth operator&&(const Truth& a, const Truth& b) { return {a.v & b.v}; }
-  friend Truth operator||(const Truth& a, const Truth& b) { return {a.v | b.v}; }
+  friend Truth operator&&(const Truth& a, const Truth& b) { return {Truths(a.v & b.v)}; }
+  friend Truth operator||(const Truth& a, const Truth& b) { return {Truths(a.v | b.v)}; }
   Truth operator!() const {
     if constexpr (W == 1)
       return {!v};

@@ -54,7 +54,7 @@ TEST_CASE("spring forces are minus the gradient of the spring energy, with a sti
   auto moving = at_rest<1>(*lattice, 30);
   shake(moving, 0.03, 0, 1);
   auto kicked = moving;
-  kick_and_drift(kicked, Lane<1>::Ones().eval(), Lane<1>::Zero().eval());  // velocity = force
+  kick_and_drift(kicked, Lane<1>::Ones(), Lane<1>::Zero());  // velocity = force
   Vec2 total = Vec2::Zero();
   for (int i = 0; i < lattice->nodes(); ++i) {
     total += kicked.v.at(i, 0);
@@ -84,7 +84,7 @@ TEST_CASE("a lane has the same bits alone and among others") {
   }
   for (int step = 0; step < 50; ++step) {
     kick_and_drift(many, kick, drift);
-    for (auto& one : alone) kick_and_drift(one, Lane<1>::Constant(1e-3).eval(), Lane<1>::Constant(2e-3).eval());
+    for (auto& one : alone) kick_and_drift(one, Lane<1>::Constant(1e-3), Lane<1>::Constant(2e-3));
   }
   for (int lane = 0; lane < lanes; ++lane)
     for (int i = 0; i < lattice->nodes(); ++i) {

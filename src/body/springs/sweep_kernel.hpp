@@ -77,6 +77,14 @@ struct NodeVector<2> {
   using Type = double __attribute__((vector_size(32), aligned(16), may_alias));
 };
 
+/// A register full of the lanes' numbers, over and over.
+template <int W>
+Lane<4> repeated(const Lane<W>& numbers) {
+  Lane<4> full;
+  for (int k = 0; k < 4; ++k) full[k] = numbers[k % W];
+  return full;
+}
+
 /// The same for one or two impacts in the plane, whose springs fill the registers four or two at a time. Every number
 /// is made by the same operations, and those of a node are summed in the same order, so the bits are those of a lane.
 template <int D, class Same, int W, class Law>
@@ -122,8 +130,7 @@ requires(W <= 2 && D == 2) [[gnu::noinline]] void sweep(Motion<W>& body, const S
   };
   constexpr int at_once = 4 / W;
   const Lane<W> stiffness = body.stiffness * law.scale();
-  Lane<4> all_stiffness;
-  for (int k = 0; k < 4; ++k) all_stiffness[k] = stiffness[k % W];
+  const Lane<4> all_stiffness = repeated(stiffness);
   const std::size_t count = springs.list.size();
   std::size_t s = 0;
   for (; s + at_once <= count; s += at_once) pull_by(std::integral_constant<int, at_once>{}, s, all_stiffness);
