@@ -195,6 +195,18 @@ double folding_speed(const std::string& placement) {
 // by 0.002, at twice that by 0.01. [here]
 constexpr double fastest_modes = 0.05;
 
+// Of a contact that is chosen as if the body had all its modes, whether or not a law holds.
+void add_few_modes(const Scene& scene, Estimate& e) {
+  for (const Body* body : scene.bodies())
+    if (body->numbers.of_modes() && body->numbers.modes > 0 && std::isnan(scene.contact.xi))
+      e.doubts.push_back(
+          {"few_modes",
+           fmt::format("a rim of {} modes cannot yield to the contact that the program chooses for a whole "
+                       "body, and chatters: leave modes out, or give a softer contact.xi and see whether "
+                       "e stays with half of it",
+                       body->numbers.modes)});
+}
+
 void add_doubts(const Scene& scene, Estimate& e) {
   const auto add = [&](const char* kind, std::string reason) { e.doubts.push_back({kind, std::move(reason)}); };
   const double nodes = 2 * e.impact.half_width / e.spacing;
@@ -216,11 +228,6 @@ void add_doubts(const Scene& scene, Estimate& e) {
       add("fast_modes", fmt::format("at {:.2g} of a body's wave speed strains are too large for modes, which are those "
                                     "of small ones; stay below {:g} of it, or give interior = \"{}\"",
                                     share, fastest_modes, body->numbers.modes_of));
-    if (body->numbers.of_modes() && body->numbers.modes > 0 && std::isnan(scene.contact.xi))
-      add("few_modes", fmt::format("a rim of {} modes cannot yield to the contact that the program chooses for a whole "
-                                   "body, and chatters: leave modes out, or give a softer contact.xi and see whether e "
-                                   "stays with half of it",
-                                   body->numbers.modes));
     if (body->numbers.interior != "springs") continue;  // elements resist being turned over
     const double most = folding_speed(body->numbers.placement);
     if (share > most)
@@ -253,6 +260,7 @@ Estimate estimate(const Scene& scene) {
   Estimate e;
   e.spacing = spacing_of(scene);
   set_speeds(scene, e);
+  add_few_modes(scene, e);
   const std::optional<Touch> touch = touch_of(scene);
   if (!touch) return without_law(e, "the outlines pass beside each other");
   const Side one = side_of(*scene.projectile, touch->projectile, touch->at);

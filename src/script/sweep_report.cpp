@@ -65,13 +65,31 @@ void Progress::add(std::size_t count, std::size_t failed) {
   }
 }
 
+namespace {
+
+// What an estimate doubts of modes, which no column of the rows tells, by its kind.
+void collect_doubts_of_modes(const Estimate& e, std::map<std::string, std::string>& doubts) {
+  for (const Doubt& doubt : e.doubts)
+    if (doubt.kind == "few_modes" || doubt.kind == "fast_modes") doubts.emplace(doubt.kind, doubt.reason);
+}
+
+std::string listed(const std::map<std::string, std::string>& doubts) {
+  std::string text;
+  for (const auto& [kind, reason] : doubts) text += fmt::format("  {}: {}\n", kind, reason);
+  return text;
+}
+
+}  // namespace
+
 std::string scale_text(const std::vector<Scene>& scenes) {
   Extent speed, depth, length;
+  std::map<std::string, std::string> doubts;
   std::size_t unknown = 0;
   bool elements = false;
   const std::size_t every = scenes.size() / 200 + 1;  // enough to tell the extent of a sweep
   for (std::size_t i = 0; i < scenes.size(); i += every) {
     const Estimate e = estimate(scenes[i]);
+    collect_doubts_of_modes(e, doubts);
     if (!e.no_law.empty()) {
       ++unknown;
       continue;
@@ -82,13 +100,14 @@ std::string scale_text(const std::vector<Scene>& scenes) {
     depth.include(2 * e.impact.approach / (box.high - box.low).maxCoeff());
     length.include(2 * e.impact.half_width / e.spacing);
   }
-  if (!(speed.low <= speed.high)) return "";
+  if (!(speed.low <= speed.high)) return listed(doubts);
   constexpr double least_length = 4;  // of the contact, in node spacings: ricochet.estimate asks for as many
   const std::string advice = fmt::format("; below 4 e follows the {}: ricochet.estimate says how fine it takes",
                                          elements ? "mesh" : "lattice");
   return fmt::format("  estimated: v/c_P {}, indentation {} R, contact {} node spacings long{}{}\n", speed.text(3),
                      depth.text(2), length.text(2), unknown > 0 ? " (where a law holds)" : "",
-                     length.low < least_length ? advice : "");
+                     length.low < least_length ? advice : "") +
+         listed(doubts);
 }
 
 std::string doubts_text(const std::vector<Row>& rows) {

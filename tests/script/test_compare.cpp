@@ -93,7 +93,7 @@ for i, v in ipairs { 0.003, 0.01, 0.03, 0.05, 0.1 } do
       target = ricochet.plane {}, launch = { speed = v * c_P }, contact = { xi = 1000 } }
   end
   local list = ricochet.compare { scene = scene "linear", interiors = { "elements", "modes", "springs" }, omega_most = 80,
-    modes = { nodes = 800 }, springs = { nodes = 800, placement = "triangular" }, name = "v" .. i }
+    modes = { h_min = 0.02 }, springs = { nodes = 800, placement = "triangular" }, name = "v" .. i }
   local linear, modes, springs, exact = table.unpack(list)
   off(linear, exact, 2e-3, 0.005, "linear elements and modes at " .. v)
   for _, ring in ipairs(exact.ringing) do

@@ -1,7 +1,7 @@
 #include "body/modal/build.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 #include "body/description.hpp"
 #include "body/modes.hpp"
@@ -31,15 +31,17 @@ MovedNodes moved(std::vector<int> nodes, const std::vector<Mode>& modes) {
 
 // The greatest eigenvalue of what a force on a node does to the node: the flight of the body, its turning, its modes.
 double give(const Modes& modes, std::size_t rim_node) {
-  const Vec2& arm = modes.arm[static_cast<std::size_t>(modes.rim.node[rim_node])];
-  const Vec2 turned = perpendicular(arm);
-  Eigen::Matrix2d sum = modes.per_mass * Eigen::Matrix2d::Identity() + modes.per_inertia * turned * turned.transpose();
+  const Vec2 turned = perpendicular(modes.arm[static_cast<std::size_t>(modes.rim.node[rim_node])]);
+  double xx = modes.per_mass + modes.per_inertia * turned.x() * turned.x();
+  double yy = modes.per_mass + modes.per_inertia * turned.y() * turned.y();
+  double xy = modes.per_inertia * turned.x() * turned.y();
   for (std::size_t k = 0; k < modes.omega.size(); ++k) {
     const double* shape = modes.rim.of_mode(k) + 2 * rim_node;
-    const Vec2 moved(shape[0], shape[1]);
-    sum += moved * moved.transpose();
+    xx += shape[0] * shape[0];
+    yy += shape[1] * shape[1];
+    xy += shape[0] * shape[1];
   }
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(sum, Eigen::EigenvaluesOnly).eigenvalues()[1];
+  return (xx + yy) / 2 + std::hypot((xx - yy) / 2, xy);
 }
 
 }  // namespace
