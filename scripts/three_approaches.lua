@@ -2,7 +2,7 @@
 -- disks, uniformly random points), finite elements (of small strain and of any), and vibrations (those of a mesh, and
 -- the disk's own in closed form). What do they agree on, and what does an impact cost? Speeds are over c_P =
 -- sqrt(E / (rho (1 - nu^2))) of each body, contact 1/xi = R/1000 for all. `samples`: lattices of random points a speed.
--- `full=true`: finer meshes, twice the speeds and 12 lattices, 4 minutes on two cores.
+-- `full=true`: finer meshes, twice the speeds and 12 lattices, a minute on two cores.
 local ricochet = require "ricochet"
 local rows_of = require("ricochet.rows").rows_of
 local statistics = require "ricochet.statistics"
