@@ -106,7 +106,7 @@ for i, ratio in ipairs(p.ratio) do
     -- Johnson's depends on v/v_y alone.
     if k > 1 or i == 1 then
       lines[#lines + 1] = { name = k == 1 and law.name or ("%s, %g"):format(law.name, ratio),
-        f = function(x) return says(law.of, ratio, x) end }
+        f = function(x) return says(law.of, ratio, x) or 0 / 0 end }
     end
   end
   dents[i] = { name = ("Jackson & Green, %g"):format(ratio), f = function(x)

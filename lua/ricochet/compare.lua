@@ -110,7 +110,9 @@ end
 -- What each interior is of, beside what the user gives it alone.
 local function made_of(original, interior, own)
   local fields = original.fields
-  if interior == "springs" then
+  if interior == fields.interior then
+    fields = without(fields, {})  -- as the scene has it
+  elseif interior == "springs" then
     fields = without(fields, original.is_lattice and of_modes or of_springs, of_elements, of_modes)
   else
     fields = without(fields, of_springs, original.is_lattice and of_elements or of_modes, of_modes)
@@ -121,7 +123,7 @@ local function made_of(original, interior, own)
     end
   end
   fields.interior = interior
-  fields.mass = interior == "springs" and fields.mass or nil
+  fields.mass = (interior == "springs" or fields.modes_of == "springs") and fields.mass or nil
   if not (original.material or fields.mass) then fields.density = original.density end
   own = own or {}
   if own.nodes and not own.h_min then fields = without(fields, of_mesh) end
@@ -170,6 +172,7 @@ local function cost_of(scene, row)
   return cost
 end
 
+-- Until the bodies first part: of a tilted body the rest of the run is flight.
 local function greatest_force(scene, time, name)
   local rows = series { scene = scene, of = { "force_n", "vn", "overlap" }, points = 2000, duration = time,
     name = name }
@@ -216,7 +219,7 @@ local function entry_of(t, original, interior, xi)
   entry.row = row
   entry.speed = math.abs(row.vn / row.e)  -- normal, before
   for _, column in ipairs { "e", "contact_time", "contact_time_energy", "inverted" } do entry[column] = row[column] end
-  entry.force = greatest_force(entry.scene, row.time, t.name .. "_" .. interior)
+  entry.force = greatest_force(entry.scene, row.time_first, t.name .. "_" .. interior)
   local rings = core.functions.ringing { scene = entry.scene, count = math.min(t.count, 2 * nodes - 3) }
   for _, mode in ipairs(rings) do mode.omega = mode.omega / entry.wave_speed end
   entry.ringing = strongest(rings)
@@ -251,7 +254,9 @@ local function exact_of(t, radius, like)
     return core.theory.modal_disk { nu = like.nu, speed = like.speed / c, alpha = like.row.xi * radius,
       omega_most = omega_most }
   end
-  local half, whole = impact(t.omega_most / 2), impact(t.omega_most)
+  local whole = impact(t.omega_most)
+  local is_enough, half = pcall(impact, t.omega_most / 2)
+  if not is_enough then half = whole end  -- too few for so hard a wall: not extrapolated
   local function of_all(few, many) return 2 * many - few end
   local energy_by_few = {}
   for k in ipairs(half.omega) do energy_by_few[half.n[k] .. " " .. half.l[k]] = half.energy[k] end
@@ -262,8 +267,9 @@ local function exact_of(t, radius, like)
   end
   table.sort(modes, function(a, b) return a.omega < b.omega end)
   return {
-    interior = "exact", E = like.E, nu = like.nu, density = like.density, wave_speed = c, nodes = 0, is_linear = true,
-    speed = like.speed, e = of_all(half.e, whole.e), contact_time = 0 / 0,
+    interior = is_enough and "exact" or "nearly exact", E = like.E, nu = like.nu, density = like.density,
+    wave_speed = c, nodes = 0, is_linear = true, speed = like.speed,
+    e = of_all(half.e, whole.e), contact_time = 0 / 0,
     contact_time_energy = of_all(half.contact_time, whole.contact_time) * radius / c, force = 0 / 0, inverted = 0,
     ringing = strongest(modes),
   }

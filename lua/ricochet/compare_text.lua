@@ -22,7 +22,7 @@ function text.csv(list)
 end
 
 local function line(name, cells)
-  for i, cell in ipairs(cells) do cells[i] = ("%16s"):format(cell) end
+  for i, cell in ipairs(cells) do cells[i] = ("%20s"):format(cell) end
   print(("%-16s%s"):format(name, table.concat(cells)))
 end
 
@@ -47,8 +47,9 @@ end
 local function verdict(a, b)
   local v = a.speed / a.wave_speed
   local bound = (a.interior == "springs" or b.interior == "springs") and 6e-3 or 2e-3
-  local head = ("%s and %s: e %+.5f, contact time by energy %+.2f %%"):format(b.interior, a.interior, b.e - a.e,
-    100 * (b.contact_time_energy / a.contact_time_energy - 1))
+  local times = b.contact_time_energy / a.contact_time_energy - 1
+  local head = ("%s and %s: e %+.5f%s"):format(b.interior, a.interior, b.e - a.e,
+    times == times and (", contact time by energy %+.2f %%"):format(100 * times) or "")
   if math.abs(b.e - a.e) <= bound then return ("%s: agree within %g"):format(head, bound) end
   return ("%s: more than %g apart (%s)"):format(head, bound, reasons(a, b, v))
 end
@@ -73,7 +74,7 @@ function text.print(list)
       is_any = is_any or mode ~= nil
       cells[i] = mode and ("%.4f: %.5f"):format(mode.omega, mode.share) or "-"
     end
-    if is_any then line(k == 1 and "omega/c_P: share" or "", cells) end
+    if is_any then line(k == 1 and "omega/c_P: share" or "  (by share)", cells) end
   end
   local seconds, error, digit = {}, {}, {}
   for i, entry in ipairs(list) do

@@ -1,6 +1,7 @@
 #pragma once
 // Mistakes of a script, an argument or a file. Numerical endings of an impact are values (Status), never errors.
 
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -30,5 +31,14 @@ struct SceneError : FieldError {
 struct FileError : Error {
   explicit FileError(const std::string& message) : Error(message, Exit::file) {}
 };
+
+/// Any exception as an error with its exit status; one of the file system names its file.
+inline Error as_error(const std::exception& error) {
+  if (const auto* known = dynamic_cast<const Error*>(&error)) return *known;
+  if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
+    return FileError("cannot use " + file->path1().string() + ": " + file->code().message() +
+                     "; see that it and its folder can be read and written");
+  return Error(error.what());
+}
 
 }  // namespace ricochet

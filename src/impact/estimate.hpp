@@ -12,7 +12,7 @@ namespace ricochet {
 
 /// What makes a scene's numbers doubtful.
 struct Doubt {
-  std::string kind;    ///< "coarse_contact", "coarse_rim", "folding", "fast_modes", "over_yield"
+  std::string kind;    ///< "coarse_contact", "coarse_rim", "folding", "fast_modes", "few_modes", "corner", "over_yield"
   std::string reason;  ///< a sentence with its remedy
 };
 

@@ -207,7 +207,6 @@ Sandbox::Sandbox(Surroundings surroundings) : given(std::move(surroundings)), L(
   if (!L) throw Error("no memory for Lua");
   open_libraries(L, given.unsafe);
   open_coroutines(L);
-  order_pairs(L);
   lua_register(L, "require", guarded<require<false>>);
 }
 
@@ -221,20 +220,9 @@ void Sandbox::close() {
   lua_setfield(L, LUA_REGISTRYINDEX, library_environment);
 }
 
-namespace {
-
-// By its byte order mark, or by the zeros of what would be ASCII.
-bool is_utf16(const std::string& text) {
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
-  return text.size() > 3 && ((text[0] == 0 && text[2] == 0) || (text[1] == 0 && text[3] == 0));
-}
-
-}  // namespace
-
 void load_file(lua_State* L, const fs::path& path, const std::string& name, bool of_library) {
   const Surroundings& given = sandbox_of(L).given;
   std::string text = given.read(path);
-  if (is_utf16(text)) throw Error(name + ": is written in UTF-16; save it as UTF-8");
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);  // a byte order mark, which some editors write
   if (text.starts_with("#!")) text.insert(0, "--");        // a first line for the shell
   given.sources[name] = text;

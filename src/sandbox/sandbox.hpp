@@ -98,15 +98,6 @@ void note_stop(lua_State* L);
 /// Where in the registry the exit status of the last error travels: a script that catches it sees plain text.
 inline constexpr const char* exit_status = "ricochet.exit";
 
-/// Any exception as an error with its exit status; one of the file system names its file.
-inline Error as_error(const std::exception& error) {
-  if (const auto* known = dynamic_cast<const Error*>(&error)) return *known;
-  if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
-    return FileError("cannot use " + file->path1().string() + ": " + file->code().message() +
-                     "; see that it and its folder can be read and written");
-  return Error(error.what());
-}
-
 /// A C++ function that Lua may call: exceptions become Lua errors, and the error text is that of the exception.
 template <int (*function)(lua_State*)>
 int guarded(lua_State* L) {
@@ -122,13 +113,8 @@ int guarded(lua_State* L) {
   return lua_error(L);
 }
 
-// What follows is shared by the sandbox's own files.
-
 /// Lua's coroutines, so that the one that runs is the one that stops.
 void open_coroutines(lua_State* L);
-
-/// pairs() in the same order in every run.
-void order_pairs(lua_State* L);
 
 /// Calls Lua's own function in the place of the one that replaces it, whose upvalue it is.
 inline int original(lua_State* L, int upvalue = 1) { return lua_tocfunction(L, lua_upvalueindex(upvalue))(L); }

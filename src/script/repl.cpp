@@ -146,6 +146,14 @@ class History {
   fs::path file_;
 };
 
+volatile std::sig_atomic_t abandoned = 0;  // ^C at a prompt gives up what was typed
+
+// Asked by readline while it waits: after a signal it would go on to read.
+int end_abandoned() {
+  if (abandoned != 0) rl_done = 1;
+  return 0;
+}
+
 // A line of the terminal's, or of a pipe; false at the end.
 bool prompted(const char* prompt, std::string& line) {
   if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO)) {
@@ -153,7 +161,9 @@ bool prompted(const char* prompt, std::string& line) {
     return static_cast<bool>(std::getline(std::cin, line));
   }
   static History history;
-  const auto on_interrupt = std::signal(SIGINT, [](int) {});  // there is nothing to stop at a prompt
+  rl_event_hook = end_abandoned;
+  abandoned = 0;
+  const auto on_interrupt = std::signal(SIGINT, [](int) { abandoned = 1; });  // there is nothing to stop at a prompt
   char* typed = readline(prompt);
   std::signal(SIGINT, on_interrupt);
   if (!typed) return false;
@@ -167,6 +177,10 @@ bool prompted(const char* prompt, std::string& line) {
 bool read_entry(lua_State* L) {
   std::string entry, line;
   while (prompted(entry.empty() ? "> " : ">> ", line)) {
+    if (abandoned != 0) {
+      entry.clear();
+      continue;
+    }
     entry += (entry.empty() ? "" : "\n") + line;
     const Compiled compiled = compile(L, entry);
     if (compiled == Compiled::incomplete && !line.empty()) continue;  // an empty line gives up
@@ -200,6 +214,7 @@ void run_repl() {
       say(complaint(error.what()));
     }
     stop_requested = false;  // ^C has stopped what ran, and only that
+    lua_sethook(state.lua(), nullptr, 0, 0);
     alarm(0);
   }
   session.write_log();

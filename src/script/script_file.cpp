@@ -30,10 +30,19 @@ std::size_t utf8_length(std::string_view text) {
   return length;
 }
 
+// By its byte order mark, or by the zeros of what would be ASCII.
+bool is_utf16(const std::string& text) {
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
+  return text.size() > 3 && ((text[0] == 0 && text[2] == 0) || (text[1] == 0 && text[3] == 0));
+}
+
 }  // namespace
 
 std::string read_source(const fs::path& path) {
-  return path == standard_input ? std::string{std::istreambuf_iterator<char>(std::cin), {}} : read_file(path);
+  std::string text =
+      path == standard_input ? std::string{std::istreambuf_iterator<char>(std::cin), {}} : read_file(path);
+  if (is_utf16(text)) throw Error(path.string() + ": is written in UTF-16; save it as UTF-8");
+  return text;
 }
 
 void check_script(const fs::path& script) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/spelling.hpp"
+#include "script/pairs.hpp"
 #include "script/reader.hpp"
 #include "script/script_file.hpp"
 #include "store/files.hpp"
@@ -224,6 +225,7 @@ State::State(Session& session)
                 .syntax_error = syntax_error,
                 .meaning = meaning}) {
   *static_cast<Session**>(lua_getextraspace(L_)) = &session_;
+  order_pairs(L_);
   lua_register(L_, "print", guarded<print>);
 
   lua_newtable(L_);  // the module's native part, which lua/ricochet/init.lua requires as "ricochet.core"

@@ -67,10 +67,11 @@ void Progress::add(std::size_t count, std::size_t failed) {
 
 namespace {
 
-// What an estimate doubts of modes, which no column of the rows tells, by its kind.
-void collect_doubts_of_modes(const Estimate& e, std::map<std::string, std::string>& doubts) {
+// What an estimate doubts that no column of the rows and no number of the line tells, by its kind.
+void collect_doubts(const Estimate& e, std::map<std::string, std::string>& doubts) {
   for (const Doubt& doubt : e.doubts)
-    if (doubt.kind == "few_modes" || doubt.kind == "fast_modes") doubts.emplace(doubt.kind, doubt.reason);
+    if (doubt.kind == "few_modes" || doubt.kind == "fast_modes" || doubt.kind == "corner")
+      doubts.emplace(doubt.kind, doubt.reason);
 }
 
 std::string listed(const std::map<std::string, std::string>& doubts) {
@@ -89,7 +90,7 @@ std::string scale_text(const std::vector<Scene>& scenes) {
   const std::size_t every = scenes.size() / 200 + 1;  // enough to tell the extent of a sweep
   for (std::size_t i = 0; i < scenes.size(); i += every) {
     const Estimate e = estimate(scenes[i]);
-    collect_doubts_of_modes(e, doubts);
+    collect_doubts(e, doubts);
     if (!e.no_law.empty()) {
       ++unknown;
       continue;

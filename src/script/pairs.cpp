@@ -1,11 +1,11 @@
 // pairs() in an order that is the same in every run. Lua gives the keys of a table in the order of their hashes, and
 // seeds the hash of texts from the clock and from addresses, anew in every run.
 
+#include "script/pairs.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <vector>
-
-#include "sandbox/sandbox.hpp"
 
 namespace ricochet {
 namespace {
