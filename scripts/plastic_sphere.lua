@@ -2,7 +2,7 @@
 -- beside Johnson's fully plastic impact at a pressure of 3 Y, Wu, Li & Thornton's two laws and Jackson & Green's fit,
 -- and the share of the depth that the dent keeps. The window of the -1/4 law, and the speed at which yielding begins.
 -- `samples`: speeds for each ratio. A minute of one core; `full=true`: more speeds from lower ones on, and elements
--- of 0.6 of the side, half an hour or more.
+-- of 0.6 of the side, 16 minutes of one core.
 local ricochet = require "ricochet"
 local theory = ricochet.theory
 
