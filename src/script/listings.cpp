@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -18,6 +19,8 @@
 #include "theory/errata.hpp"
 
 namespace ricochet {
+
+namespace fs = std::filesystem;
 namespace {
 
 // Lines of at most `width` bytes, each after `indent`.
@@ -105,7 +108,29 @@ void print_errata() {
          wrapped(std::string("right:   ") + m.right, "   "), wrapped(std::string("checked: ") + m.checked, "   "));
 }
 
-void print_info(const std::string& path) {
+namespace {
+
+// The file that is meant: of a folder its results.h5, or those below it where there is but one.
+std::string meant(const fs::path& path) {
+  if (path.extension() == ".csv")
+    throw FileError(
+        fmt::format("{} is text, which says of itself only its columns; give the .h5 beside it", path.string()));
+  if (!fs::is_directory(path)) return path.string();
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::recursive_directory_iterator(path))
+    if (entry.path().filename() == "results.h5") found.push_back(entry.path());
+  if (found.size() == 1) return found.front().string();
+  if (found.empty()) throw FileError(fmt::format("the folder {} holds no results.h5; name a file", path.string()));
+  std::sort(found.begin(), found.end());
+  std::string names;
+  for (const fs::path& file : found) names += (names.empty() ? "" : ", ") + file.string();
+  throw FileError(fmt::format("the folder {} holds {} results: name one of {}", path.string(), found.size(), names));
+}
+
+}  // namespace
+
+void print_info(const std::string& given) {
+  const std::string path = meant(given);
   for (const auto& [name, text] : read_provenance(path))
     if (name != "script" && !text.empty()) put(named_lines(name, text));
   if (is_trajectory(path))

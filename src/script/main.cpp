@@ -201,7 +201,7 @@ void add_repl_and_info(Commands& c) {
         if (!examine()) throw Error("the main job, an impact whose rows are stored, cannot be done here");
       });
   CLI::App* command = c.app.add_subcommand("info", "What a results.h5 holds and where it came from");
-  command->add_option("FILE", c.file, "an HDF5 file of ours")->required();
+  command->add_option("FILE", c.file, "an HDF5 file of ours, or a folder with results")->required();
   command->callback([&c] { print_info(c.file); });
 }
 

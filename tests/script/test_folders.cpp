@@ -131,4 +131,9 @@ TEST_CASE("info shows every argument, every required file and the scene") {
   CHECK_THAT(rows.out, Catch::Matchers::Contains("arguments      samples=1\n               psi1=0,1\n") &&
                            Catch::Matchers::Contains("m.lua\n") && Catch::Matchers::Contains("ricochet/init.lua\n"));
   CHECK_THAT(path.out, Catch::Matchers::Contains("scene ") && Catch::Matchers::Contains("stiffness"));
+  // A folder is what is in it; a table of text tells nothing.
+  CHECK(here.shell("ricochet info out/s").out == rows.out);
+  const Ended csv = here.shell("ricochet info out/s/results.csv");
+  CHECK(csv.status == 4);
+  CHECK_THAT(csv.err, Catch::Matchers::Contains("give the .h5 beside it"));
 }
