@@ -4,6 +4,7 @@
 -- sqrt(E / (rho (1 - nu^2))) of each body, contact 1/xi = R/1000 for all. `samples`: lattices of random points a speed.
 -- `full=true`: finer meshes, twice the speeds and 12 lattices, a minute on two cores.
 local ricochet = require "ricochet"
+local moduli = require "ricochet.moduli"
 local rows_of = require("ricochet.rows").rows_of
 local statistics = require "ricochet.statistics"
 
@@ -23,18 +24,6 @@ end
 
 local k, density = 1e4, 800 / math.pi
 
--- E and nu of a wide band of a lattice: its edges, which are too stiff, hold less and less of it.
-local function moduli(placement)
-  local function of(nodes)
-    local h = 2 * math.sqrt(nodes / density)
-    local band = ricochet.body { outline = { { 0, 0 }, { h / 4, 0 }, { h / 4, h }, { 0, h } }, nodes = nodes,
-      placement = placement, stiffness = k, quartic = 0 }
-    return ricochet.elasticity { body = band }
-  end
-  local narrow, wide = of(3600), of(14400)
-  return 2 * wide.E - narrow.E, 2 * wide.nu - narrow.nu
-end
-
 -- Every kind of body, with its moduli; elements and modes take those of triangles of equal springs, nu = 1/3.
 local E = 2 / math.sqrt(3) * k
 local kinds, order = {}, {}
@@ -43,8 +32,9 @@ local function kind(name, fields, E, nu)
   order[#order + 1] = name
 end
 for _, placement in ipairs { "triangular", "poisson_disk", "uniform" } do
-  kind("lattice, " .. placement, { placement = placement, nodes = p.nodes, stiffness = k, quartic = 0 },
-    moduli(placement))
+  local lattice = { placement = placement, nodes = p.nodes, stiffness = k, quartic = 0 }
+  local stuff = { interior = "springs", placement = placement, stiffness = k, quartic = 0 }
+  kind("lattice, " .. placement, lattice, moduli.of(stuff, p.nodes / math.pi))
 end
 for _, law in ipairs { "linear", "polynomial" } do
   kind("elements, " .. law, { interior = "elements", E = E, nu = 1 / 3, law = law, h_min = h_min }, E, 1 / 3)

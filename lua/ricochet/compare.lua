@@ -2,6 +2,7 @@
 -- and density, side by side.
 local core = require "ricochet.core"
 local gnuplot = require "ricochet.gnuplot"
+local moduli = require "ricochet.moduli"
 local series = require("ricochet.series").series
 local text = require "ricochet.compare_text"
 
@@ -35,37 +36,6 @@ local function area_of(body)
   return area
 end
 
--- E and nu of a band of `nodes` nodes of a body's stuff; of springs the mean of six, unless they lie in a pattern.
-local function of_band(fields, nodes, nodes_an_area)
-  local bands = fields.interior == "springs" and fields.placement ~= "triangular" and 6 or 1
-  local height = 2 * math.sqrt(nodes / nodes_an_area)
-  local width = height / 4
-  local band = { outline = { { 0, 0 }, { width, 0 }, { width, height }, { 0, height } }, nodes = nodes }
-  for _, name in ipairs {
-    "interior", "stiffness", "quartic", "placement", "E", "nu", "material", "thickness", "state",
-  } do
-    band[name] = fields[name]
-  end
-  local E, nu = 0, 0
-  for sample = 1, bands do
-    band.seed = sample
-    local moduli = core.functions.elasticity { body = core.own_body(band) }
-    E, nu = E + moduli.E / bands, nu + moduli.nu / bands
-  end
-  return E, nu
-end
-
--- E and nu of a body's stuff, as its bands have them. The springs along a lattice's edges hold half as much matter as
--- those inside, and are as stiff: two bands, one of twice the width, tell what one without edges would have.
-local function measured(fields, nodes_an_area)
-  local stuff = without(fields, {})
-  if fields.interior == "modes" then stuff.interior = fields.modes_of or "elements" end
-  if stuff.interior == "elements" then return of_band(stuff, 100, nodes_an_area) end
-  local E, nu = of_band(stuff, 3600, nodes_an_area)
-  local E_wide, nu_wide = of_band(stuff, 14400, nodes_an_area)
-  return 2 * E_wide - E, 2 * nu_wide - nu
-end
-
 local function refuse(message) core.fail("the projectile " .. message, "scene") end
 
 -- The projectile of the scene, with what every interior is to have.
@@ -85,7 +55,6 @@ local function original_of(scene)
     is_lattice = t.interior == "springs" or (t.interior == "modes" and t.modes_of == "springs"),
     density = t.material and t.material.density or t.mass and t.mass * core.nodes_of(body) / area or t.density
       or 800 / math.pi,
-    stiffness = t.stiffness, placement = t.placement,
   }
 end
 
@@ -94,7 +63,7 @@ local function asked_moduli(original)
   if original.material then return nil, nil end
   local fields = original.fields
   if not original.is_lattice then return fields.E, fields.nu end
-  return measured(fields, original.nodes / original.area)
+  return moduli.of(fields, original.nodes / original.area)
 end
 
 -- The corner of a body's outline that lies lowest once the body is turned.
@@ -145,7 +114,7 @@ local function stiffened(fields, original, nodes_an_area)
   if original.material or (original.is_lattice and fields.placement == original.fields.placement) then return end
   local unit = without(fields, {})
   unit.stiffness, unit.quartic = 1, 0
-  fields.stiffness = original.E / measured(unit, nodes_an_area)
+  fields.stiffness = original.E / moduli.of(unit, nodes_an_area)
 end
 
 local function scene_of(scene, fields, xi)
@@ -208,7 +177,7 @@ local function entry_of(t, original, interior, xi)
   end
   local is_linear = interior == "modes" or (interior == "elements" and fields.law == "linear")
   local entry = { interior = interior, density = original.density, nodes = nodes, is_linear = is_linear }
-  entry.E, entry.nu = measured(fields, nodes / original.area)
+  entry.E, entry.nu = moduli.of(fields, nodes / original.area)
   entry.wave_speed = math.sqrt(entry.E / (entry.density * (1 - entry.nu ^ 2)))
   entry.scene = scene_of(t.scene, fields, xi)
   local row = entry.scene:run()

@@ -56,9 +56,8 @@ std::vector<Member<ElementNumbers>> mesh_fields() {
       {{"mesh",
         "string",
         "",
-        "how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a rectangle "
-        "with "
-        "sides along x and y, which do not lock where metal flows far",
+        "how the triangles of such a mesh lie: delaunay, in any outline; crossed, four in each cell of a "
+        "rectangle with sides along x and y, which do not lock where metal flows far",
         any_number,
         "delaunay",
         false,
@@ -90,9 +89,8 @@ const std::vector<Member<ElementNumbers>>& ElementNumbers::fields() {
           {"plane_stress", "plane_strain", "axisymmetric"}},
          &ElementNumbers::state},
         {{"law", "string", "",
-          "of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for "
-          "a "
-          "strain; st_venant_kirchhoff, which softens in compression",
+          "of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation "
+          "for a strain; st_venant_kirchhoff, which softens in compression",
           any_number, "polynomial", false, solid_law_names()},
          &ElementNumbers::law},
     };
@@ -168,8 +166,8 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
           "integer",
           "",
           "of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. "
-          "Fewer "
-          "take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters",
+          "Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and "
+          "chatters",
           {0, 1e5},
           "0"},
          &BodyNumbers::modes},

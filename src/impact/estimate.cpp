@@ -154,12 +154,36 @@ Side side_of(const Body& body, const Points& outline, const Vec2& at) {
 }
 
 constexpr const char* corner_touches = "a corner touches, and the law is of smooth outlines";
+constexpr const char* flat_touches = "a flat side touches a flat one, and the law is of round outlines";
 
 std::string why_no_law(const Side& one, const Side& other, double radius) {
   if (one.outline.corner || other.outline.corner) return corner_touches;
   if (!(radius > 0)) return "the outlines fit into each other";
-  if (std::isinf(radius)) return "a flat side touches a flat one, and the law is of round outlines";
+  if (std::isinf(radius)) return flat_touches;
   return "";
+}
+
+// Directions of the sides of an outline on which a point lies.
+Points sides_at(const Body& body, const Points& outline, const Vec2& point) {
+  if (body.plane) return {perpendicular(upwards())};  // against the projectile's, as outlines run
+  const double rounding = 1e-9 * (bounding_box(outline).high - bounding_box(outline).low).maxCoeff();
+  Points sides;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 &a = outline[i], side = outline[(i + 1) % outline.size()] - a;
+    const double share = std::clamp((point - a).dot(side) / side.squaredNorm(), 0.0, 1.0);
+    if ((a + share * side - point).norm() <= rounding) sides.push_back(side.normalized());
+  }
+  return sides;
+}
+
+// Whether a side lies along one of the other body, whose corners then touch first or last by rounding alone.
+bool lies_flat(const Scene& scene, const Touch& touch) {
+  const Points ours = sides_at(*scene.projectile, touch.projectile, touch.at),
+               theirs = sides_at(*scene.target, scene.target->outline, touch.at);
+  return std::any_of(ours.begin(), ours.end(), [&](const Vec2& one) {
+    return std::any_of(theirs.begin(), theirs.end(),
+                       [&](const Vec2& other) { return std::abs(cross(one, other)) < 1e-9 && one.dot(other) < 0; });
+  });
 }
 
 double spacing_of(const Scene& scene) {
@@ -284,7 +308,8 @@ Estimate by_law(const Scene& scene) {
   const PointBody point = pressed_together(PointBody{one.elastic.modulus, one.outline.radius},
                                            PointBody{other.elastic.modulus, other.outline.radius});
   e.radius = revolved ? point.radius : line.radius;
-  if (const std::string why = why_no_law(one, other, e.radius); !why.empty()) return without_law(e, why);
+  if (const std::string why = why_no_law(one, other, e.radius); !why.empty())
+    return without_law(e, why == corner_touches && lies_flat(scene, *touch) ? flat_touches : why);
   if (!(e.normal_speed > 0)) return without_law(e, "the outlines slide past each other");
   const double mass = 1 / (one.slowness + other.slowness);
   e.impact = revolved ? point_impact(point, mass, e.normal_speed) : line_impact(line, mass, e.normal_speed);

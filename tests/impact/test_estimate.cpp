@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/turn.hpp"
 #include "impact/estimate.hpp"
 #include "scenes.hpp"
 
@@ -71,9 +72,25 @@ TEST_CASE("estimate: a disk on an elastic block", "[estimate]") {
 TEST_CASE("estimate: where no law holds it says why, and its numbers are undefined", "[estimate]") {
   const auto square = std::make_shared<Body>(Body{box(2, 2), numbers(400, 1e4, 0, 1), {}, {}});
   const Estimate e = estimate(scene_of(square, plane(), 0.1));
-  CHECK(e.no_law == "a corner touches, and the law is of smooth outlines");
+  CHECK(e.no_law == "a flat side touches a flat one, and the law is of round outlines");
+  CHECK(e.doubts.empty());  // its corners are of no account
   CHECK(std::isnan(e.impact.force));
   CHECK(std::isnan(e.over_yield));
+}
+
+TEST_CASE("estimate: it doubts what a corner does, whoever it meets, but none of a flat side", "[estimate]") {
+  Body tilted{box(2, 2), numbers(400, 1e4, 0, 1), {}, {}};
+  for (Vec2& p : tilted.outline) p = Turn(0.3)(p);
+  const auto square = std::make_shared<Body>(tilted);
+  for (const auto& target : {plane(), block(4e4)}) {
+    const Estimate e = estimate(scene_of(square, target, 0.1));
+    CHECK(e.no_law == "a corner touches, and the law is of smooth outlines");
+    REQUIRE(e.doubts.size() == 1);
+    CHECK(e.doubts[0].kind == "corner");
+  }
+  const auto bar = std::make_shared<Body>(Body{box(0.5, 2), numbers(200, 1e4, 0, 1), {}, {}});
+  CHECK(estimate(scene_of(bar, bar, 0.1)).doubts.empty());  // end on end
+  CHECK(estimate(scene_of(bar, block(4e4), 0.1)).doubts.empty());
 }
 
 TEST_CASE("estimate: it doubts a contact of few nodes, and a speed at which springs fold", "[estimate]") {
