@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <limits>
 #include <thread>
 
 #include "impact/batch.hpp"
 #include "script/fields.hpp"
 #include "script/objects.hpp"
+#include "script/processor.hpp"
 #include "script/reader.hpp"
 
 namespace ricochet {
@@ -150,14 +150,7 @@ int refused_effects(lua_State* L) {
 
 // machine(): the processor's name and the number of cores.
 int machine(lua_State* L) {
-  std::string name = "unknown processor";
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) {
-      name = line.substr(line.find(':') + 2);
-      break;
-    }
-  lua_pushstring(L, name.c_str());
+  lua_pushstring(L, processor_name().c_str());
   lua_pushinteger(L, std::thread::hardware_concurrency());
   return 2;
 }

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
+#include "script/processor.hpp"
 #include "script/session.hpp"
 #include "script/state.hpp"
 #include "script/terminal.hpp"
@@ -96,13 +96,6 @@ std::string trouble_with_disk(const fs::path& folder) {
   }
 }
 
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(": ") + 2);
-  return "unknown";
-}
-
 }  // namespace
 
 std::vector<Finding> examined(const std::string& out, const std::string& golden) {
@@ -118,7 +111,7 @@ std::vector<Finding> examined(const std::string& out, const std::string& golden)
 }
 
 bool examine() {
-  putf("{}\nprocessor: {}\n", version_text(), processor());
+  putf("{}\nprocessor: {}\n", version_text(), processor_name());
   bool able = true;
   for (const Finding& finding : examined(RunOptions{}.out, golden_e)) {
     putf("{:<8} {}{}\n", finding.trouble.empty() ? "works" : "FAILS", finding.what,
