@@ -34,13 +34,19 @@ struct Friction {
   }
 
   /// The stretch of a spring k after a motion `by`, and the energy lost to sliding meanwhile: that of the mean force
-  /// over what was slid. [here]
+  /// over what was slid, which closes the ledger to the step's order. One huge step may let go of a stretch and slide
+  /// back: the mean then points along the slide, as if friction drove it, and the loss is that of the limit's force.
+  /// Never negative. [here]
   struct Slid {
     double stretch, lost;
   };
   Slid slide(double stretch, double by, double load, double k) const {
-    const double limit = mu * load / k, trial = stretch + by, now = std::clamp(trial, -limit, limit);
-    return {now, 0.5 * k * (stretch + now) * (trial - now)};
+    const double limit = mu * load / k;
+    const double trial = stretch + by;
+    const double now = std::clamp(trial, -limit, limit);
+    const double slid = trial - now;
+    const double by_mean_force = 0.5 * k * (stretch + now) * slid;
+    return {now, by_mean_force >= 0 ? by_mean_force : k * now * slid};
   }
 };
 

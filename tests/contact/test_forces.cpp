@@ -259,3 +259,23 @@ TEST_CASE("a list with a skin never loses a pair while the bodies move") {
   }
   CHECK(most > 1e-3);
 }
+
+TEST_CASE("sliding never gives energy back, and closes the ledger wherever it does not turn within a step") {
+  Random random(4, 1);
+  int turned = 0;
+  for (int trial = 0; trial < 100000; ++trial) {
+    const Friction friction{random.uniform(), 1};
+    const double k = 0.1 + random.uniform(), stretch = random.normal(), by = 3 * random.normal();
+    const double load = 5 * random.uniform();
+    const Friction::Slid slid = friction.slide(stretch, by, load, k);
+    const double scale = k * (stretch * stretch + by * by);
+    CHECK(slid.lost >= 0);
+    CHECK(k * std::fabs(slid.stretch) <= friction.mu * load * (1 + 1e-15));
+    const double work = 0.5 * k * (stretch + slid.stretch) * by;
+    const double stored = 0.5 * k * (slid.stretch * slid.stretch - stretch * stretch);
+    const bool turns = (stretch + slid.stretch) * (stretch + by - slid.stretch) < 0;
+    turned += turns;
+    if (!turns) CHECK(slid.lost == Approx(work - stored).margin(1e-14 * scale));
+  }
+  CHECK(turned > 100);
+}
