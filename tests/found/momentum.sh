@@ -1,6 +1,6 @@
 #!/bin/sh
 # projectchrono/chrono#104: momentum of two bodies grows with the step. hannorein/rebound#323: a head-on hit leaves its axis.
-# Here at 906eec7 and now: momentum is kept to rounding, a mirror-symmetric hit stays on its axis to rounding.
+# Here at 0a2d1a7 and now: momentum is kept to rounding, a mirror-symmetric hit stays on its axis to rounding.
 cat >m.lua <<'LUA'
 local ricochet = require "ricochet"
 local row = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.disk { nodes = 90 },

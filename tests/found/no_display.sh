@@ -1,6 +1,6 @@
 #!/bin/sh
 # google-deepmind/mujoco#716, openai/mujoco-py#34: on a machine without a display drawing needs variables that one must know.
-# Here at 906eec7 and now: none are needed; a library that is missing is told with its package (gbionics/jaxsim#420: OSMesa goes).
+# Here at 0a2d1a7 and now: none are needed; a library that is missing is told with its package (gbionics/jaxsim#420: OSMesa goes).
 cat >pic.lua <<'LUA'
 local ricochet = require "ricochet"
 ricochet.still { scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 },

@@ -1,7 +1,7 @@
 #!/bin/sh
 # h5py/h5py#1864: a file that another process reads is emptied by a process that opens it for writing, which then fails.
 # h5py/h5py#1066, PyTables/PyTables#888: errno 11, unable to lock file.
-# Here at 906eec7 and now: a reader keeps the whole old file, and the writer replaces it; two writers are told apart.
+# Here at 0a2d1a7 and now: a reader keeps the whole old file, and the writer replaces it; two writers are told apart.
 ricochet run sweep.lua --quiet || exit 1
 exec 3<out/sweep/results.h5
 ricochet run sweep.lua --quiet --force || exit 1

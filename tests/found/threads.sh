@@ -1,6 +1,6 @@
 #!/bin/sh
 # dimforge/rapier#868, avianphysics/avian#33: the same simulation ends differently in another run.
-# Here at 906eec7 and now: the same bits with any number of threads and lanes.
+# Here at 0a2d1a7 and now: the same bits with any number of threads and lanes.
 for how in "--threads 1 --batch 1" "--threads 2 --batch 2" "--threads 2"; do
   ricochet run sweep.lua --quiet --force $how >/dev/null || exit 1
   sed 's/,[^,]*$//' out/sweep/results.csv | cut -d, -f1-20 | md5sum

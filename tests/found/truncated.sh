@@ -1,6 +1,6 @@
 #!/bin/sh
 # h5py/h5py#879, h5py/h5py#1807: after a crash a file is truncated, and says so by its internals (eof, sblock->base_addr).
-# Here at 906eec7 and now: one sentence with the remedy, and --resume does not take damaged rows.
+# Here at 0a2d1a7 and now: one sentence with the remedy, and --resume does not take damaged rows.
 ricochet run sweep.lua --quiet || exit 1
 head -c 3000 out/sweep/results.h5 >cut && mv cut out/sweep/results.h5
 ricochet info out/sweep/results.h5 2>err.txt

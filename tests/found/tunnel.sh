@@ -1,6 +1,6 @@
 #!/bin/sh
 # liabru/matter-js#5, schteppe/cannon.js#202, dimforge/rapier#984: what is fast passes through what is thin.
-# Here at 906eec7 and now: a step that would let it is refused, or the row says "tunnelled"; never "finished" beyond the wall.
+# Here at 0a2d1a7 and now: a step that would let it is refused, or the row says "tunnelled"; never "finished" beyond the wall.
 cat >t.lua <<'LUA'
 local ricochet = require "ricochet"
 for _, speed in ipairs { 0.3, 0.9 } do
