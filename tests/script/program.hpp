@@ -61,6 +61,18 @@ class Workplace {
   fs::path path;
 };
 
+/// Before a command: the machine is broken in a way that tests/script/faults.cpp knows.
+inline std::string with_fault(const std::string& fault, const std::string& path = "") {
+  return "export LD_PRELOAD='" RICOCHET_FAULTS "' FAULT=" + fault + " FAULT_PATH='" + path + "'; ";
+}
+
+/// Sanitizers want to be loaded before all others.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool machine_can_be_broken = false;
+#else
+inline constexpr bool machine_can_be_broken = true;
+#endif
+
 /// Runs a script that has the module as `ricochet`, in a folder of its own.
 inline Ended script_with_module(const std::string& text) {
   const Workplace here;

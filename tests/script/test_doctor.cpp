@@ -43,6 +43,28 @@ TEST_CASE("what is missing is told by the doctor with what to install, and is no
   CHECK(fails(mesa, "pictures (OSMesa, font)", "apt-get install libosmesa6"));
 }
 
+TEST_CASE("locks, the Lua library, an impact, a sweep: the doctor tells which of them does not work") {
+  if (!machine_can_be_broken) return;
+  const Workplace here;
+  const Ended locks = here.shell(with_fault("flock") + "ricochet doctor");
+  INFO(locks.out << locks.err);
+  CHECK(locks.status == 0);
+  CHECK(fails(locks, "locks on folders", "do not let two runs write there at a time"));
+  const Ended lua = here.shell(with_fault("open", "ricochet/rows.lua") + "ricochet doctor");
+  INFO(lua.out << lua.err);
+  CHECK(lua.status == 1);
+  CHECK(fails(lua, "Lua and its library", "rows.lua"));
+  const Ended impact = here.shell(with_fault("sin") + "ricochet doctor");
+  INFO(impact.out << impact.err);
+  CHECK(impact.status == 1);
+  CHECK(fails(impact, "an impact", ""));
+  const Ended sweep = here.shell(with_fault("open", "/rows/") + "ricochet doctor");
+  INFO(sweep.out << sweep.err);
+  CHECK(sweep.status == 1);
+  CHECK(fails(sweep, "a sweep, its rows stored", "rows"));
+  CHECK_FALSE(fails(sweep, "an impact", ""));
+}
+
 TEST_CASE("without a folder to write into, or with other bits, the main job fails") {
   const Workplace here;
   here.write("out", "a file");

@@ -58,3 +58,16 @@ TEST_CASE("the option --quiet leaves standard output to what the script prints, 
   CHECK_THAT(ended.out, Catch::Matchers::StartsWith("psi1 ") && Catch::Matchers::EndsWith("\nmine\n"));
   CHECK_THAT(here.read("out/s/run.log"), Catch::Matchers::Contains("s: 3 of 3 impacts finished"));
 }
+
+TEST_CASE("what takes no byte, without an error, is an error too: nothing loops for ever") {
+  if (!machine_can_be_broken) return;
+  const Workplace here;
+  here.write("s.lua", "print('hello')\n");
+  const Ended text = here.shell(with_fault("write") + "timeout 20 '" RICOCHET_PROGRAM "' run s.lua | cat");
+  CHECK_THAT(text.err, Catch::Matchers::Contains("Input/output error"));
+  here.write("s.lua", small_sweep);
+  const Ended rows = here.shell(with_fault("write") + "timeout 20 '" RICOCHET_PROGRAM "' run s.lua samples=1 --quiet");
+  INFO(rows.err);
+  CHECK(rows.status == 4);
+  CHECK_THAT(rows.err, Catch::Matchers::Contains("cannot write") && Catch::Matchers::Contains("Input/output error"));
+}
