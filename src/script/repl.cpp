@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <regex>
 
 #include "script/functions.hpp"
 #include "script/lua_values.hpp"
@@ -173,6 +174,22 @@ bool prompted(const char* prompt, std::string& line) {
   return true;
 }
 
+// `help disk`, without quotes, as people type it.
+std::string as_call(const std::string& line) {
+  static const std::regex help_on_word(R"(^\s*help\s+([A-Za-z_][\w.]*)\s*$)");
+  return std::regex_replace(line, help_on_word, "help '$1'");
+}
+
+// `exit` and `quit` end the session, unless the user calls something of theirs so.
+bool asks_to_end(lua_State* L, const std::string& line) {
+  if (line != "exit" && line != "quit" && line != "exit()" && line != "quit()") return false;
+  lua_getfield(L, LUA_REGISTRYINDEX, values_key);
+  lua_pushstring(L, line.substr(0, 4).c_str());
+  const bool own = lua_rawget(L, -2) != LUA_TNIL;
+  lua_pop(L, 2);
+  return !own;
+}
+
 // The user's next entry, compiled on the stack; false at the end.
 bool read_entry(lua_State* L) {
   std::string entry, line;
@@ -181,7 +198,8 @@ bool read_entry(lua_State* L) {
       entry.clear();
       continue;
     }
-    entry += (entry.empty() ? "" : "\n") + line;
+    if (entry.empty() && asks_to_end(L, line)) return false;
+    entry += entry.empty() ? as_call(line) : "\n" + line;
     const Compiled compiled = compile(L, entry);
     if (compiled == Compiled::incomplete && !line.empty()) continue;  // an empty line gives up
     if (compiled == Compiled::whole) return true;
@@ -204,7 +222,7 @@ void run_repl() {
   completing = state.lua();
   rl_attempted_completion_function = complete;
   rl_basic_word_break_characters = " \t\n\"\\'`@$><=;|&{}()[],+-*/%#~^:";
-  putf("{}\nLua with `ricochet` loaded; help lists the reference, end with ^D.\n",
+  putf("{}\nLua with `ricochet` loaded; help lists the reference, quit or ^D ends.\n",
        version_text().substr(0, version_text().find('\n')));
   while (read_entry(state.lua())) {
     session.parameters_declared = false;

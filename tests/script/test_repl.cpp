@@ -1,6 +1,11 @@
 // The repl: values keep, entries go on, objects are shown.
 
+#include <poll.h>
+#include <pty.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <csignal>
 
 #include "script/program.hpp"
 #include "script/source.hpp"
@@ -15,7 +20,81 @@ Ended typed(const Workplace& here, const std::string& text) {
   return here.shell("ricochet repl <typed.txt");
 }
 
+/// The repl at a terminal, as someone at a keyboard has it.
+class Terminal {
+ public:
+  explicit Terminal(const Workplace& here) {
+    child_ = forkpty(&descriptor_, nullptr, nullptr, nullptr);
+    if (child_ != 0) return;
+    if (chdir(here.path.c_str()) != 0) _exit(1);
+    setenv("HOME", here.path.c_str(), 1);
+    setenv("TERM", "dumb", 1);
+    unsetenv("XDG_STATE_HOME");
+    execl(RICOCHET_PROGRAM, "ricochet", "repl", nullptr);
+    _exit(1);
+  }
+  ~Terminal() {
+    kill(child_, SIGKILL);
+    waitpid(child_, nullptr, 0);
+    close(descriptor_);
+  }
+  Terminal(const Terminal&) = delete;
+
+  /// Types, and gives what is shown until `awaited` is; all there is after a minute without it.
+  std::string type(const std::string& keys, const std::string& awaited) {
+    std::string shown;
+    if (write(descriptor_, keys.data(), keys.size()) != static_cast<ssize_t>(keys.size())) return shown;
+    constexpr int minute = 60000;
+    char text[4096];
+    for (pollfd ready{descriptor_, POLLIN, 0}; shown.find(awaited) == std::string::npos;) {
+      if (poll(&ready, 1, minute) <= 0) break;
+      const ssize_t count = read(descriptor_, text, sizeof text);
+      if (count <= 0) break;
+      std::copy_if(text, text + count, std::back_inserter(shown), [](char c) { return c != '\a'; });
+    }
+    return shown;
+  }
+
+ private:
+  int descriptor_ = -1;
+  pid_t child_ = -1;
+};
+
 }  // namespace
+
+TEST_CASE("at a terminal ^C gives up what was typed or what runs, tab completes, ^D ends, and lines are remembered") {
+  const Workplace here;
+  const auto contains = [](const char* text) { return Catch::Matchers::Contains(text); };
+  {
+    Terminal terminal(here);
+    CHECK_THAT(terminal.type("", "\n> "), contains("help lists the reference"));
+    CHECK_THAT(terminal.type("20 + 22\n", "42"), contains("42"));
+    CHECK_THAT(terminal.type("for i = 1, 2 do\n", ">> "), contains(">> "));
+    CHECK_THAT(terminal.type("\x03", "> "), contains("> "));
+    CHECK_THAT(terminal.type("50 + 3\n", "53"), contains("53"));
+    terminal.type("while true do end\n", "\n");
+    usleep(300000);
+    CHECK_THAT(terminal.type("\x03", "\n> "), contains("interrupted"));
+    CHECK_THAT(terminal.type("math.flo\t(64.5)\n", "64\r\n"), contains("math.floor(64.5)"));
+    CHECK_THAT(terminal.type("ricochet.theory.hert\t\n", "\n> "), contains("ricochet.theory.hertz"));
+    terminal.type("\x04", "no such text");
+  }
+  CHECK_THAT(here.read(".local/state/ricochet/history"), contains("20 + 22\n"));
+  Terminal again(here);
+  again.type("", "\n> ");
+  CHECK_THAT(again.type("\x10\x10\x10\x10\x10\x10\n", "42\r\n"), contains("20 + 22"));  // ^P: the line before
+}
+
+TEST_CASE("exit and quit end the repl, as does help with a word beside it tell of it") {
+  const Workplace here;
+  const Ended ended = typed(here, "help disk\nquit\nprint('not reached')\n");
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("  nodes          "));
+  CHECK(ended.out.find("not reached") == std::string::npos);
+  CHECK(typed(here, "exit\nprint('not reached')\n").out.find("not reached") == std::string::npos);
+  // A value of the user's own goes first.
+  CHECK_THAT(typed(here, "quit = 64\nquit\n").out, Catch::Matchers::Contains("64\n"));
+}
 
 TEST_CASE("what is local outside of every block is assigned instead") {
   CHECK(without_outer_locals("local x = 1") == "      x = 1");
