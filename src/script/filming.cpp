@@ -156,8 +156,24 @@ std::vector<Frame> next_frames(const std::vector<std::unique_ptr<Player>>& playe
   return frames;
 }
 
-// Pictures of an earlier, longer sequence would pass for the end of this one.
-void remove_stale(const Sequence& sequence, std::size_t count) {
+// Where pictures are drawn. Those of an earlier run stay until all of the new ones are there: these wait beside them.
+fs::path drawn_into(const Sequence& sequence) {
+  if (sequence.folder.empty()) return "";
+  const fs::path beside = run_names::unfinished(sequence.folder);
+  const bool replaces = !sequence.go_on && fs::exists(run_names::frame(sequence.folder, 0));
+  if (!replaces && !fs::exists(beside)) return sequence.folder;
+  make_folder(beside);
+  return beside;
+}
+
+// In place of the earlier ones; those of a longer sequence would pass for the end of this one.
+void put_in_place(const fs::path& drawn, const Sequence& sequence, std::size_t count) {
+  if (drawn != sequence.folder) {
+    make_folder(sequence.folder);
+    for (std::size_t k = 0; k < count; ++k)
+      fs::rename(run_names::frame(drawn, k), run_names::frame(sequence.folder, k));
+    run_names::remove_product(drawn);
+  }
   if (sequence.folder.empty()) return;
   for (std::size_t stale = count; fs::remove(run_names::frame(sequence.folder, stale)); ++stale) {
   }
@@ -192,6 +208,7 @@ int shoot_sequence(const Shooting& shooting, const std::vector<Source>& sources,
   render::Studio studio(
       encoders_of(shooting), [](const fs::path& path, const std::string& bytes) { write_atomically(path, bytes); },
       film ? &*film : nullptr);
+  const fs::path folder = drawn_into(sequence);
   std::vector<std::unique_ptr<Player>> players;
   for (const Source& source : sources) players.push_back(std::make_unique<Player>(source));
   for (std::size_t k = 0; k < count; ++k) {
@@ -200,7 +217,7 @@ int shoot_sequence(const Shooting& shooting, const std::vector<Source>& sources,
     for (std::size_t i = 0; i < sources.size(); ++i)
       tiles.push_back({sources[i].subject.get(), &frames[i], k, sources[i].subject->title});
     const render::Texts texts = texts_of(shooting, sources, fmt::format("{} of {}{}", k, count, times), frames[0].time);
-    const fs::path file = sequence.folder.empty() ? fs::path() : run_names::frame(sequence.folder, k);
+    const fs::path file = folder.empty() ? fs::path() : run_names::frame(folder, k);
     const bool drawn = !file.empty() && sequence.go_on && is_drawn(file, texts);
     if (drawn && !film) continue;
     const std::string clock = shooting.show.clock ? render::clock_text(tiles) : "";
@@ -209,7 +226,7 @@ int shoot_sequence(const Shooting& shooting, const std::vector<Source>& sources,
   }
   studio.finish();
   if (film) film->finish();
-  remove_stale(sequence, count);
+  put_in_place(folder, sequence, count);
   warn_of_missing(shooting, font);
   if (!no_film.empty())
     throw FileError(fmt::format("{} ({} frames are in {})", no_film, count, sequence.folder.string()));

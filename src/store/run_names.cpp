@@ -124,9 +124,11 @@ bool is_product(const fs::path& path) {
 
 void remove_product(const fs::path& path) {
   std::error_code error;
-  if (fs::is_directory(fs::symlink_status(path, error))) return remove_those(path, is_frame);
-  remove_file(path);
-  remove_file(unfinished(path));
+  for (const fs::path& folder : {unfinished(path), path})
+    if (fs::is_directory(fs::symlink_status(folder, error))) remove_those(folder, is_frame);
+  if (fs::is_directory(fs::symlink_status(path, error))) return;
+  for (const fs::path& file : {path, unfinished(path)})
+    if (!fs::is_directory(fs::symlink_status(file, error))) remove_file(file);
 }
 
 }  // namespace ricochet::run_names

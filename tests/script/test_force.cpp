@@ -51,6 +51,38 @@ TEST_CASE("with --force a mistake costs no pictures or recordings, and what the 
   CHECK(fs::exists(here.path / "out/s/note.txt"));
 }
 
+TEST_CASE("with --force the frames of a film stay whole until all the new ones are there, however the run ends") {
+  const Workplace here;
+  const std::string text =
+      "local ricochet = require 'ricochet'\nlocal p = ricochet.parameters { speed = 0.05 }\nricochet.animate { scene = "
+      "ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150, width = 4 }, "
+      "launch = { speed = p.speed } }, frames = 200, size = { 64, 36 }, out = 'film' }\n";
+  REQUIRE(here.script(text).status == 0);
+  const auto frames = [&] {
+    std::string all;
+    for (int k = 0; k < 200; ++k) {
+      char name[40];
+      std::snprintf(name, sizeof name, "out/s/film/%06d.png", k);
+      all += here.read(name);
+    }
+    return all;
+  };
+  const std::string before = frames();
+  here.write("out/s/film/mine.txt", "mine");
+  // Killed once the first new picture is there.
+  const Ended killed = here.shell("'" RICOCHET_PROGRAM
+                                  "' run s.lua --force speed=0.04 & pid=$!; for k in $(seq 600); do test -e "
+                                  "out/s/film.new/000003.png && break; sleep 0.05; done; kill -9 $pid; wait $pid; test "
+                                  "-e out/s/film.new/000003.png");
+  INFO(killed.err);
+  CHECK(killed.status == 0);
+  CHECK((frames() == before));
+  CHECK(here.run("s.lua --force speed=0.04").status == 0);
+  CHECK((frames() != before));
+  CHECK_FALSE(fs::exists(here.path / "out/s/film.new"));
+  CHECK(here.read("out/s/film/mine.txt") == "mine");
+}
+
 TEST_CASE("a script that has no name for a folder is refused, and costs nothing beside it") {
   const Workplace here;
   here.write("mine.png", "mine");
