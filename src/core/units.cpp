@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <optional>
+#include <regex>
 #include <sstream>
 
 namespace ricochet {
@@ -53,6 +56,14 @@ std::string si_name(const Powers& powers) {
   return fmt::format("kg^{} m^{} s^{}", powers[0], powers[1], powers[2]);
 }
 
+// How many digits a number was told with, of at least 3: "0.0042" has 2.
+int digits_of(const std::string& number) {
+  const std::string mantissa = number.substr(0, number.find('e'));
+  int digits = 0;
+  for (const char c : mantissa) digits += std::isdigit(static_cast<unsigned char>(c)) && (digits > 0 || c != '0');
+  return std::max(digits, 3);
+}
+
 }  // namespace
 
 double Units::worth(const std::string& unit) const {
@@ -72,9 +83,15 @@ std::string Units::shown(double value, const std::string& unit, int digits) cons
 }
 
 std::string Units::explained(const std::string& sentence) const {
-  if (!si || sentence.find_first_of("0123456789") == std::string::npos) return sentence;
-  return fmt::format("{} (numbers here are in units of R = {:.4g} m, R/c = {:.4g} s, c = {:.4g} m/s)", sentence, length,
-                     time, length / time);
+  if (!si) return sentence;
+  static const std::regex quantity(
+      R"(([-+]?[0-9]+\.?[0-9]*(?:e[-+]?[0-9]+)?) (m0 c\^2/R\^[1-3]|m0 c\^2/R|m0 c\^2|R/c|c/R|R|c)(?![\w^/]))");
+  std::string text;
+  std::smatch found;
+  auto from = sentence.begin();
+  for (; std::regex_search(from, sentence.end(), found, quantity); from = found[0].second)
+    text.append(from, found[0].first).append(shown(std::stod(found[1]), found[2], digits_of(found[1])));
+  return text.append(from, sentence.end());
 }
 
 }  // namespace ricochet

@@ -17,7 +17,7 @@ struct Units {
   std::string name(const std::string& unit) const;
   /// A value as computed, with the user's unit: "1.2e-06 s"; `digits` that count.
   std::string shown(double value, const std::string& unit, int digits = 3) const;
-  /// A sentence of the engine, whose numbers are in R, m0 and c, with what these are worth where the user's are others.
+  /// A sentence of the engine with its numbers in R, m0 and c ("0.5 R/c") told in the user's units.
   std::string explained(const std::string& sentence) const;
   /// "paper" or "SI".
   std::string system() const { return si ? "SI" : "paper"; }

@@ -165,7 +165,7 @@ Outcome run_one(Session& session, Scene& scene) {
     check_start(solids, scene);
     return {};
   }
-  RunProgress progress(session.options.quiet, isatty(STDERR_FILENO), launch(scene, solids).time_limit);
+  RunProgress progress(session.options.quiet, isatty(STDERR_FILENO), launch(scene, solids).time_limit, scene.units);
   const auto pass = [&](double time) {
     progress.tell(time);
     return false;

@@ -81,7 +81,7 @@ int sample(lua_State* L) {
   }
   lua_createtable(L, static_cast<int>(times.size()), 0);
   std::vector<Sample> samples;
-  RunProgress progress(session.options.quiet, isatty(STDERR_FILENO), times.back());
+  RunProgress progress(session.options.quiet, isatty(STDERR_FILENO), times.back(), filmed.scene.units);
   const Sampling sampling{times, [&](const Sample& now) {
                             progress.tell(now.time);
                             samples.push_back(now);

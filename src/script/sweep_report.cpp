@@ -135,8 +135,8 @@ std::string doubts_text(const std::vector<Row>& rows) {
   return text;
 }
 
-RunProgress::RunProgress(bool quiet, bool terminal, double time_limit)
-    : quiet_(quiet), terminal_(terminal), time_limit_(time_limit), next_(terminal ? 1 : 10) {}
+RunProgress::RunProgress(bool quiet, bool terminal, double time_limit, const Units& units)
+    : quiet_(quiet), terminal_(terminal), time_limit_(time_limit), units_(units), next_(terminal ? 1 : 10) {}
 
 RunProgress::~RunProgress() {
   if (told_ && terminal_) say("\r\033[K");
@@ -145,7 +145,8 @@ RunProgress::~RunProgress() {
 std::string RunProgress::line(double time, double seconds) {
   if (quiet_ || seconds < next_) return "";
   next_ = terminal_ ? seconds + 1 : 2 * next_;
-  return fmt::format("scene: t = {:.4g} R/c of {:.4g} at most, {:.0f} s", time, time_limit_, seconds);
+  return fmt::format("scene: t = {} of {} at most, {:.0f} s", units_.shown(time, "R/c", 4),
+                     units_.shown(time_limit_, "R/c", 4), seconds);
 }
 
 void RunProgress::tell(double time) {

@@ -39,8 +39,8 @@ std::string doubts_text(const std::vector<Row>& rows);
 /// nothing with --quiet.
 class RunProgress {
  public:
-  /// `time_limit`: of the impact [R/c].
-  RunProgress(bool quiet, bool terminal, double time_limit);
+  /// `time_limit`: of the impact [R/c]; it and times are told in `units`.
+  RunProgress(bool quiet, bool terminal, double time_limit, const Units& units = {});
   ~RunProgress();
   RunProgress(const RunProgress&) = delete;
   RunProgress& operator=(const RunProgress&) = delete;
@@ -55,6 +55,7 @@ class RunProgress {
 
   bool quiet_, terminal_, told_ = false;
   double time_limit_, next_;  // [R/c]; [s] since the start
+  Units units_;
   Clock::time_point start_ = Clock::now();
 };
 

@@ -84,7 +84,7 @@ int wave_rows(lua_State* L) {
   const FrameMesh mesh = frame_mesh(filmed.scene, filmed.solids);
   std::vector<std::pair<int, Slices>> bodies;
   lua_createtable(L, static_cast<int>(times.size()) * asked.slices, 0);
-  RunProgress progress(session.options.quiet, isatty(STDERR_FILENO), times.back());
+  RunProgress progress(session.options.quiet, isatty(STDERR_FILENO), times.back(), filmed.scene.units);
   at_scene(session, call_site(L), filmed, [&] {
     const bool whole = film_scene(filmed.solids, filmed.scene, times, stop_requested, [&](const Frame& frame) {
       progress.tell(frame.time);

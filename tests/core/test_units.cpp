@@ -20,8 +20,11 @@ TEST_CASE("units: a name in R, m0 and c is worth and called what its powers say 
   CHECK(si.name("s") == "s");
   CHECK(si.name("").empty());
   CHECK(si.shown(0.5, "R/c") == "2.5 s");
+  CHECK(si.explained("at t = 2 R/c 3 of 4 nodes at 1.5e-3 R moved by 0.5 c; give 0.5 R or 20 c/R, 2 Round") ==
+        "at t = 10 s 3 of 4 nodes at 0.003 m moved by 0.2 m/s; give 1 m or 4 1/s, 2 Round");
   const Units paper;
   CHECK(paper.worth("m0 c^2") == 1);
   CHECK(paper.name("m0 c^2") == "m0 c^2");
   CHECK(paper.shown(0.5, "R/c") == "0.5 R/c");
+  CHECK(paper.explained("at t = 2 R/c") == "at t = 2 R/c");
 }

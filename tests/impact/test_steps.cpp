@@ -138,7 +138,7 @@ TEST_CASE("a spin that would take 1e11 steps is refused with a spin and a time l
   CHECK_THROWS_WITH(
       launch(scene, solids),
       Catch::Matchers::Contains("the projectile's nodes move at 1e+06 c: to follow their contact takes steps of") &&
-          Catch::Matchers::Contains("give a spin below 9.6e+03, or a time_limit below 0.96"));
+          Catch::Matchers::Contains("give a spin below 9.6e+03 c/R, or a time_limit below 0.96 R/c"));
   scene.launch.spin = 100;
   CHECK_NOTHROW(launch(scene, solids));
 }

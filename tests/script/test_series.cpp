@@ -181,11 +181,11 @@ TEST_CASE("a plot that grows in a picture sees every bounce, however few the fra
 TEST_CASE("a run tells how far it is every second on a terminal, else seldom, and never if it is to be quiet") {
   RunProgress terminal(false, true, 120), log(false, false, 120), quiet(true, true, 120);
   CHECK(terminal.line(0.5, 0.9) == "");
-  CHECK(terminal.line(0.5, 1.1) == "scene: t = 0.5 R/c of 120 at most, 1 s");
+  CHECK(terminal.line(0.5, 1.1) == "scene: t = 0.5 R/c of 120 R/c at most, 1 s");
   CHECK(terminal.line(0.6, 2.0) == "");
   CHECK(terminal.line(0.7, 2.2) != "");
   CHECK(log.line(3, 9) == "");
-  CHECK(log.line(3.5, 10) == "scene: t = 3.5 R/c of 120 at most, 10 s");
+  CHECK(log.line(3.5, 10) == "scene: t = 3.5 R/c of 120 R/c at most, 10 s");
   CHECK(log.line(4, 19) == "");
   CHECK(log.line(5, 20) != "");
   CHECK(log.line(9, 39) == "");

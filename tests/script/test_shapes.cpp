@@ -349,9 +349,10 @@ return r.scene {{ projectile = r.rectangle {{ width = 2, height = 1, points = {}
   };
   for (const int side : {-1, 1}) {
     CHECK(starts(side * 2.99) == "touches");
-    CHECK(starts(side * 3.0) == fmt::format("a projectile at x = {} passes beside the target; give more than -3 and "
-                                            "less than 3",
-                                            3 * side));
+    CHECK(starts(side * 3.0) ==
+          fmt::format("a projectile at x = {} R passes beside the target; give more than -3 R and "
+                      "less than 3 R",
+                      3 * side));
     CHECK_THAT(starts(side * 3.001), Catch::Matchers::Contains("passes beside the target"));
   }
 }

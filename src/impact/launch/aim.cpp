@@ -121,7 +121,7 @@ bool Flight::advance(Placement& placement, double reach) const {
   for (int advance = 0; apart > reach; ++advance) {
     if (advance == most_advances)
       throw FieldError("launch",
-                       fmt::format("the flight is too shallow to find the first touch (normal speed {:g} of {:g} c)",
+                       fmt::format("the flight is too shallow to find the first touch (normal speed {:g} c of {:g} c)",
                                    -placement.velocity.y(), in_plane(placement.velocity).stableNorm()));
     placement = flown(placement, time_to_cover(placement, std::max(apart - reach, 1e-3 * reach)));
     if (gone_past(placement, reach)) return false;
@@ -218,7 +218,7 @@ std::optional<Placement> upstream(const Scene& scene, const Start& start, const 
   }
   if (line.too_near(distance))
     throw FieldError("height", fmt::format("the bodies overlap at the start (rims {:.3g} R apart, {:.3g} R needed); "
-                                           "raise launch.height to {:.3g} or more, or leave it out",
+                                           "raise launch.height to {:.3g} R or more, or leave it out",
                                            distance, line.needed(), 1.01 * least_height(line, height, usual)));
   return line.at(above);
 }

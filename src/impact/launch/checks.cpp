@@ -49,12 +49,13 @@ void check_contact(const ExponentialRepulsion& contact) {
   const double ranges = contact.xi * contact.reach;
   if (ranges < 20)
     throw FieldError(
-        "contact", fmt::format("xi reach = {:g} cuts the repulsion at more than exp(-20); raise reach to {:g} or more",
-                               ranges, 20 / contact.xi));
+        "contact",
+        fmt::format("xi reach = {:g} cuts the repulsion at more than exp(-20); raise reach to {:g} R or more", ranges,
+                    20 / contact.xi));
   if (ranges > 700)
     throw FieldError(
         "contact",
-        fmt::format("xi reach = {:g} is beyond exp(-700), the smallest number there is; lower reach to {:g} or less",
+        fmt::format("xi reach = {:g} is beyond exp(-700), the smallest number there is; lower reach to {:g} R or less",
                     ranges, 700 / contact.xi));
 }
 
@@ -99,8 +100,9 @@ void check_contact_is_seen(const Scene& scene, double step, double fastest, doub
   const double unit = std::isnan(wanted.step) ? wanted.theta / step : 1;
   throw FieldError(given,
                    fmt::format("the projectile would move by {:.2g} R in a step of {:.3g} R/c and might pass the "
-                               "contact unseen, whose repulsion grows e-fold in {:.2g} R; give {:.3g} or less",
-                               step * fastest, step, 1 / scene.contact.xi, 0.99 * furthest / fastest * unit));
+                               "contact unseen, whose repulsion grows e-fold in {:.2g} R; give {:.3g}{} or less",
+                               step * fastest, step, 1 / scene.contact.xi, 0.99 * furthest / fastest * unit,
+                               std::isnan(wanted.step) ? "" : " R/c"));
 }
 
 void check_patience(const Scene& scene, const Start& start, double fastest, double radius) {
@@ -115,8 +117,9 @@ void check_patience(const Scene& scene, const Start& start, double fastest, doub
   const std::string field = by_spin ? "spin" : speed_field(scene);
   throw FieldError(
       field, fmt::format("the projectile's nodes move at {:.2g} c: to follow their contact takes steps of {:.2g} R/c, "
-                         "{:.2g} of them in {:.3g} R/c; give a {} below {:.2g}, or a time_limit below {:.2g}",
-                         fastest, start.step, steps, time, field, share * (by_spin ? spin : fastest), share * time));
+                         "{:.2g} of them in {:.3g} R/c; give a {} below {:.2g} {}, or a time_limit below {:.2g} R/c",
+                         fastest, start.step, steps, time, field, share * (by_spin ? spin : fastest),
+                         by_spin ? "c/R" : "c", share * time));
 }
 
 namespace {
@@ -156,7 +159,7 @@ void check_progress(const Scene& scene, const Start& start, double fastest) {
   const double least = start.least_step * fastest;
   const std::string remedy = !given ? fmt::format("a speed of {:.2g} c", least / start.step)
                              : given[0] == 's'
-                                 ? fmt::format("a step of {:.2g}", least / fastest)
+                                 ? fmt::format("a step of {:.2g} R/c", least / fastest)
                                  : fmt::format("a theta of {:.2g}", least / fastest / start.step * wanted.theta);
   throw FieldError(
       given ? given : speed,

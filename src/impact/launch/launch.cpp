@@ -92,9 +92,10 @@ ExponentialRepulsion widened(ExponentialRepulsion contact, double energy) {
 
 [[noreturn]] void refuse_landing(const Scene& scene, const Flight& flight) {
   const auto [first, last] = flight.landing_range();
-  throw FieldError("at", fmt::format("a projectile at x = {} passes beside the target; give more than {:.6g} and less "
-                                     "than {:.6g}",
-                                     scene.launch.at, first, last));
+  throw FieldError("at",
+                   fmt::format("a projectile at x = {} R passes beside the target; give more than {:.6g} R and less "
+                               "than {:.6g} R",
+                               scene.launch.at, first, last));
 }
 
 // Refuses a start that the projectile could only have come to through the target: time 0 is the end of a free flight. A

@@ -75,12 +75,13 @@ double held_frequency(const Scene& scene, const Solids& solids) {
 
 [[noreturn]] void refuse(const Method& method, const Step& step, const Fastest& fastest, bool by_step) {
   const double unit = by_step ? 1 / fastest.omega : 1;
-  const std::string field = by_step ? "step" : "theta";
+  const std::string field = by_step ? "step" : "theta", time = by_step ? " R/c" : "";
   throw FieldError(
-      field, fmt::format("{:.6g} is unstable: {} needs a {} below {:.4g} here (node {} of the {} vibrates at up to "
-                         "{:.4g} c/R); {:.3g} works",
-                         by_step ? step.step : step.theta, method.name, field, method.stability_limit * unit,
-                         fastest.node, body_name(fastest.body), fastest.omega / fastest.slower, method.usual * unit));
+      field,
+      fmt::format("{:.6g}{} is unstable: {} needs a {} below {:.4g}{} here (node {} of the {} vibrates at up to "
+                  "{:.4g} c/R); {:.3g}{} works",
+                  by_step ? step.step : step.theta, time, method.name, field, method.stability_limit * unit, time,
+                  fastest.node, body_name(fastest.body), fastest.omega / fastest.slower, method.usual * unit, time));
 }
 
 }  // namespace
