@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/error.hpp"
 #include "core/spelling.hpp"
 #include "impact/outcome.hpp"
 #include "integrate/method.hpp"
