@@ -614,6 +614,7 @@ function ricochet.estimate(scene) end
 ---@class ricochet.sweep_fields
 ---@field name string names the folder of its results
 ---@field over table name = list of values, each a number, string or boolean
+---@field units? table name = unit of a value of 'over', for axes: { gap = "R" } (default {})
 ---@field scene function function (at) that returns the scene at the values at.name
 --- Scenes over every combination of some values. `sweep:run()` runs them on all cores, leaves results.h5 and results.csv in the run's folder and returns the rows. A sample that did not finish is counted and never averaged in.
 ---@param t ricochet.sweep_fields
@@ -621,7 +622,7 @@ function ricochet.estimate(scene) end
 function ricochet.sweep(t) end
 
 ---@class ricochet.rows_summary_fields
----@field by string column to group by
+---@field by string|string[] column to group by, or several: a line each combination
 ---@field of string[] columns to average; undefined values are left out
 
 ---@class ricochet.rows_power_law_fields
@@ -708,15 +709,16 @@ function ricochet.waves(t) end
 ---@field rows? ricochet.rows rows of a sweep, or of a series, drawn as a line in their order; none for a picture of theory alone
 ---@field x string column along x; rows are grouped by it
 ---@field y string[] columns along y, one panel each
----@field by? string column whose values are drawn as a line each
+---@field by? string|string[] column whose values are drawn as a line each, or several
+---@field samples? boolean whether every impact is drawn beside the means (default false)
 ---@field log? "none"|"x"|"y"|"xy" axes with a logarithmic scale (default none)
 ---@field theory? table column = function (x), points { {x, y}, ... }, or a list of { name =, f = } and { name =, points = }: drawn dashed beside that column (default {})
 ---@field theory_name? string in the key, of a line that has no name of its own (default theory)
 ---@field published? table column = points { {x, y}, ... } or a list of { name =, points = }: drawn as open marks (default {})
 ---@field name string file name without extension
 ---@field title? string above the plot
----@field caption? string below the title: parameters; how many impacts finished and failed is added
----@field xlabel? string instead of the column's name and unit
+---@field caption? string below the plot: parameters; how many impacts finished and failed, and over what is averaged, is added
+---@field xlabel? string instead of the column's words and unit
 ---@field ylabel? table column = text instead of its name and unit (default {})
 ---@field xrange? number[] { from, to } along x; all rows and points unless given
 ---@field yrange? table column = { from, to } (default {})
@@ -735,7 +737,7 @@ function ricochet.plot(t) end
 ---@field size? number[] width and height of the picture [pixels] (default {1280, 720})
 ---@field show? ricochet.show_fields what the picture shows, and how (default {})
 ---@field out? string folder of the frames, below the run's folder; "frames" unless only a film is asked for
----@field film? string name of an .mp4 file, below the run's folder; needs ffmpeg
+---@field film? string name of an .mp4, .gif or .apng file, below the run's folder; needs ffmpeg
 ---@field rate? number frames a second of the film [1/s] (default 30)
 ---@field columns? integer scenes in a row; up to three unless given, more in a square
 --- Draws an impact as a sequence of PNG files, and as a film, without a display, while it runs. Colours and scales are those of the whole sequence. Stopped and run again with --resume it goes on. Returns the impact's row, or a list of rows if `scenes` was given.
@@ -749,22 +751,22 @@ function ricochet.animate(t) end
 ---@field springs? "none"|"plain"|"energy"|"tension" how springs are drawn: none, plain (thin and dark), or coloured where the material is none or plain; energy: of each spring [m0 c^2]; tension: of each spring, positive if it pulls [m0 c^2/R] (default plain)
 ---@field rims? boolean outlines of the bodies (default true)
 ---@field anchors? boolean hatching where a rim is held (default true)
----@field forces? boolean forces of contact on the projectile's nodes, as arrows (default false)
----@field velocity? boolean velocity of the projectile's centre of mass, as an arrow (default false)
+---@field forces? boolean forces of contact on the projectile's nodes, as arrows, with their scale (default false)
+---@field velocity? boolean velocity of the projectile's centre of mass, as an arrow, with its scale (default false)
 ---@field spin? boolean the projectile's turn since the start: a radius that turns with it (default false)
 ---@field trail? boolean the path of the projectile's centre (default false)
 ---@field ghost? boolean outlines of the bodies as if they were rigid (default false)
 ---@field magnify? number factor of the deformation, the difference from a rigid motion (default 1)
----@field colour_bar? boolean what the colours mean, with unit (default true)
+---@field colour_bar? boolean what the colours mean, with unit; a tip at an end says that values lie beyond it (default true)
 ---@field clock? boolean time and Psi1 (default true)
----@field ledger? boolean where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, vibration, target, contact (default false)
+---@field ledger? boolean where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, vibration (of the projectile), target, contact, and effects: what they have taken, and what their potentials (gravity) hold, counted from the least of the sequence, so that energy that stays fills all of the bar (default false)
 ---@field plot? "none"|"vn"|"vt"|"omega"|"height"|"force_n"|"force_t"|"vibration" a plot that grows with time, of every moment while a run is drawn, of its frames if a recording is; vn: normal velocity of the projectile [c]; vt: tangential velocity of the projectile [c]; omega: spin of the projectile [c/R]; height: height of the projectile's centre [R]; force_n: normal force of contact on the projectile [m0 c^2/R]; force_t: tangential force of contact on the projectile [m0 c^2/R]; vibration: energy of the vibration of both bodies [m0 c^2] (default none)
 ---@field colours? "auto"|"ylgnbu"|"puor"|"cividis" of the colour bar; auto: ylgnbu, or puor for a quantity of both signs (default auto)
 ---@field scale? "auto"|"linear"|"sqrt" of the colour bar; auto: sqrt for energies, else linear (default auto)
 ---@field low? number lower end of the colour bar; from the whole sequence unless given
 ---@field high? number upper end of the colour bar; from the whole sequence unless given: all but the strongest thousandth
----@field camera? "fit"|"follow"|"contact" fit: all of the sequence; follow: the projectile in the middle; contact: the place of impact, close (default fit)
----@field width? number width of what the cameras follow and contact see; 5 and 2.5 unless given [R]
+---@field camera? "fit"|"follow"|"contact" fit: all of the sequence; follow: the projectile in the middle; contact: the place of impact, close. Rims stand apart by the range of the repulsion, also where they press hardest (default fit)
+---@field width? number width of what the cameras follow and contact see; unless given 5, or more where the projectile needs it, and 2.5 [R]
 ---@field smoothing? "lines"|"multisample"|"supersample" lines: strokes are smooth by themselves; multisample: four samples at every edge; supersample: four times the pixels, slow (default lines)
 
 ---@class ricochet.still_fields

@@ -97,6 +97,11 @@ double Canvas::text_width(const std::string& utf8, int size) {
 void Canvas::text_within(double room, const Vec2& at, const std::string& utf8, int size, const Colour& colour,
                          Align align) {
   while (size > 7 && text_width(utf8, size) > room) --size;
+  text_cut(room, at, utf8, size, colour, align);
+}
+
+void Canvas::text_cut(double room, const Vec2& at, const std::string& utf8, int size, const Colour& colour,
+                      Align align) {
   std::string shown = utf8;
   while (!shown.empty() && text_width(shown + (shown.size() < utf8.size() ? "…" : ""), size) > room) {
     bool inside = true;  // of a character of several bytes

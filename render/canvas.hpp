@@ -43,6 +43,10 @@ class Canvas {
   void text_within(double room, const Vec2& at, const std::string& utf8, int size, const Colour& colour,
                    Align align = Align::left);
 
+  /// The same, cut and never smaller.
+  void text_cut(double room, const Vec2& at, const std::string& utf8, int size, const Colour& colour,
+                Align align = Align::left);
+
   const std::vector<ShapeVertex>& vertices() const { return vertices_; }
   std::vector<ShapeVertex> take() { return std::move(vertices_); }
 

@@ -17,15 +17,30 @@ extern char** environ;
 
 namespace ricochet::render {
 
-Film::Film(const std::filesystem::path& path, int width, int height, double rate)
-    : path_(path), beside_(path.string() + ".new") {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw FileError(fmt::format("{} is a folder; give the film another name", path.string()));
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0)
-    throw FileError(std::string("cannot make a pipe to ffmpeg: ") + std::strerror(errno));
+namespace {
+
+// What ffmpeg makes of raw pictures, by the ending of the film's name.
+std::vector<std::string> encoding_of(const std::string& ending) {
+  // 96 colours are enough for a map of colours and text; without dither nothing flickers, and what rests costs nothing.
+  if (ending == ".gif")
+    return {
+        "-vf",
+        "split[a][b];[a]palettegen=max_colors=96:stats_mode=diff[p];[b][p]paletteuse=dither=none:diff_mode=rectangle",
+        "-loop",
+        "0",
+        "-f",
+        "gif"};
+  if (ending == ".apng") return {"-vf", "format=rgb24", "-c:v", "apng", "-pred", "mixed", "-plays", "0", "-f", "apng"};
   // x264 wants even sizes: an odd picture gets a line of white.
+  return {"-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,format=yuv420p",
+          "-c:v",      "libx264",
+          "-crf",      "18",
+          "-movflags", "+faststart",
+          "-f",        "mp4"};
+}
+
+std::vector<std::string> words_of(const std::filesystem::path& path, const std::filesystem::path& beside, int width,
+                                  int height, double rate) {
   std::vector<std::string> words{"ffmpeg",
                                  "-nostdin",
                                  "-loglevel",
@@ -40,18 +55,23 @@ Film::Film(const std::filesystem::path& path, int width, int height, double rate
                                  "-framerate",
                                  fmt::format("{:g}", rate),
                                  "-i",
-                                 "pipe:0",
-                                 "-vf",
-                                 "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,format=yuv420p",
-                                 "-c:v",
-                                 "libx264",
-                                 "-crf",
-                                 "18",
-                                 "-movflags",
-                                 "+faststart",
-                                 "-f",
-                                 "mp4",
-                                 "file:" + beside_.string()};
+                                 "pipe:0"};
+  for (const std::string& word : encoding_of(path.extension().string())) words.push_back(word);
+  words.push_back("file:" + beside.string());
+  return words;
+}
+
+}  // namespace
+
+Film::Film(const std::filesystem::path& path, int width, int height, double rate)
+    : path_(path), beside_(path.string() + ".new") {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    throw FileError(fmt::format("{} is a folder; give the film another name", path.string()));
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    throw FileError(std::string("cannot make a pipe to ffmpeg: ") + std::strerror(errno));
+  std::vector<std::string> words = words_of(path, beside_, width, height, rate);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);

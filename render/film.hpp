@@ -5,8 +5,8 @@
 
 namespace ricochet::render {
 
-/// A film of H.264 in yuv420p, which every player shows: raw pictures go to ffmpeg through a pipe. The film takes its
-/// name when it is whole.
+/// A film, by its ending of H.264 in yuv420p (.mp4, which every player shows), .gif or animated PNG (.apng), which
+/// pages and slides show: raw pictures go to ffmpeg through a pipe. The film takes its name when it is whole.
 class Film {
  public:
   /// Throws FileError naming Debian's package if ffmpeg is not installed.

@@ -60,15 +60,10 @@ int power_of(double most) {
 
 int time_power(const Units& units, double last) { return units.si ? power_of(last * units.worth("R/c")) : 0; }
 
-namespace {
-
-// "m0 c^2/R" with its index set low.
 std::string typeset(std::string unit) {
   for (std::size_t at = unit.find("m0 "); at != std::string::npos; at = unit.find("m0 ")) unit.replace(at, 3, "m_0");
   return unit;
 }
-
-}  // namespace
 
 std::string unit_of(const Quantity& quantity, const FrameMesh& mesh) {
   const auto& bodies = mesh.bodies;
@@ -108,6 +103,13 @@ void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scal
                    {box.x + box.width, box.y + box.height},
                    {box.x, box.y + box.height}},
                   thin, grey, true);
+  // What lies beyond an end has its colour: a tip says so.
+  const double tip = 0.9 * box.width;
+  if (scale.most > scale.high * (1 + 1e-6))
+    canvas.triangle({box.x, box.y}, {box.x + box.width, box.y}, {box.x + box.width / 2, box.y - tip}, colours.back());
+  if (scale.least < scale.low - 1e-6 * std::abs(scale.low))
+    canvas.triangle({box.x, box.y + box.height}, {box.x + box.width, box.y + box.height},
+                    {box.x + box.width / 2, box.y + box.height + tip}, colours.front());
   double last = 1e300;
   for (const BarMark& mark : marks) {
     const double y = box.y + box.height * (scale.low < scale.high ? 1 - scale(mark.value) : 0.5);
@@ -118,32 +120,56 @@ void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scal
   }
 }
 
-void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile) {
-  static constexpr std::array<const char*, 7> names{"normal", "tangential", "spin",   "vibration",
-                                                    "target", "contact",    "effects"};
-  const Survey& survey = tile.subject->survey;
-  const std::array<double, 7> parts = ledger_parts(tile.subject->mesh, *tile.frame);
-  const std::size_t count = survey.effects ? 7 : 6;
-  const double bar = std::round(0.9 * size), y = box.y + 1.45 * size, thin = std::max(1.0, size / 18.0);
-  double legend = 0;
-  for (std::size_t k = 0; k < count; ++k) legend += 1.9 * size + canvas.text_width(names[k], size);
-  const int small = legend > box.width ? std::max(7, static_cast<int>(size * box.width / legend)) : size;
-  canvas.rectangle({box.x, y}, {box.width, bar}, {240, 240, 242, 255});
-  double x = box.x, text = box.x;
+namespace {
+
+constexpr std::array<const char*, 7> part_names{"normal", "tangential", "spin",   "vibration",
+                                                "target", "contact",    "effects"};
+
+// Where each name of the ledger's parts stands, in rows of this width: x and row.
+std::vector<std::pair<double, int>> legend_of(Canvas& canvas, double width, int size, std::size_t count) {
+  std::vector<std::pair<double, int>> places;
+  double x = 0;
+  int row = 0;
   for (std::size_t k = 0; k < count; ++k) {
+    const double taken = 1.0 * size + canvas.text_width(part_names[k], size);
+    if (x > 0 && x + taken > width) {
+      x = 0;
+      ++row;
+    }
+    places.emplace_back(x, row);
+    x += taken + 0.9 * size;
+  }
+  return places;
+}
+
+}  // namespace
+
+double ledger_height(Canvas& canvas, double width, int size, bool effects) {
+  const int rows = legend_of(canvas, width, size, effects ? 7 : 6).back().second;
+  return (2.9 + 1.2 * rows) * size;
+}
+
+void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile) {
+  const Survey& survey = tile.subject->survey;
+  std::array<double, 7> parts = ledger_parts(tile.subject->mesh, *tile.frame);
+  // A potential has no zero of its own: counted from its least, all energy that stays fills all of the bar.
+  parts[6] -= survey.owed;
+  const double most = survey.most_energy;
+  const auto places = legend_of(canvas, box.width, size, survey.effects ? 7 : 6);
+  const double bar = std::round(0.9 * size), y = box.y + (1.45 + 1.2 * places.back().second) * size,
+               thin = std::max(1.0, size / 18.0);
+  canvas.rectangle({box.x, y}, {box.width, bar}, {240, 240, 242, 255});
+  double x = box.x;
+  for (std::size_t k = 0; k < places.size(); ++k) {
     const Colour colour = kind_colour(static_cast<int>(k));
-    const double width = survey.most_energy > 0 ? std::max(0.0, parts[k]) / survey.most_energy * box.width : 0;
+    const double width = most > 0 ? std::min(std::max(0.0, parts[k]) / most * box.width, box.x + box.width - x) : 0;
     if (width > 0) canvas.rectangle({x, y}, {width, bar}, colour);
     x += width;
-    canvas.rectangle({text, std::round(box.y + 0.35 * size)}, {std::round(0.7 * small), std::round(0.7 * small)},
-                     colour);
-    canvas.text({text + 1.0 * small, box.y + 0.35 * size + 0.7 * small}, names[k], small, black);
-    text += 1.9 * small + canvas.text_width(names[k], small);
+    const double left = box.x + places[k].first, top = box.y + (0.35 + 1.2 * places[k].second) * size;
+    canvas.rectangle({left, std::round(top)}, {std::round(0.7 * size), std::round(0.7 * size)}, colour);
+    canvas.text_within(std::max(1.0, box.x + box.width - left - 1.0 * size), {left + 1.0 * size, top + 0.7 * size},
+                       part_names[k], size, black);
   }
-  // What effects owe (a potential that has fallen) is taken off the end: a dark stroke over as much of the bar.
-  if (parts[6] < -1e-4 * survey.most_energy)
-    canvas.rectangle({x + parts[6] / survey.most_energy * box.width, y + 0.35 * bar},
-                     {-parts[6] / survey.most_energy * box.width, 0.3 * bar}, kind_colour(6));
   canvas.polyline({{box.x, y}, {box.x + box.width, y}, {box.x + box.width, y + bar}, {box.x, y + bar}}, thin, grey,
                   true);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "render/tile.hpp"
@@ -32,7 +33,9 @@ std::string clock_text(const std::vector<Tile>& tiles) {
   const double psi1 = tiles[0].subject->mesh.psi1;
   for (const Tile& tile : tiles)
     if (tile.subject->mesh.psi1 != psi1) return text;
-  return std::isnan(psi1) ? text : text + fmt::format("    Ψ_1 = {}", number_text(psi1));
+  const double degrees = std::atan(psi1) * 180 / std::numbers::pi;
+  return std::isnan(psi1) ? text
+                          : text + fmt::format("    Ψ_1 = {} = tan {}°", number_text(psi1), number_text(degrees));
 }
 
 namespace {
@@ -91,7 +94,13 @@ double draw_head(Canvas& over, const Sheet& sheet, const ColourBar& bar, const s
   }
   if (clock.empty() && !bar.quantity) return top;
   // The clock takes what it needs, up to half of the line if the bar's label stands there too.
-  const double half = bar.quantity ? (layout.width - 3 * pad) / 2.0 : layout.width - 2 * pad;
+  const double width = layout.width - 2 * pad;
+  if (bar.quantity && !clock.empty() && over.text_width(clock, text) + over.text_width(bar.label, text) + pad > width) {
+    over.text_within(width, {pad, top + text}, clock, text, black);
+    over.text_within(width, {layout.width - pad, top + line + text}, bar.label, text, black, Align::right);
+    return top + 2 * line;
+  }
+  const double half = bar.quantity ? (layout.width - 3 * pad) / 2.0 : width;
   const double taken = clock.empty() ? 0 : std::min(half, over.text_width(clock, text));
   if (!clock.empty()) over.text_within(half, {pad, top + text}, clock, text, black);
   if (bar.quantity)
@@ -122,13 +131,24 @@ void check_room(const Sheet& sheet, const Box& cell, const Strips& strips, bool 
                           sheet.rows == 1 ? "a row" : fmt::format("{} rows", sheet.rows), cell.width, cell.height));
 }
 
+// A title that is too long is cut; the moment behind it ("title, t = 1.5 R/c") stays.
+void draw_caption(Canvas& over, double room, const Vec2& at, const std::string& caption, int text) {
+  const std::size_t moment = caption.rfind(", t = ");
+  const double taken = moment == std::string::npos ? 0 : over.text_width(caption.substr(moment), text);
+  if (taken == 0 || taken > 0.75 * room || over.text_width(caption, text) <= room) {
+    over.text_within(room, at, caption, text, black, Align::centre);
+    return;
+  }
+  over.text_cut(room - taken, {at.x() - room / 2, at.y()}, caption.substr(0, moment), text, black);
+  over.text({at.x() + room / 2, at.y()}, caption.substr(moment), text, black, Align::right);
+}
+
 // The texts, the ledger and the plot of a cell.
 void draw_strips(Canvas& over, const Sheet& sheet, const Box& cell, const Strips& strips, const Tile& tile) {
   const int text = sheet.text;
   const double left = cell.x + 2 * sheet.pad, width = cell.width - 4 * sheet.pad;
   if (strips.caption > 0)
-    over.text_within(cell.width - sheet.pad, {cell.x + cell.width / 2, cell.y + text}, tile.caption, text, black,
-                     Align::centre);
+    draw_caption(over, cell.width - sheet.pad, {cell.x + cell.width / 2, cell.y + text}, tile.caption, text);
   if (sheet.show.ledger)
     draw_ledger(over, {left, cell.y + cell.height - strips.plot - strips.ledger, width, strips.ledger}, text, tile);
   if (const Quantity* plotted = plotted_quantity(sheet.show))
@@ -157,13 +177,16 @@ Painting paint(const Show& show, const Layout& layout, Font& font, const std::ve
   const double top = draw_head(over, sheet, bar, clock);
   if (bar.quantity)
     draw_colour_bar(over,
-                    {layout.width - bar.width + std::round(0.6 * text), top + sheet.pad, std::round(0.9 * text),
-                     layout.height - top - 3.0 * sheet.pad},
+                    {layout.width - bar.width + std::round(0.6 * text), top + sheet.pad + std::round(0.9 * text),
+                     std::round(0.9 * text), layout.height - top - 3.0 * sheet.pad - std::round(1.8 * text)},
                     text, brush.scale, painting.colours, bar.marks);
 
   const Box all{0, top, layout.width - bar.width, layout.height - top};
   const bool captions = std::any_of(tiles.begin(), tiles.end(), [](const Tile& tile) { return !tile.caption.empty(); });
-  const Strips strips{captions ? sheet.line : 0, show.ledger ? 2.9 * text : 0,
+  const bool effects =
+      std::any_of(surveys.begin(), surveys.end(), [](const Survey* survey) { return survey->effects; });
+  const Strips strips{captions ? sheet.line : 0,
+                      show.ledger ? ledger_height(over, all.width / sheet.columns - 4 * sheet.pad, text, effects) : 0,
                       plotted_quantity(show) ? std::max(7.5 * text, 0.26 * all.height / sheet.rows) : 0};
   for (std::size_t k = 0; k < tiles.size(); ++k) {
     const Tile& tile = tiles[k];

@@ -58,12 +58,16 @@ struct BarMark {
 std::vector<BarMark> bar_marks(const Scale& scale, double factor, bool tall);
 void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours,
                      const std::vector<BarMark>& marks);
+/// Of a ledger of this width, its legend in as many rows as it needs. [pixels]
+double ledger_height(Canvas& canvas, double width, int size, bool effects);
 void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile);
 void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const Quantity& quantity);
 /// The power of ten that an axis up to `most` is best given in; 0 for numbers of common size.
 int power_of(double most);
 /// That of times up to `last` [R/c]; 0 in the paper's units.
 int time_power(const Units& units, double last);
+/// "m0 c^2/R" with its index set low.
+std::string typeset(std::string unit);
 /// A unit behind its power of ten.
 std::string unit_text(const std::string& unit, int power);
 /// That of a quantity in these bodies: what is per area in the plane is per volume in bodies of revolution.

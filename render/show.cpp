@@ -103,8 +103,8 @@ Members fields_of_the_scene() {
        &Show::springs},
       {flag("rims", "outlines of the bodies"), &Show::rims},
       {flag("anchors", "hatching where a rim is held"), &Show::anchors},
-      {flag("forces", "forces of contact on the projectile's nodes, as arrows"), &Show::forces},
-      {flag("velocity", "velocity of the projectile's centre of mass, as an arrow"), &Show::velocity},
+      {flag("forces", "forces of contact on the projectile's nodes, as arrows, with their scale"), &Show::forces},
+      {flag("velocity", "velocity of the projectile's centre of mass, as an arrow, with its scale"), &Show::velocity},
       {flag("spin", "the projectile's turn since the start: a radius that turns with it"), &Show::spin},
       {flag("trail", "the path of the projectile's centre"), &Show::trail},
       {flag("ghost", "outlines of the bodies as if they were rigid"), &Show::ghost},
@@ -116,11 +116,14 @@ Members fields_of_the_scene() {
 // What stands beside them.
 Members fields_of_the_texts() {
   return {
-      {flag("colour_bar", "what the colours mean, with unit"), &Show::colour_bar},
+      {flag("colour_bar", "what the colours mean, with unit; a tip at an end says that values lie beyond it"),
+       &Show::colour_bar},
       {flag("clock", "time and Psi1"), &Show::clock},
       {flag("ledger",
             "where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, "
-            "vibration, target, contact"),
+            "vibration (of the projectile), target, contact, and effects: what they have taken, and what their "
+            "potentials "
+            "(gravity) hold, counted from the least of the sequence, so that energy that stays fills all of the bar"),
        &Show::ledger},
       {choice("plot",
               "a plot that grows with time, of every moment while a run is drawn, of its frames if a recording is" +
@@ -145,13 +148,16 @@ Members fields_of_the_view() {
         any_number, "", true},
        &Show::high},
       {choice("camera",
-              "fit: all of the sequence; follow: the projectile in the middle; contact: the place of impact, close",
+              "fit: all of the sequence; follow: the projectile in the middle; contact: the place of impact, close. "
+              "Rims stand "
+              "apart by the range of the repulsion, also where they press hardest",
               {"fit", "follow", "contact"}),
        &Show::camera},
       {{"width",
         "number",
         "R",
-        "width of what the cameras follow and contact see; 5 and 2.5 unless given",
+        "width of what the cameras follow and contact see; unless given 5, or more where the projectile needs it, and "
+        "2.5",
         {1e-3, 1e4},
         "",
         true},

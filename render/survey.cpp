@@ -55,15 +55,20 @@ void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, 
         std::nth_element(values.begin(), place, values.end());
         return *place;
       };
+      const auto [least, most] = std::minmax_element(values.begin(), values.end());
+      value_least = std::min(value_least, *least);
+      value_most = std::max(value_most, *most);
       value_high = std::max(value_high, share(0.999));
       value_low = std::min(value_low, share(0.001));
     }
   }
   if (show.ledger) {
-    double sum = 0;
     const std::array<double, 7> parts = ledger_parts(mesh, frame);
-    for (const double part : parts) sum += std::max(0.0, part);
-    most_energy = std::max(most_energy, sum);
+    double sum = 0;
+    for (std::size_t k = 0; k + 1 < parts.size(); ++k) sum += std::max(0.0, parts[k]);
+    owed = std::min(owed, parts.back());
+    most_total = std::max(most_total, sum + parts.back());
+    most_energy = std::max(sum, most_total - owed);
     effects = effects || std::abs(parts.back()) > 1e-4 * most_energy;
   }
   if (show.forces)
@@ -93,6 +98,8 @@ Scale common_scale(const Show& show, const std::vector<const Survey*>& surveys) 
   for (const Survey* survey : surveys) {
     low = std::min(low, survey->value_low);
     high = std::max(high, survey->value_high);
+    scale.most = std::max(scale.most, survey->value_most);
+    scale.least = std::min(scale.least, survey->value_least);
   }
   if (quantity->is_signed) {
     high = std::max(high, -low);

@@ -11,9 +11,12 @@ namespace ricochet::render {
 /// next.
 struct Survey {
   Vec2 low = Vec2::Constant(1e300), high = Vec2::Constant(-1e300);  ///< of all that is shown [R]
-  double value_low = 0, value_high = 0;  ///< of the coloured quantity, but for the outermost thousandth
-  double most_energy = 0;                ///< greatest sum of the ledger's parts above 0
-  bool effects = false;                  ///< whether its last part ever counts
+  double value_low = 0, value_high = 0;    ///< of the coloured quantity, but for the outermost thousandth
+  double value_most = 0, value_least = 0;  ///< of all of it
+  double most_total = 0;                   ///< greatest sum of the ledger's parts
+  double most_energy = 0;                  ///< that, with what effects owe at most
+  double owed = 0;                         ///< the least of its last part, if below 0
+  bool effects = false;                    ///< whether its last part ever counts
   double most_force = 0, most_speed = 0;
   Points trail;               ///< [frame] the projectile's centre
   std::vector<double> times;  ///< [frame]
@@ -34,6 +37,7 @@ Points shown_places(const Show& show, const FrameMesh& mesh, const Frame& frame)
 struct Scale {
   double low = 0, high = 1;
   bool root = false;
+  double most = 0, least = 0;  ///< of all values, which may lie outside
 
   double operator()(double value) const;  ///< 0 ... 1 within the limits
 };

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace ricochet::render {
 namespace {
 
-constexpr Colour rim_colour{25, 25, 38, 255}, ghost_colour{110, 110, 120, 200}, hatch_colour{90, 90, 100, 255};
+constexpr Colour rim_colour{25, 25, 38, 255}, ghost_colour{110, 110, 120, 200}, hatch_colour{90, 90, 100, 255},
+    trail_colour{93, 58, 155, 255}, force_colour{136, 34, 85, 255};  // none of the ledger's
+
+constexpr double force_length = 4.0, velocity_length = 4.5;  // of the longest arrows [text sizes]
 
 // The box that shows all of every tile: what is larger shall look larger, and what lies higher, higher.
 std::pair<Vec2, Vec2> common_box(const std::vector<Tile>& tiles) {
@@ -16,6 +20,17 @@ std::pair<Vec2, Vec2> common_box(const std::vector<Tile>& tiles) {
     high = high.cwiseMax(tile.subject->survey.high);
   }
   return {low, high};
+}
+
+// How far the projectile's rim is from its centre, at most. [R]
+double radius_of(const FrameMesh& mesh) {
+  Vec2 low = Vec2::Constant(1e300), high = Vec2::Constant(-1e300);
+  for (const MeshChain& chain : mesh.bodies.front().surface)
+    for (const int node : chain.node) {
+      low = low.cwiseMin(seen(mesh, mesh.rest, node));
+      high = high.cwiseMax(seen(mesh, mesh.rest, node));
+    }
+  return (high - low).maxCoeff() / 2;
 }
 
 }  // namespace
@@ -29,7 +44,9 @@ View view_of(const Show& show, const Tile& tile, const std::vector<Tile>& tiles,
                      std::max(1.0, box.height - 2 * margin) / extent.y()),
             box};
   }
-  const double width = !std::isnan(show.width) ? show.width : show.camera == "follow" ? 5.0 : 2.5;
+  double width = !std::isnan(show.width) ? show.width : show.camera == "follow" ? 5.0 : 2.5;
+  if (std::isnan(show.width) && show.camera == "follow")  // all of the body, also in a flat picture
+    width = std::max(width, 2.3 * radius_of(tile.subject->mesh) * std::max(1.0, box.width / box.height));
   return {show.camera == "contact" ? contact_place(tile.subject->mesh, *tile.frame)
                                    : motion_of(tile.subject->mesh, *tile.frame, 0).centre,
           box.width / width, box};
@@ -183,8 +200,8 @@ void draw_projectile_marks(Canvas& canvas, const Brush& brush, const Tile& tile,
     Points path;
     for (std::size_t k = 0; k <= tile.index && k < survey.trail.size(); ++k) path.push_back(view(survey.trail[k]));
     canvas.polyline(path, 3.4 * brush.unit, white);
-    canvas.polyline(path, 1.6 * brush.unit, kind_colour(3));
-    canvas.disc(view(motion.centre), 2.4 * brush.unit, kind_colour(3));
+    canvas.polyline(path, 1.6 * brush.unit, trail_colour);
+    canvas.disc(view(motion.centre), 2.4 * brush.unit, trail_colour);
   }
   if (show.spin) {
     double radius = 0;
@@ -196,7 +213,7 @@ void draw_projectile_marks(Canvas& canvas, const Brush& brush, const Tile& tile,
     canvas.disc(view(motion.centre), 3 * brush.unit, black);
   }
   if (show.velocity && survey.most_speed > 0) {
-    const Vec2 from = view(motion.centre), step = 4.5 * brush.text / survey.most_speed * motion.velocity;
+    const Vec2 from = view(motion.centre), step = velocity_length * brush.text / survey.most_speed * motion.velocity;
     canvas.arrow(from, from + Vec2(step.x(), -step.y()), 3 * brush.unit, kind_colour(0));
   }
 }
@@ -207,8 +224,90 @@ void draw_forces(Canvas& canvas, const Brush& brush, const Tile& tile, const Poi
   for (int i = 0; i < tile.subject->mesh.bodies.front().nodes; ++i) {
     const Vec2 force = seen(tile.subject->mesh, tile.frame->contact_force, i);
     if (force.norm() < 0.02 * most) continue;
-    const Vec2 step = 4.0 * brush.text / most * force;
-    canvas.arrow(pixels[i], pixels[i] + Vec2(step.x(), -step.y()), 1.6 * brush.unit, kind_colour(5));
+    const Vec2 step = force_length * brush.text / most * force;
+    canvas.arrow(pixels[i], pixels[i] + Vec2(step.x(), -step.y()), 1.6 * brush.unit, force_colour);
+  }
+}
+
+// Where springs have broken a rim is no line any more: of its sides those stay that a whole triangle stands behind.
+void draw_rims(Canvas& canvas, const Brush& brush, const Tile& tile, const Points& pixels) {
+  const FrameMesh& mesh = tile.subject->mesh;
+  const std::vector<float>& elongation = tile.frame->elongation;
+  const double width = 1.8 * brush.unit;
+  if (std::none_of(elongation.begin(), elongation.end(), [](float x) { return std::isnan(x); })) {
+    for (const MeshChain* chain : chains_of(mesh))
+      canvas.polyline(pixels_of(*chain, pixels), width, rim_colour, chain->closed);
+    return;
+  }
+  std::set<std::pair<int, int>> whole;
+  const auto& sides = tile.subject->fields.sides();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (std::any_of(sides[t].begin(), sides[t].end(),
+                    [&](int s) { return s >= 0 && std::isnan(elongation[static_cast<std::size_t>(s)]); }))
+      continue;
+    for (std::size_t c = 0; c < 3; ++c)
+      whole.insert(std::minmax(int{mesh.triangles[t][c]}, int{mesh.triangles[t][(c + 1) % 3]}));
+  }
+  for (const MeshChain* chain : chains_of(mesh))
+    for (std::size_t k = 0; k + (chain->closed ? 0 : 1) < chain->node.size(); ++k) {
+      const int a = chain->node[k], b = chain->node[(k + 1) % chain->node.size()];
+      const bool held = mesh.anchored[a] && mesh.anchored[b];
+      if (held || whole.contains(std::minmax(int{a}, int{b}))) canvas.line(pixels[a], pixels[b], width, rim_colour);
+    }
+}
+
+// The round number below `most`: 1, 2 or 5 of its decade.
+double round_below(double most) {
+  const double decade = std::pow(10.0, std::floor(std::log10(most) + 1e-9));
+  return most >= 5 * decade ? 5 * decade : most >= 2 * decade ? 2 * decade : decade;
+}
+
+std::string with_unit(double value, const char* unit, const FrameMesh& mesh) {
+  const Units& units = mesh.units;
+  const int power = power_of(value * units.worth(unit));
+  const std::string number = number_text(value * units.worth(unit) / std::pow(10.0, power));
+  return number + " " + unit_text(typeset(units.name(unit)), power);
+}
+
+// In the lower left corner: what the arrows are worth, and, under a camera that sees a part, a length.
+void draw_scales(Canvas& canvas, const Brush& brush, const Tile& tile, const View& view) {
+  const Show& show = brush.show;
+  const Survey& survey = tile.subject->survey;
+  const FrameMesh& mesh = tile.subject->mesh;
+  const double size = brush.text;
+  double y = view.box.y + view.box.height - 0.8 * size;
+  const auto add = [&](double pixels, const std::string& text, const auto& draw) {
+    const double x = view.box.x + 0.8 * size;
+    canvas.rectangle({x - 0.3 * size, y - 0.75 * size},
+                     {pixels + canvas.text_width(text, brush.text) + 1.3 * size, 1.5 * size}, {255, 255, 255, 215});
+    draw(Vec2(x, y), Vec2(x + pixels, y));
+    canvas.text({x + pixels + 0.5 * size, y + 0.36 * size}, text, brush.text, black);
+    y -= 1.5 * size;
+  };
+  const auto arrow = [&](double width, const Colour& colour) {
+    return [&canvas, width, colour](const Vec2& from, const Vec2& to) { canvas.arrow(from, to, width, colour); };
+  };
+  if (show.camera != "fit") {
+    const double length =
+        round_below(0.3 * view.box.width / view.scale * mesh.units.worth("R")) / mesh.units.worth("R");
+    add(length * view.scale, with_unit(length, "R", mesh), [&](const Vec2& from, const Vec2& to) {
+      canvas.line(from, to, 1.6 * brush.unit, black);
+      for (const Vec2& end : {from, to})
+        canvas.line(end - Vec2(0, 0.25 * size), end + Vec2(0, 0.25 * size), 1.6 * brush.unit, black);
+    });
+  }
+  const auto worth = [&](double most, const char* unit) {
+    return round_below(most * mesh.units.worth(unit)) / mesh.units.worth(unit);
+  };
+  if (show.forces && survey.most_force > 0) {
+    const double force = worth(survey.most_force, "m0 c^2/R");
+    add(force_length * size * force / survey.most_force, with_unit(force, "m0 c^2/R", mesh),
+        arrow(1.6 * brush.unit, force_colour));
+  }
+  if (show.velocity && survey.most_speed > 0) {
+    const double speed = worth(survey.most_speed, "c");
+    add(velocity_length * size * speed / survey.most_speed, with_unit(speed, "c", mesh),
+        arrow(3 * brush.unit, kind_colour(0)));
   }
 }
 
@@ -237,9 +336,7 @@ Panel draw_tile(const Brush& brush, Font& font, const Tile& tile, const View& vi
   panel.half_width = show.springs == "none" ? 0 : (show.springs == "plain" ? 0.45 : 0.8) * brush.unit;
   panel.ink[3] = static_cast<std::uint8_t>(90 * std::min(1.0, std::pow(spacing / (7 * brush.unit), 2)));
   if (show.anchors) draw_anchors(above, brush, mesh, pixels, cut);
-  if (show.rims)
-    for (const MeshChain* chain : chains_of(mesh))
-      above.polyline(pixels_of(*chain, pixels), 1.8 * brush.unit, rim_colour, chain->closed);
+  if (show.rims) draw_rims(above, brush, tile, pixels);
   if (show.ghost)
     for (std::size_t b = 0; b < mesh.bodies.size(); ++b) {
       const Motion motion = motion_of(mesh, *tile.frame, static_cast<int>(b));
@@ -251,6 +348,7 @@ Panel draw_tile(const Brush& brush, Font& font, const Tile& tile, const View& vi
     }
   if (show.forces) draw_forces(above, brush, tile, pixels);
   if (show.velocity || show.spin || show.trail) draw_projectile_marks(above, brush, tile, view);
+  draw_scales(above, brush, tile, view);
   panel.above = above.take();
   return panel;
 }

@@ -41,15 +41,32 @@ end
 local plain = 'set encoding utf8\nset grid lt 1 lw 0.5 lc rgb "#cccccc"\nset tics nomirror\nset border 3'
 
 --- Draws t.count panels below each other under t.title (as gnuplot has it), t.width by t.height pixels, once for each
---- kind of file. t.key: where the key stands; t.axes: lines about the axes; t.draw adds what the panels plot.
+--- kind of file. t.key: where the key stands; t.axes: lines about the axes; t.draw adds what the panels plot. With
+--- t.panel, their height, there are lines t.below under them, and t.draw gets a function that begins panel i.
 function Script:panels(t)
+  local under = t.panel and 16 * #t.below + 14 or 0
+  local height = t.panel and under + t.count * t.panel + (t.has_title and 36 or 10) or t.height
   self:add(plain .. "\nset key " .. t.key)
   if t.axes then self:add(t.axes) end
   for _, kind in ipairs { { "pngcairo", "png", "" }, { "svg", "svg", ' background "white"' } } do
-    self:add('set terminal %s size %d,%d font "DejaVu Sans,%d"%s', kind[1], t.width, t.height, t.font, kind[3])
+    self:add('set terminal %s size %d,%d font "DejaVu Sans,%d"%s', kind[1], t.width, height, t.font, kind[3])
     self:add("set output %s", gnuplot.quoted(self.name .. "." .. kind[2]))
-    self:add("set multiplot layout %d,1 title %s noenhanced", t.count, t.title)
-    t.draw()
+    if t.panel then
+      self:add("set multiplot title %s noenhanced", t.title)
+      t.draw(function(i)
+        self:add("set size 1,%.6g\nset origin 0,%.6g", t.panel / height, (under + (t.count - i) * t.panel) / height)
+        -- The lines below belong to the first panel: set once, they would be drawn by each.
+        for k, line in ipairs(i == 1 and t.below or {}) do
+          self:add("set label %d %s at screen 0.02,%.6g left font ',10' noenhanced", 100 + k, gnuplot.quoted(line),
+            (under - 16 * k + 6) / height)
+        end
+        if i == 2 then for k in ipairs(t.below) do self:add("unset label %d", 100 + k) end end
+      end)
+      if t.count == 1 then for k in ipairs(t.below) do self:add("unset label %d", 100 + k) end end
+    else
+      self:add("set multiplot layout %d,1 title %s noenhanced", t.count, t.title)
+      t.draw()
+    end
     self:add "unset multiplot"
   end
 end

@@ -6,10 +6,7 @@ local rows_module = require "ricochet.rows"
 local summarise, known_column = rows_module.summarise, rows_module.known_column
 
 local colours, quoted = gnuplot.colours, gnuplot.quoted
-local greek = {
-  mu = "μ", beta = "β", psi1 = "Ψ_1", psi2 = "Ψ_2", tan_alpha = "tan α", e_alpha = "e_α", theta = "θ", omega = "ω",
-  cot_gamma = "cot γ",
-}
+local words = require "ricochet.words"
 -- Lines of theory: shades that also differ in their dashes; published points: open marks.
 local dashes = { { "#555555", 2 }, { "#000000", 1 }, { "#882255", 4 }, { "#44AA99", 3 }, { "#999933", 5 } }
 local open_marks = { 6, 4, 8, 12, 10 }
@@ -36,20 +33,29 @@ local function unit_of(column, rows)
   end
 end
 
-local function label(column, rows)
-  local unit = unit_of(column, rows)
-  return (greek[column] or column:gsub("_", "\\_")) .. (unit and unit ~= "" and (" [" .. unit .. "]") or "")
+local function label(column, rows, log)
+  local unit = unit_of(column, rows) or rows and rows_module.unit_of(rows, column)
+  if unit then unit = unit:gsub("m0", "m_0") end
+  return words.label(column) .. (unit and unit ~= "" and (" [" .. unit .. "]") or "") .. (log and " (log)" or "")
 end
 
--- The rows of each value of column `by`, in rising order, with a name; all of them if no column is given.
+-- "μ = 0.3", or a text as it is.
+local function value_named(by, value)
+  if type(value) == "string" then return value end
+  return ("%s = %s"):format(words.symbol(by), type(value) == "number" and ("%.6g"):format(value) or tostring(value))
+end
+
+-- The rows of each combination of values of the columns `by`, in rising order, with a name; all of them without any.
 local function series_of(rows, by)
   if not by then return { { rows = rows } } end
   local list = {}
   for _, group in ipairs(summarise(rows, by, {}, { by = "by" })) do
-    local value = group[by]
-    local shown = type(value) == "number" and ("%.6g"):format(value) or tostring(value)
-    local name = type(value) == "string" and value or ("%s = %s"):format(greek[by] or by, shown)
-    list[#list + 1] = { rows = rows:where { [by] = value }, name = name }
+    local wanted, names = {}, {}
+    for i, column in ipairs(by) do
+      wanted[column] = group[column]
+      names[i] = value_named(column, group[column])
+    end
+    list[#list + 1] = { rows = rows:where(wanted), name = table.concat(names, ", ") }
   end
   return list
 end
@@ -134,6 +140,25 @@ local function write_series(t, list, script, xs, ys)
   return finished, failed, samples
 end
 
+-- Every finished impact, as $samples1, $samples2 ...; widens the ranges.
+local function write_samples(t, list, script, ys)
+  for k, series in ipairs(list) do
+    local lines = {}
+    for _, row in ipairs(series.rows) do
+      if row.status == "finished" then
+        local cells = { ("%.17g"):format(row[t.x]) }
+        for i, column in ipairs(t.y) do
+          local value = row[column]
+          cells[i + 1] = ("%.17g"):format(value)
+          if value == value and not (t.log:find "y" and value <= 0) then widen(ys[i], value, value) end
+        end
+        lines[#lines + 1] = table.concat(cells, " ")
+      end
+    end
+    script:data("samples" .. k, lines)
+  end
+end
+
 -- The data of lines and marks, as $theory1_2 (column 1, entry 2) and so on. They widen the range along y, by no more
 -- than `most` of it on either side.
 local function write_entries(t, kind, entries, script, xs, ys, most)
@@ -181,22 +206,91 @@ local function roomy(low, high, share, log)
   return ("[%.17g:%.17g]"):format(low - room, high + room)
 end
 
--- Along a logarithmic axis of less than three decades 1, 2 and 5 of each are marked; gnuplot's own ticks might be one
--- or none.
+-- Places of round numbers between `low` and `high`: 4 to 8 of them.
+local function round_places(low, high)
+  local decade = 10 ^ math.floor(math.log((high - low) / 4, 10))
+  local step = decade
+  for _, factor in ipairs { 2, 5, 10 } do
+    if (high - low) / step > 8 then step = factor * decade end
+  end
+  local places = {}
+  for k = math.ceil(low / step), math.floor(high / step) do places[#places + 1] = k * step end
+  return places, step
+end
+
+-- Ticks of a logarithmic axis. Over less than half a decade round numbers in equal steps have a label; up to three
+-- decades 1, 2 and 5 of each; beyond, powers of ten, every one or every few. Minor ticks stand between.
 local function log_tics(log, axis, low, high)
   if not log:find(axis) then return "" end
-  if high / low > 1e3 then return ("\nset %stics autofreq"):format(axis) end
-  local tics = {}
-  local steps = high / low > 4 and { 1, 2, 5 } or { 1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9 }
-  if high / low < 1.3 then steps = {} for k = 20, 199 do steps[#steps + 1] = k / 20 end end
+  local tics, decades = {}, math.log(high / low, 10)
+  local function add(value, minor) tics[#tics + 1] = (minor and "'' %.6g 1" or "%.6g"):format(value) end
+  if decades < 0.5 and high > low then
+    local places, step = round_places(low, high)
+    for _, place in ipairs(places) do add(place) end
+    for k = math.ceil(5 * low / step), math.floor(5 * high / step) do
+      if k % 5 ~= 0 then add(k * step / 5, true) end
+    end
+    return ("\nset %stics (%s)"):format(axis, table.concat(tics, ", "))
+  end
+  local every = math.max(1, math.ceil(decades / 8))
   for decade = math.floor(math.log(low, 10)) - 1, math.floor(math.log(high, 10)) + 1 do
-    for _, step in ipairs(steps) do tics[#tics + 1] = ("%.6g"):format(step * 10 ^ decade) end
+    for step = 1, 9 do
+      local labelled = decades < 3 and (step == 1 or step == 2 or step == 5) or step == 1 and decade % every == 0
+      if labelled or every == 1 or step == 1 then add(step * 10 ^ decade, not labelled) end
+    end
   end
   return ("\nset %stics (%s)"):format(axis, table.concat(tics, ", "))
 end
 
+-- How far points of series k stand from their x, where several series have one at the same x and lie on each other:
+-- { k = text of x as gnuplot has it }.
+local function dodged(t, list, xs, ys)
+  local places, crowded = {}, false
+  for k, series in ipairs(list) do
+    for _, row in ipairs(series.summary) do
+      local there = places[row[t.x]] or {}
+      places[row[t.x]] = there
+      for i, column in ipairs(t.y) do
+        local s, height = row[column], t.log:find "y" and math.log or function(y) return y end
+        local span, bar = height(ys[i].high) - height(ys[i].low), s.count > 1 and s.se or 0
+        local low, high = height(s.mean - bar) - 0.015 * span, height(s.mean + bar) + 0.015 * span
+        if t.log:find "y" and s.mean - bar <= 0 then low = -math.huge end
+        for _, other in ipairs(there) do
+          crowded = crowded or other.i == i and other.k ~= k and low < other.high and other.low < high
+        end
+        there[#there + 1] = { i = i, k = k, low = low, high = high }
+      end
+    end
+  end
+  local sorted, along, share = {}, t.log:find "x" and function(x) return math.log(x) end or function(x) return x end,
+    0.012
+  for x in pairs(places) do sorted[#sorted + 1] = along(x) end
+  table.sort(sorted)
+  local range = along(xs.high) - along(xs.low)
+  for i = 2, #sorted do share = math.min(share, 0.6 * (sorted[i] - sorted[i - 1]) / range / #list) end
+  local texts, side = {}, crowded and range > 0 and (#list - 1) / 2 * share * range or 0
+  if not t.xrange then
+    if t.log:find "x" then widen(xs, xs.low / math.exp(side), xs.high * math.exp(side))
+    else widen(xs, xs.low - side, xs.high + side) end
+  end
+  for k in ipairs(list) do
+    local shift = crowded and range > 0 and (k - (#list + 1) / 2) * share * range or 0
+    texts[k] = shift == 0 and "1" or t.log:find "x" and ("($1*%.8g)"):format(math.exp(shift))
+      or ("($1%+.8g)"):format(shift)
+  end
+  return texts, crowded and range > 0
+end
+
+-- What tells series k from the others: colour, then filled or open marks, then dashes.
+local function look_of(k, by)
+  local round = (k - 1) // #colours
+  local filled, open = { 7, 5, 9, 11, 13, 15 }, { 4, 8, 6, 12, 14, 10 }
+  local shape = round % 2 == 0 and filled[(k - 1) % 6 + 1] or open[(k - 1) % 6 + 1]
+  return quoted(colours[(k - 1) % #colours + 1]), by and shape or 7, round % 5 + 1
+end
+
 -- What gnuplot plots in panel i.
-local function parts_of(t, i, list, theory, published)
+local function parts_of(t, i, list, theory, published, at)
   local parts, column = {}, t.y[i]
   local function title(name) return name and "title " .. quoted(name) .. " noenhanced" or "notitle" end
   for k, entry in ipairs(theory[column] or {}) do
@@ -205,17 +299,22 @@ local function parts_of(t, i, list, theory, published)
       title(entry.name))
   end
   for k, series in ipairs(list) do
-    local colour = quoted(colours[((t.by and k or i) - 1) % #colours + 1])
+    local colour, shape, dash = look_of(t.by and k or i, t.by)
     if is_series(t.rows) then
-      parts[#parts + 1] = ("$data%d using 1:%d with lines lw 1.5 lc rgb %s %s"):format(k, 2 * i, colour,
+      parts[#parts + 1] = ("$data%d using 1:%d with lines dt %d lw 1.5 lc rgb %s %s"):format(k, 2 * i, dash, colour,
         title(i == 1 and series.name or nil))
       goto continue
     end
-    local shape = t.by and ({ 7, 5, 9, 11, 13, 15 })[(k - 1) % 6 + 1] or 7  -- filled shapes, beside colour
-    local bars = ("$data%d using 1:%d:%d with yerrorbars pt %d ps 0.8 lw 1.5"):format(k, 2 * i, 2 * i + 1, shape)
+    if t.samples then
+      parts[#parts + 1] = ("$samples%d using 1:%d with points pt 7 ps 0.35 lc rgb '#a0a0a8' %s"):format(k, i + 1,
+        title(i == 1 and k == 1 and "single impacts" or nil))
+    end
+    local bars = ("$data%d using %s:%d:%d with yerrorbars pt %d ps 0.8 lw 1.5"):format(k, at[k], 2 * i, 2 * i + 1,
+      shape)
     parts[#parts + 1] = ("%s lc rgb %s %s"):format(bars, colour, title(i == 1 and series.name or nil))
     if not theory[column] or t.by then
-      parts[#parts + 1] = ("$data%d using 1:%d with lines lw 1 lc rgb %s notitle"):format(k, 2 * i, colour)
+      parts[#parts + 1] = ("$data%d using %s:%d with lines dt %d lw 1 lc rgb %s notitle"):format(k, at[k], 2 * i,
+        dash, colour)
     end
     ::continue::
   end
@@ -261,6 +360,7 @@ end
 local function finish_yranges(t, ys)
   for i, column in ipairs(t.y) do
     if t.yrange[column] then ys[i] = given_range(t.yrange[column], "yrange", column) end
+    if t.nothing then ys[i] = { low = 1, high = 10 } end
     if t.log:find "y" and (ys[i].low > ys[i].high or ys[i].low <= 0) then
       core.fail(("'log' along y needs values above 0, and %s has none"):format(column), "log")
     end
@@ -268,15 +368,18 @@ local function finish_yranges(t, ys)
   end
 end
 
--- The lines above the panels.
-local function titles_of(t, finished, failed, samples)
-  local titles = {}
-  if t.title then titles[1] = quoted(t.title) end
-  for _, line in ipairs(t.caption and wrapped(t.caption, 92) or {}) do titles[#titles + 1] = quoted(line) end
+-- The line above the panels, and those below them.
+local function texts_of(t, finished, failed, samples, side_by_side)
+  local below = t.caption and wrapped(t.caption, 100) or {}
+  local function add(text) for _, line in ipairs(wrapped(text, 100)) do below[#below + 1] = line end end
   local impacts = samples > 1 and "mean and standard error of %d impacts, %d failed"
     or "%d impacts, one a point, %d failed"
-  if t.rows and not is_series(t.rows) then titles[#titles + 1] = quoted(impacts:format(finished, failed)) end
-  return titles
+  if t.rows and not is_series(t.rows) then
+    local over = rows_module.averaged(t.rows, { t.x, table.unpack(t.by or {}) })
+    add(impacts:format(finished, failed) .. (samples > 1 and over ~= "" and "; averaged over " .. over or "")
+      .. (side_by_side and "; points of the same x stand side by side" or ""))
+  end
+  return t.title, below
 end
 
 -- The most entries of a key; it stands above its panel.
@@ -296,11 +399,15 @@ local function add_panel(script, t, i, xs, y, margin, parts)
   script:add("set lmargin %d\nset xrange %s", margin, roomy(xs.low, xs.high, xroom, t.log:find "x"))
   script:add("set yrange %s%s%s", roomy(y.low, y.high, yroom, t.log:find "y"), log_tics(t.log, "x", xs.low, xs.high),
     log_tics(t.log, "y", y.low, y.high))
-  local xlabel = i == #t.y and quoted(t.xlabel or label(t.x, t.rows)) or "''"
+  local xlabel = i == #t.y and quoted(t.xlabel or label(t.x, t.rows, t.log:find "x")) or "''"
   script:add("set xlabel %s%s", xlabel, t.xlabel and " noenhanced" or " enhanced")
-  local ylabel = quoted(t.ylabel[column] or label(column, t.rows))
+  local ylabel = quoted(t.ylabel[column] or label(column, t.rows, t.log:find "y"))
   script:add("set ylabel %s%s", ylabel, t.ylabel[column] and " noenhanced" or " enhanced")
-  script:add("plot " .. parts)
+  local none = t.nothing or t.rows and t.empty[column]
+  if none then script:add("set label 2 %s at graph 0.5,0.5 center font ',14'", quoted(none)) end
+  if t.nothing then script:add "unset ytics" end
+  script:add("plot " .. (t.nothing and "NaN notitle" or parts))
+  if none then script:add "unset label 2\nset ytics nomirror" end
 end
 
 -- The points of a series, in their order, each as a group of its own.
@@ -321,13 +428,14 @@ end
 
 local function plot(given)
   local t = core.check("plot", given)
+  if type(t.by) == "string" then t.by = { t.by } end
   local script = gnuplot.script(t.name)
   local theory, published = entries_of(t, "theory", t.theory_name), entries_of(t, "published", "published")
   check_columns(t)
   local list = t.rows and series_of(t.rows, t.by) or {}
   for _, series in ipairs(list) do
     series.summary = is_series(t.rows) and points_of(series.rows, t.x, t.y)
-      or summarise(series.rows, t.x, t.y, { by = "x", of = "y" })
+      or summarise(series.rows, { t.x }, t.y, { by = "x", of = "y" })
   end
   if core.is_check() then return end
   if t.rows and (#list == 0 or #list[1].summary == 0) then core.fail "there are no rows to plot" end
@@ -337,24 +445,49 @@ local function plot(given)
   local xs, ys = { low = math.huge, high = -math.huge }, {}
   for i in ipairs(t.y) do ys[i] = { low = math.huge, high = -math.huge } end
   local finished, failed, samples = write_series(t, list, script, xs, ys)
+  if t.samples and t.rows and not is_series(t.rows) then write_samples(t, list, script, ys) else t.samples = false end
+  if t.rows and finished == 0 then
+    t.nothing = ("no finished row: of %d impacts %d failed"):format(failed, failed)
+    xs = finish_xrange(t, xs, {}, {})
+    theory, published = {}, {}
+  end
+  t.empty = {}
+  for i, column in ipairs(t.y) do
+    if ys[i].low > ys[i].high then t.empty[column] = "no row has a number above 0, or any, here" end
+  end
   xs = finish_xrange(t, xs, published, theory)
   -- Where theory diverges it leaves the picture: beside rows, the range is that of the impacts and published points and
   -- at most half as much on either side.
   write_entries(t, "published", published, script, xs, ys, math.huge)
   write_entries(t, "theory", theory, script, xs, ys, t.rows and 0.5 or math.huge)
   finish_yranges(t, ys)
-  local titles = titles_of(t, finished, failed, samples)
+  local at, side_by_side = {}, false
+  if t.by and not is_series(t.rows) and not t.nothing then
+    at, side_by_side = dodged(t, list, xs, ys)
+  else
+    for k in ipairs(list) do at[k] = "1" end
+  end
+  local title, below = texts_of(t, finished, failed, samples, side_by_side)
   local margin = 11  -- of characters; ticks that differ in the fourth digit or later need more
   for _, y in ipairs(ys) do
     if math.max(math.abs(y.low), math.abs(y.high)) > 100 * (y.high - y.low) and y.high > y.low then margin = 15 end
   end
+  -- Many lines have their key at the side, a line each.
+  local entries, longest = most_entries(t, list, theory, published), 0
+  for _, series in ipairs(list) do longest = math.max(longest, utf8.len(series.name or "") or 0) end
+  local beside = t.by and #list > 6
+  local each = beside and math.max(285, 40 + 18 * entries) or 285 + 18 * entries
   script:panels {
-    count = #t.y, width = 800, font = 12, key = "outside top right horizontal",
-    height = 70 + 20 * #titles + (285 + 18 * most_entries(t, list, theory, published)) * #t.y,
-    title = #titles > 0 and table.concat(titles, '."\\n".') or "''",
+    count = #t.y, width = beside and 860 + 8 * longest or 800, font = 12,
+    key = beside and ("outside right top vertical Left reverse samplen 2\nset rmargin %d"):format(longest + 8)
+      or "outside top left horizontal Left reverse samplen 2",
+    panel = each, title = title and quoted(title) or "''", has_title = title ~= nil, below = below,
     axes = t.log ~= "none" and "set logscale " .. t.log .. "\nset format " .. t.log .. " '%g'" or nil,
-    draw = function()
-      for i in ipairs(t.y) do add_panel(script, t, i, xs, ys[i], margin, parts_of(t, i, list, theory, published)) end
+    draw = function(place)
+      for i in ipairs(t.y) do
+        place(i)
+        add_panel(script, t, i, xs, ys[i], margin, parts_of(t, i, list, theory, published, at))
+      end
     end,
   }
   script:draw()

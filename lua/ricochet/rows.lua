@@ -36,22 +36,34 @@ local function is_data(row)
   return status == nil or status == "finished"
 end
 
--- Groups of finished rows by a column, in rising order: { { key, members = {...}, failed = n }, ... }.
+local function is_less(a, b)
+  if type(a) == "boolean" then return a and not b end
+  return a < b
+end
+
+-- Groups of finished rows by columns, in rising order: { { keys, members = {...}, failed = n }, ... }.
 local function groups(rows, by)
   local list, of = {}, {}
   for _, row in ipairs(rows) do
-    local key = row[by]
-    if key ~= key then core.fail(("column '%s' is undefined in some rows and cannot group them"):format(by)) end
-    if of[key] == nil then
-      of[key] = { key = key, members = {}, failed = 0 }
-      list[#list + 1] = of[key]
+    local keys, at = {}, of
+    for i, column in ipairs(by) do
+      local key = row[column]
+      if key ~= key then core.fail(("column '%s' is undefined in some rows and cannot group them"):format(column)) end
+      keys[i], at[key] = key, at[key] or {}
+      at = at[key]
     end
-    local group = of[key]
+    if not at.group then
+      at.group = { keys = keys, members = {}, failed = 0 }
+      list[#list + 1] = at.group
+    end
+    local group = at.group
     if is_data(row) then group.members[#group.members + 1] = row else group.failed = group.failed + 1 end
   end
   table.sort(list, function(a, b)
-    if type(a.key) == "boolean" then return a.key and not b.key end
-    return a.key < b.key
+    for i, key in ipairs(a.keys) do
+      if key ~= b.keys[i] then return is_less(key, b.keys[i]) end
+    end
+    return false
   end)
   return list
 end
@@ -66,15 +78,37 @@ local function statistics_of(members, column)
   return statistics.of(values)
 end
 
+-- What a sweep varied in its rows, and in which units: { names =, units = } of a list of rows.
+local varied = setmetatable({}, { __mode = "k" })
+
+-- The unit that a sweep gave its own parameter.
+local function unit_of(rows, column) return varied[rows] and (varied[rows].units or {})[column] end
+
+-- What means by some columns are taken over: "sample (8 values), rough (2 values)"; "" if nothing else varies.
+local function averaged(rows, by)
+  local parts, grouped = {}, {}
+  for _, column in ipairs(by) do grouped[column] = true end
+  for _, name in ipairs(varied[rows] and varied[rows].names or {}) do
+    local count, seen = 0, {}
+    for _, row in ipairs(rows) do
+      local value = row[name]
+      if value == value and value ~= nil and not seen[value] then count, seen[value] = count + 1, true end
+    end
+    if not grouped[name] and count > 1 then parts[#parts + 1] = ("%s (%d values)"):format(name, count) end
+  end
+  return table.concat(parts, ", ")
+end
+
 -- `fields`: what the user's call names `by` and `of`, for its mistakes.
 local function summarise(rows, by, of, fields)
-  known_column(rows, by, fields.by)
+  for _, column in ipairs(by) do known_column(rows, column, fields.by) end
   for _, column in ipairs(of) do known_column(rows, column, fields.of) end
   -- Of columns in the rows' units; nothing of those that a script added.
   local units = core.columns(rows[1] and rawget(rows[1], "units"))
-  local summary = setmetatable({ by = by, of = of, units = units }, Summary)
+  local summary = setmetatable({ by = by, of = of, units = units, over = averaged(rows, by) }, Summary)
   for i, group in ipairs(groups(rows, by)) do
-    local line = { [by] = group.key, count = #group.members, failed = group.failed }
+    local line = { count = #group.members, failed = group.failed }
+    for k, column in ipairs(by) do line[column] = group.keys[k] end
     for _, column in ipairs(of) do line[column] = statistics_of(group.members, column) end
     summary[i] = line
   end
@@ -84,7 +118,7 @@ end
 Rows.summary = core.wrap(function(self, given)
   if not core.is(self, Rows) then core.fail "is a method of rows: write rows:summary { ... }, with a colon" end
   local t = core.check("rows:summary", given)
-  return summarise(self, t.by, t.of, { by = "by", of = "of" })
+  return summarise(self, type(t.by) == "string" and { t.by } or t.by, t.of, { by = "by", of = "of" })
 end)
 
 --- y = factor x^exponent by least squares of the logarithms, over finished rows: { exponent =, se =, factor =, count =
@@ -135,7 +169,7 @@ Rows.where = core.wrap(function(self, wanted)
     for column, value in pairs(wanted) do alike = alike and row[column] == value end
     if alike then list[#list + 1] = row end
   end
-  return rows_of(list)
+  return rows_of(list, varied[self])
 end)
 
 local function shown(value)
@@ -145,7 +179,7 @@ end
 
 --- One line a group: mean +- standard error (standard deviation), finished and failed samples.
 function Summary:__tostring()
-  local header = { self.by }
+  local header = { table.unpack(self.by) }
   for _, column in ipairs(self.of) do
     local unit = self.units[column]
     header[#header + 1] = column .. (unit and unit ~= "" and " [" .. unit .. "]" or "") .. " +- se (sd)"
@@ -153,7 +187,8 @@ function Summary:__tostring()
   header[#header + 1], header[#header + 2] = "finished", "failed"
   local lines = { header }
   for _, line in ipairs(self) do
-    local cells = { shown(line[self.by]) }
+    local cells = {}
+    for i, column in ipairs(self.by) do cells[i] = shown(line[column]) end
     for _, column in ipairs(self.of) do
       local s = line[column]
       local small = s.mean ~= 0 and math.abs(s.mean) < 0.01  -- four places would show next to nothing
@@ -173,6 +208,7 @@ function Summary:__tostring()
     for i, cell in ipairs(cells) do padded[i] = (" "):rep(widths[i] - #cell) .. cell end
     text[#text + 1] = table.concat(padded, "  ")
   end
+  if self.over ~= "" then text[#text + 1] = "averaged over " .. self.over end
   return table.concat(text, "\n")
 end
 
@@ -194,8 +230,9 @@ function Rows:__tostring()
     finished)
 end
 
-function rows_of(list)
+function rows_of(list, of_sweep)
+  varied[list] = of_sweep
   return setmetatable(list, Rows)
 end
 
-return { rows_of = rows_of, summarise = summarise, known_column = known_column }
+return { rows_of = rows_of, summarise = summarise, known_column = known_column, averaged = averaged, unit_of = unit_of }

@@ -129,7 +129,7 @@ methods.run = core.wrap(function(self)
   for i, point in ipairs(sweep.points) do
     scenes[i] = scene_at(sweep, point)
   end
-  return rows_of(core.run_sweep(sweep.name, sweep.names, sweep.points, scenes))
+  return rows_of(core.run_sweep(sweep.name, sweep.names, sweep.points, scenes), sweep)
 end)
 
 local function sweep(given)
@@ -138,8 +138,14 @@ local function sweep(given)
     core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name")
   end
   local names, points = combinations(t.over)
+  for name, unit in pairs(t.units) do
+    if not t.over[name] then
+      core.fail(("'units' names '%s', which is not among 'over'"):format(tostring(name)), "units")
+    end
+    if type(unit) ~= "string" then core.fail(("units.%s must be a text, is a %s"):format(name, type(unit)), "units") end
+  end
   local self = setmetatable({}, Sweep)
-  held[self] = { name = t.name, scene = t.scene, over = t.over, names = names, points = points }
+  held[self] = { name = t.name, scene = t.scene, over = t.over, names = names, points = points, units = t.units }
   return self
 end
 

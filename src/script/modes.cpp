@@ -132,8 +132,9 @@ void film_mode(lua_State* L, const Spectrum& spectrum, const std::string& hash, 
   const auto mode = static_cast<std::size_t>(asked.filmed - 1);
   if (mode >= spectrum.modes.size())
     throw_here(L, FieldError("filmed", fmt::format("is {}, and {} modes are asked for", asked.filmed, asked.count)));
-  if (!asked.film.ends_with(run_names::film))
-    throw_here(L, FieldError("film", fmt::format("'{}' must end in {}", asked.film, run_names::film)));
+  if (!run_names::is_film(asked.film))
+    throw_here(L, FieldError("film", fmt::format("'{}' must end in {}, {} or {}", asked.film, run_names::film,
+                                                 run_names::film_gif, run_names::film_png)));
   Shooting shooting = sized_shooting_of(L, show_of_modes());
   shooting.show.title = fmt::format("mode {}: ω = {:.4g} {}", asked.filmed, spectrum.modes[mode].omega, spectrum.unit);
   std::vector<std::pair<std::size_t, double>> moments;

@@ -40,7 +40,8 @@ const std::vector<Member<Animation>>& Animation::fields() {
       {{"out", "string", "", "folder of the frames, below the run's folder; \"frames\" unless only a film is asked for",
         any_number, "", true},
        &Animation::out},
-      {{"film", "string", "", "name of an .mp4 file, below the run's folder; needs ffmpeg", any_number, "", true},
+      {{"film", "string", "", "name of an .mp4, .gif or .apng file, below the run's folder; needs ffmpeg", any_number,
+        "", true},
        &Animation::film},
       {{"rate", "number", "1/s", "frames a second of the film", {1, 240}, by_struct}, &Animation::rate},
       {{"columns", "integer", "", "scenes in a row; up to three unless given, more in a square", {1, 100}, "", true},
@@ -100,8 +101,9 @@ Sequence sequence_of(lua_State* L) {
   if (wanted.film.empty() && !has_field(L, 1, "out")) wanted.out = "frames";
   if (wanted.film.empty() && wanted.out.empty())
     throw_here(L, FieldError("out", "is empty, and no film is asked for: there would be nothing left of it"));
-  if (!wanted.film.empty() && !wanted.film.ends_with(run_names::film))
-    throw_here(L, FieldError("film", fmt::format("'{}' must end in {}", wanted.film, run_names::film)));
+  if (!wanted.film.empty() && !run_names::is_film(wanted.film))
+    throw_here(L, FieldError("film", fmt::format("'{}' must end in {}, {} or {}", wanted.film, run_names::film,
+                                                 run_names::film_gif, run_names::film_png)));
   Sequence sequence;
   if (!wanted.out.empty()) {
     sequence.folder = claimed_path(L, "out", wanted.out);

@@ -120,8 +120,9 @@ void render_file(const RenderOptions& options) {
   if (options.resume && options.force)
     refuse("--resume keeps earlier frames and --force replaces them; give one of them");
   Shooting shooting = shooting_of(options);
-  if (!options.film.empty() && !options.film.ends_with(run_names::film))
-    refuse(fmt::format("--film: '{}' must end in {}", options.film, run_names::film));
+  if (!options.film.empty() && !run_names::is_film(options.film))
+    refuse(fmt::format("--film: '{}' must end in {}, {} or {}", options.film, run_names::film, run_names::film_gif,
+                       run_names::film_png));
   const Trajectory trajectory = read_trajectory(options.file);
   Provenance provenance = read_provenance(options.file);
   shooting.origin = provenance["script_hash"];

@@ -266,6 +266,8 @@ Function sweep_function() {
               "returns the rows. A sample that did not finish is counted and never averaged in.",
           .fields = {{"name", "string", "", "names the folder of its results"},
                      {"over", "table", "", "name = list of values, each a number, string or boolean"},
+                     {"units", "table", "", "name = unit of a value of 'over', for axes: { gap = \"R\" }", any_number,
+                      "{}"},
                      {"scene", "function", "", "function (at) that returns the scene at the values at.name"}},
           .returns = "sweep",
           .example =
@@ -278,8 +280,8 @@ std::vector<Function> rows_functions() {
   return {
       {.name = "rows:summary",
        .doc = "Mean, standard deviation, standard error and count of columns of finished rows, grouped. `:print()` "
-              "prints it as a table.",
-       .fields = {{"by", "string", "", "column to group by"},
+              "prints it as a table, and says what else varied.",
+       .fields = {{"by", "string or strings", "", "column to group by, or several: a line each combination"},
                   {"of", "strings", "", "columns to average; undefined values are left out"}},
        .returns = "summary",
        .example = "rows:summary { by = \"psi1\", of = { \"e\", \"mu\" } }:print()"},

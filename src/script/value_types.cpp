@@ -139,6 +139,11 @@ std::string strings_mistake(const Value& value) {
   });
 }
 
+std::string string_or_strings_mistake(const Value& value) {
+  if (value.type() == LUA_TTABLE) return strings_mistake(value);
+  return value.type() == LUA_TSTRING ? string_mistake(value) : value.must_be("a string or a list of strings");
+}
+
 std::string numbers_mistake(const Value& value) {
   return list_mistake(value, "a list of numbers { ... }", [&](lua_Integer i) -> std::string {
     if (is_finite_number(value.L, -1)) return "";
@@ -211,6 +216,7 @@ constexpr Type types[] = {
     {"table", "table", table_mistake},
     {"numbers", "number[]", numbers_mistake},
     {"strings", "string[]", strings_mistake},
+    {"string or strings", "string|string[]", string_or_strings_mistake},
     {"points", "number[][]", points_mistake},
     {"outlines", "number[][][]", outlines_mistake},
     {"body", "ricochet.body", body_mistake},

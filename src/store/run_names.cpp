@@ -87,6 +87,10 @@ void remove_parts(const fs::path& parts) { remove_those(parts, is_part); }
 
 fs::path frame(const fs::path& folder, std::size_t k) { return folder / fmt::format("{:06}{}", k, picture); }
 
+bool is_film(const std::string& name) {
+  return name.ends_with(film) || name.ends_with(film_gif) || name.ends_with(film_png);
+}
+
 bool is_of_the_run(const fs::path& name) {
   fs::path first = *name.begin();
   if (has_extension_of(first, {new_extension})) first = first.stem();

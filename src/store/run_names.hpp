@@ -36,7 +36,11 @@ void remove_parts(const std::filesystem::path& parts);
 std::filesystem::path frame(const std::filesystem::path& folder, std::size_t k);
 inline constexpr const char* picture = ".png";
 inline constexpr const char* vector_picture = ".svg";
+/// How the names of films end.
 inline constexpr const char* film = ".mp4";
+inline constexpr const char* film_gif = ".gif";
+inline constexpr const char* film_png = ".apng";
+bool is_film(const std::string& name);
 inline constexpr const char* plot_script = ".gp";
 
 /// True for names (below the run's folder) of what a run leaves itself, results and log: no script may write there.

@@ -211,23 +211,66 @@ TEST_CASE("the ledger's bar shares its length as the energy is shared") {
   CHECK_THAT(static_cast<double>(counts[0]) / best, Catch::Matchers::WithinAbs(0.64, 0.01));
 }
 
-TEST_CASE("what effects owe is taken off the ledger's bar, which never leaves its frame") {
+TEST_CASE("energy that stays fills all of the ledger's bar, whatever a potential owes") {
   const FrameMesh mesh = small_mesh();
   Show show = bare();
   show.ledger = true;
+  Frame high = frame_of(mesh), low = frame_of(mesh);
+  low.energy[0] = 3;
+  low.energy[7] = 1;  // a potential has fallen by 2
+  Subject subject(mesh);
+  subject.see(show, high);
+  subject.see(show, low);
+  Context context(640, 360);
+  Font font;
+  const auto filled = [&](const Frame& frame, std::initializer_list<int> kinds) {
+    const Image image = context.draw(paint(show, {640, 360, 1}, font, {{&subject, &frame, 0, ""}}, ""), font);
+    int most = 0;
+    for (int y = 180; y < 360; ++y) {
+      int here = 0;
+      for (int x = 0; x < 640; ++x)
+        for (const int kind : kinds) here += near(pixel(image, x, y), rgb(kind_colour(kind)));
+      most = std::max(most, here);
+      for (int x = 630; x < 640; ++x) CHECK(near(pixel(image, x, y), paper));
+    }
+    return most;
+  };
+  const int all = filled(low, {0, 1});  // nothing is owed any more
+  CHECK(all > 580);
+  CHECK(std::abs(filled(high, {0, 1, 6}) - all) <= 2);
+  CHECK(std::abs(filled(high, {6}) - 2 * all / 3) <= 4);  // two of three
+}
+
+TEST_CASE("a tip beyond the bar of colours says that values lie beyond it") {
+  const FrameMesh mesh = small_mesh();
+  Show show = bare("speed");
+  show.colour_bar = true;
+  const auto dark = [&](double limit) {  // pixels of the last colour, which nothing else has
+    show.high = limit;
+    const Image image = drawn(show, mesh, frame_of(mesh), 640, 360);
+    int count = 0;
+    for (int y = 0; y < 60; ++y)
+      for (int x = 500; x < 640; ++x) count += near(pixel(image, x, y), rgb(colour_of(colour_map_named("ylgnbu"), 1)));
+    return count;
+  };
+  CHECK(dark(0.25) > dark(1) + 20);  // the projectile has 0.5
+}
+
+TEST_CASE("arrows of force have a scale, and a camera that follows holds all of the body") {
+  const FrameMesh mesh = small_mesh();
+  Show show = bare();
   Frame frame = frame_of(mesh);
-  frame.energy[0] = 3;
-  frame.energy[7] = 1;  // a potential has fallen by 2
-  const Image image = drawn(show, mesh, frame, 640, 360);
-  for (int y = 0; y < 360; ++y)
-    for (int x = 630; x < 640; ++x) CHECK(near(pixel(image, x, y), paper));
-  int owed = 0;
-  for (int y = 180; y < 360; ++y) {
-    int here = 0;
-    for (int x = 0; x < 640; ++x) here += near(pixel(image, x, y), rgb(kind_colour(6)));
-    owed = std::max(owed, here);
-  }
-  CHECK(std::abs(owed - 2 * 612 / 3) < 12);  // two thirds of the bar
+  frame.contact_force[1] = 3;
+  const int without = dark_pixels(drawn(show, mesh, frame, 640, 360), 0, 330, 200, 360);
+  show.forces = true;
+  CHECK(dark_pixels(drawn(show, mesh, frame, 640, 360), 0, 330, 200, 360) > without + 40);
+  show.forces = false;
+  show.camera = "follow";
+  const Image image = drawn(show, mesh, frame, 640, 100);
+  int rows = 0;  // of 100, in which the body shows: it would be 1 R of 0.78 R with the width of 5 R
+  for (int y = 0; y < 100; ++y) rows += near(pixel(image, 320, y), {237, 237, 240});
+  CHECK(rows > 20);
+  CHECK(near(pixel(image, 320, 0), paper));
 }
 
 TEST_CASE("a negative and a positive limit have the middle of the colours at 0") {

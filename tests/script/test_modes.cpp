@@ -44,7 +44,8 @@ ricochet.ringing { scene = scene, count = 3 })");
   CHECK_THAT(dented.err, Contains("plastic leaves the projectile at rest elsewhere"));
   CHECK_THAT(refused("body = ricochet.plane {}"), Contains("'body': nothing moves inside a rigid body"));
   CHECK_THAT(refused("body = ricochet.disk { nodes = 30 }, count = 90"), Contains("has 57 modes; ask for no more"));
-  CHECK_THAT(refused("body = ricochet.disk { nodes = 30 }, film = \"x\""), Contains("'film': 'x' must end in .mp4"));
+  CHECK_THAT(refused("body = ricochet.disk { nodes = 30 }, film = \"x\""),
+             Contains("'film': 'x' must end in .mp4, .gif or .apng"));
   CHECK_THAT(refused("body = ricochet.disk { nodes = 30 }, count = 3, film = \"x.mp4\", filmed = 5"),
              Contains("'filmed': is 5, and 3 modes are asked for"));
 }

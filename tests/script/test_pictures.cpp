@@ -218,6 +218,21 @@ TEST_CASE("a film has the frames, the size and the rate that were asked for", "[
   CHECK_FALSE(fs::exists(here.path / "out/s/frames"));
 }
 
+TEST_CASE("a film may be a GIF or an animated PNG, for pages and slides") {
+  const Workplace here;
+  const Ended ended = here.script(drawing(
+      "for _, film in ipairs { 'impact.gif', 'impact.apng' } do ricochet.animate { scene = scene(), frames = 5, "
+      "size = { 160, 90 }, film = film, rate = 10 } end"));
+  INFO(ended.err);
+  REQUIRE(ended.status == 0);
+  CHECK(here.read("out/s/impact.gif").starts_with("GIF89a"));
+  CHECK_THAT(here.read("out/s/impact.gif"), Catch::Matchers::Contains("NETSCAPE2.0"));  // it repeats
+  const std::string png = here.read("out/s/impact.apng");
+  const std::size_t control = png.find("acTL");
+  REQUIRE(control != std::string::npos);
+  CHECK(png.substr(control + 4, 8) == std::string("\0\0\0\5\0\0\0\0", 8));  // five frames, for ever
+}
+
 TEST_CASE("mistakes in pictures are found at their own line, before anything runs") {
   struct Case {
     const char *call, *first_line;
@@ -248,7 +263,7 @@ TEST_CASE("mistakes in pictures are found at their own line, before anything run
       {"ricochet.contact_sheet { scenes = { scene() }, titles = { 'a', 'b' } }",
        "error: s.lua:4: contact_sheet: 'titles': has 2 texts for 1 scenes"},
       {"ricochet.animate { scene = scene(), film = 'impact.avi' }",
-       "error: s.lua:4: animate: 'film': 'impact.avi' must end in .mp4"},
+       "error: s.lua:4: animate: 'film': 'impact.avi' must end in .mp4, .gif or .apng"},
       {"ricochet.animate { scene = scene(), frames = 1000000 }",
        "error: s.lua:4: animate: 'frames': 1000000 frames in *"},
       {"ricochet.still { scene = scene(), size = { 64, 36 } }\nricochet.still { scene = scene(), size = { 64, 36 } }",

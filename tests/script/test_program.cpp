@@ -215,7 +215,7 @@ ricochet.plot { x = "v", y = { "loss" }, name = "alone", log = "xy", xrange = { 
                         Contains("$published1_1 << END\n1 0.8"));
   CHECK_THAT(drawn, Contains("title 'constant'") && Contains("title 'chain'") && Contains("title 'somebody 1999'") &&
                         Contains("set yrange [-1:1]"));
-  CHECK_THAT(drawn, Contains("'mean and standard error of 6 impacts, 0 failed'") &&
+  CHECK_THAT(drawn, Contains("'mean and standard error of 6 impacts, 0 failed; averaged over sample (2 values)'") &&
                         Contains("set xrange [-0.2"));  // up to the published point at 5, 4 % of 5 beside it
   CHECK_THAT(alone, Contains("0.10000000000000001 0.25118864") && !Contains("impacts") && Contains("set logscale xy"));
   for (const char* name : {"p.png", "alone.png", "alone.svg"}) CHECK(fs::file_size(here.path / "out/s" / name) > 500);

@@ -1,0 +1,105 @@
+#include <catch2/catch.hpp>
+
+#include "impact/outcome.hpp"
+#include "program.hpp"
+#include "record/series.hpp"
+
+using namespace ricochet;
+using namespace ricochet::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// A sweep of two speeds, three gaps and two lattices, of which `limit` decides whether they finish.
+std::string swept(const std::string& call, const std::string& limit = "nil") {
+  return "local ricochet = require 'ricochet'\n"
+         "local rows = ricochet.sweep { name = 's', over = { speed = { 0.05, 0.1 }, gap = { 1, 2, 40 }, sample = { 1, "
+         "2 "
+         "} },\n  units = { gap = 'R' }, scene = function(at) return ricochet.scene {\n"
+         "  projectile = ricochet.disk { nodes = 40, roughness = 0.02, seed = at.sample + 10 * math.floor(at.gap) }, "
+         "target = ricochet.wall { width = 4, depth = 1, nodes = 80, stiffness = 400 },\n"
+         "  launch = { speed = at.speed }, time_limit = " +
+         limit + " } end }:run()\n" + call + "\n";
+}
+
+std::string gnuplot_of(const std::string& call, const std::string& limit = "nil") {
+  const Workplace here;
+  const Ended ended = here.script(swept(call, limit), "--quiet");
+  INFO(ended.err);
+  CHECK(fs::file_size(here.path / "out/s/p.png") > 500);
+  return here.read("out/s/p.gp");
+}
+
+}  // namespace
+
+TEST_CASE("axes are called in words, with symbol and unit, also of the script's own parameters") {
+  const std::string drawn = gnuplot_of("ricochet.plot { rows = rows, x = 'gap', y = { 'contact_time' }, name = 'p' }");
+  CHECK_THAT(drawn, Contains("set ylabel 'contact time t_c [R/c]'") && Contains("set xlabel 'gap [R]'"));
+}
+
+TEST_CASE("every column of rows and of series has words for an axis") {
+  std::string names;
+  for (const auto& [field, value] : Outcome::fields()) names += "'" + field.name + "', ";
+  for (const auto& [field, value] : Sample::fields()) names += "'" + field.name + "', ";
+  std::ifstream file(std::string(RICOCHET_SOURCE) + "/lua/ricochet/words.lua");
+  const std::string words(std::istreambuf_iterator<char>(file), {});
+  const Workplace here;
+  const Ended ended = here.script("local words = (function()\n" + words + "\nend)()\nfor _, name in ipairs { " + names +
+                                  "} do if not words.known(name) then print(name) end end\nprint 'all'\n");
+  INFO(ended.err);
+  CHECK(ended.out == "all\n");
+}
+
+TEST_CASE("logarithmic axes have minor ticks, and round labels over a narrow range") {
+  const std::string wide = gnuplot_of("ricochet.plot { rows = rows, x = 'gap', y = { 'e' }, log = 'x', name = 'p' }");
+  CHECK_THAT(wide, Contains("1, 2, '' 3 1, '' 4 1, 5,") && Contains("'gap [R] (log)'"));
+  const std::string narrow = gnuplot_of(
+      "ricochet.plot { x = 'x', y = { 'y' }, theory = { y = { { 1, 0.9 }, { 2, 0.995 } } }, log = 'y', name = 'p' }");
+  CHECK_THAT(narrow, Contains("set ytics (0.9, 0.92, 0.94, 0.96, 0.98, '' 0.904 1"));
+}
+
+TEST_CASE("points of several lines at one x that would cover each other stand side by side, as the caption says") {
+  const std::string near =
+      gnuplot_of("ricochet.plot { rows = rows, x = 'speed', y = { 'e' }, by = { 'gap', 'sample' }, name = 'p' }");
+  CHECK_THAT(near, Contains("$data1 using ($1-") && Contains("$data6 using ($1+") &&
+                       Contains("points of the same x stand side by side") && Contains("title 'gap = 1, sample = 2'"));
+  const std::string far = gnuplot_of(
+      "for i, row in ipairs(rows) do row.own = row.gap + row.sample * 1e-9 end\n"
+      "ricochet.plot { rows = rows, x = 'speed', y = { 'own' }, by = 'gap', log = 'y', name = 'p' }");
+  CHECK_THAT(far, !Contains("side by side") && Contains("$data1 using 1:2"));
+}
+
+TEST_CASE("more than six lines differ in marks and dashes, and their key stands beside the plot") {
+  const std::string drawn = gnuplot_of(
+      "for i, row in ipairs(rows) do row.own = i end\n"
+      "ricochet.plot { rows = rows, x = 'speed', y = { 'e' }, by = 'own', name = 'p' }");
+  CHECK_THAT(drawn, Contains("set key outside right top vertical") && Contains("pt 7 ps 0.8 lw 1.5 lc rgb '#0072B2'") &&
+                        Contains("pt 4 ps 0.8 lw 1.5 lc rgb '#0072B2'") &&
+                        Contains("lines dt 2 lw 1 lc rgb '#0072B2'"));
+}
+
+TEST_CASE("single impacts are drawn beside their means if asked for") {
+  const std::string drawn =
+      gnuplot_of("ricochet.plot { rows = rows, x = 'speed', y = { 'e' }, samples = true, name = 'p' }");
+  const std::size_t at = drawn.find("$samples1 << END\n");
+  REQUIRE(at != std::string::npos);
+  const std::string block = drawn.substr(at, drawn.find("\nEND", at) - at);
+  CHECK(std::count(block.begin(), block.end(), '\n') == 12);
+  CHECK_THAT(drawn, Contains("title 'single impacts'") && Contains("averaged over gap (3 values), sample (2 values)"));
+}
+
+TEST_CASE("a plot without a finished row says so instead of drawing an empty frame") {
+  const std::string drawn =
+      gnuplot_of("ricochet.plot { rows = rows, x = 'speed', y = { 'e' }, log = 'y', name = 'p' }", "0.1");
+  CHECK_THAT(drawn, Contains("'no finished row: of 12 impacts 12 failed'"));
+}
+
+TEST_CASE("a summary groups by several columns and says over what it averages") {
+  const Workplace here;
+  const Ended ended = here.script(swept("local s = rows:summary { by = { 'gap', 'speed' }, of = { 'e' } }\n"
+                                        "print(#s, s[2].gap, s[2].speed, s[2].count) s:print()"),
+                                  "--quiet");
+  INFO(ended.err);
+  CHECK_THAT(ended.out,
+             Contains("6\t1\t0.1\t2\n") && Contains("gap  speed") && Contains("averaged over sample (2 values)\n"));
+}
