@@ -91,7 +91,7 @@ local function averaged(rows, by)
   for _, name in ipairs(varied[rows] and varied[rows].names or {}) do
     local count, seen = 0, {}
     for _, row in ipairs(rows) do
-      local value = row[name]
+      local value = rawget(row, name)  -- rows that a script put there may lack it
       if value == value and value ~= nil and not seen[value] then count, seen[value] = count + 1, true end
     end
     if not grouped[name] and count > 1 then parts[#parts + 1] = ("%s (%d values)"):format(name, count) end
