@@ -38,7 +38,7 @@ ricochet.plot { rows = rows, x = "height", y = { "force_n" }, name = "loop" }
   CHECK(fs::exists(place.path / "out/s/fall.h5"));
   const std::string drawn = place.read("out/s/drop.gp");
   CHECK_THAT(drawn, Contains("with lines") && !Contains("yerrorbars") && !Contains("impacts"));
-  CHECK_THAT(drawn, Contains("height [R]"));
+  CHECK_THAT(drawn, Contains("height y [R]"));
 }
 
 TEST_CASE("functions of a state see the outlines of both bodies, if the series has them") {
