@@ -17,7 +17,8 @@ local scene = ricochet.scene {
   effects = { ricochet.gravity { g = p.g }, ricochet.absorbing { width = 1.5, rate = 4 } },
   time_limit = 2 * p.until_,
 }
-local row = ricochet.animate { scene = scene, frames = p.frames, duration = p.until_,
-  film = p.film ~= "none" and p.film or nil, rate = 15, size = { 480, 400 }, show = { material = "energy_density", springs = "none", plot = "height", high = 0.15,
+local row = ricochet.animate { scene = scene, frames = p.frames, duration = p.until_, rate = 15, size = { 480, 400 },
+  film = p.film ~= "none" and p.film or nil,
+  show = { material = "energy_density", springs = "none", plot = "height", high = 0.15,
     title = "A ball bounces, and its waves run into the wall" } }
 print(("e of the first impact: %.3f"):format(row.e))
