@@ -54,6 +54,11 @@ void RunFolders::refuse_earlier(const fs::path& folder) const {
 void RunFolders::claim(const fs::path& folder) {
   if (claimed(folder)) return;
   refuse_earlier(folder);
+  if (run_names::has_unlisted_plots(folder))
+    throw FileError(
+        fmt::format("{} holds plots of an earlier version, which kept no list of what it made: new ones would be "
+                    "refused once all impacts are done; move them, or use --new, which goes to {}",
+                    folder.string(), next_free(folder).string()));
   make_folder(folder);
   locks_.emplace_back(folder);
   refuse_earlier(folder);  // what another run left while this one waited to begin

@@ -119,6 +119,14 @@ void write_made(const fs::path& folder, const std::set<std::string>& names) {
   write_atomically(folder / list, text);
 }
 
+bool has_unlisted_plots(const fs::path& folder) {
+  std::error_code error;
+  if (!holds_results(folder) || fs::exists(folder / list, error)) return false;
+  const fs::directory_iterator entries(folder, error);
+  return std::any_of(begin(entries), end(entries),
+                     [](const auto& entry) { return has_extension_of(entry.path(), {plot_script}); });
+}
+
 bool is_product(const fs::path& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) return fs::exists(path, error) && !has_extension_of(path, {plot_script});

@@ -51,6 +51,8 @@ bool is_of_the_run(const std::filesystem::path& name);
 inline constexpr const char* list = "run.files";
 std::set<std::string> made_in(const std::filesystem::path& folder);
 void write_made(const std::filesystem::path& folder, const std::set<std::string>& names);
+/// True for a folder with results and plots, but without that list: as versions before it left them.
+bool has_unlisted_plots(const std::filesystem::path& folder);
 /// True if something of that list is there and would be a loss: a file other than what gnuplot draws from, or a folder
 /// with frames.
 bool is_product(const std::filesystem::path& path);

@@ -137,3 +137,20 @@ TEST_CASE("info shows every argument, every required file and the scene") {
   CHECK(csv.status == 4);
   CHECK_THAT(csv.err, Catch::Matchers::Contains("give the .h5 beside it"));
 }
+
+TEST_CASE("plots of a version that kept no list are told before the impacts, not after them") {
+  const Workplace here;
+  const std::string text =
+      std::string(small_sweep) + "ricochet.plot { rows = rows, x = 'psi1', y = { 'e' }, name = 'p' }\n";
+  REQUIRE(here.script(text, "samples=1 --quiet").status == 0);
+  fs::remove(here.path / "out/s/run.files");
+  const std::string before = here.read("out/s/results.h5");
+  for (const char* option : {"--force", "--resume"}) {
+    const Ended ended = here.run(std::string("s.lua samples=2 --quiet ") + option);
+    CHECK(ended.status == 4);
+    CHECK_THAT(ended.first_line(), Catch::Matchers::Contains("out/s holds plots of an earlier version") &&
+                                       Catch::Matchers::EndsWith("--new, which goes to out/s-2"));
+    CHECK((here.read("out/s/results.h5") == before));
+  }
+  CHECK(here.run("s.lua samples=2 --quiet --new").status == 0);
+}
