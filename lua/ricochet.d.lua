@@ -25,6 +25,7 @@
 ---@class ricochet.rows
 ---@field summary fun(self: ricochet.rows, t: ricochet.rows_summary_fields): ricochet.summary
 ---@field power_law fun(self: ricochet.rows, t: ricochet.rows_power_law_fields): table
+---@field paired fun(self: ricochet.rows, t: ricochet.rows_paired_fields): table
 ---@field where fun(self: ricochet.rows, columns: table): ricochet.rows
 
 local ricochet = { file = {}, theory = {}, materials = {} }
@@ -472,14 +473,14 @@ function ricochet.points(name) end
 ---@field accuracy_of? "e"|"beta"|"mu"|"psi2"|"vn"|"vt"|"omega"|"e_n"|"beta_n"|"mu_n"|"contact_time" the outcome that accuracy is about (default e)
 ---@field time_limit? number an impact longer than this ends out_of_time; 100 + 2 / normal speed of the impact unless given [R/c]
 ---@field energy_tolerance? number an impact whose total energy strays further, relative to its start, ends energy_drift (default 0.01)
---- One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream so that its smooth outline would touch the target's at x = launch.at. Speeds are those in space: launch.speed of the projectile, body.velocity of the target, which is where it was built when the run begins; heights and gaps are between the two. `scene:run()` runs it and returns a row, `scene:bounces { }` several impacts one after another; `scene:text()` is its canonical text, `scene:hash()` that text's hash.
+--- One impact: a free projectile falls on a target along -y and moves along +x, or along -x where psi1 is below 0. It is placed upstream so that its smooth outline would touch the target's at x = launch.at. Speeds are those in space: launch.speed of the projectile, body.velocity of the target, which is where it was built when the run begins; heights and gaps are between the two. `scene:run()` runs it and returns a row, `scene:bounces { }` several impacts one after another; `scene:text()` is its canonical text, `scene:hash()` that text's hash.
 ---@param t ricochet.scene_fields
 ---@return ricochet.scene
 function ricochet.scene(t) end
 
 ---@class ricochet.launch_fields
 ---@field speed? number launch speed |v| in space, whatever the target's own velocity; 0.1 unless normal_speed is given; 0 only with a height to fall from under gravity [c]
----@field psi1? number tangent of the incident angle, v_t / v_n; 0 unless given otherwise
+---@field psi1? number tangent of the incident angle, v_t / v_n; 0 unless given otherwise; below 0 the projectile moves along -x
 ---@field angle? number incident angle from the normal, instead of psi1 [degrees]
 ---@field normal_speed? number speed along the normal, instead of speed; 0 as for speed [c]
 ---@field tangential_speed? number speed along the surface, with normal_speed [c]
@@ -616,6 +617,13 @@ function ricochet.estimate(scene) end
 ---@field over table name = list of values, each a number, string or boolean
 ---@field units? table name = unit of a value of 'over', for axes: { gap = "R" } (default {})
 ---@field scene function function (at) that returns the scene at the values at.name
+---@field samples? "by_error" by_error: as many samples of every point as a wanted error of `of` takes, in rounds; the scene's function gets their running number as at.sample, from 1
+---@field standard_error? number with samples: wanted of the mean at every point
+---@field relative_error? number the same, over the mean
+---@field of? string with samples: the outcome that it is about (default e)
+---@field most? integer with samples: of a point, at most (default 10000)
+---@field pilot? integer with samples: of every point in the first round (default 8)
+---@field mirrored? boolean with samples: strike lattices from both sides; where that pays, unless given
 --- Scenes over every combination of some values. `sweep:run()` runs them on all cores, leaves results.h5 and results.csv in the run's folder and returns the rows. A sample that did not finish is counted and never averaged in.
 ---@param t ricochet.sweep_fields
 ---@return ricochet.sweep
@@ -627,7 +635,14 @@ function ricochet.sweep(t) end
 
 ---@class ricochet.rows_power_law_fields
 ---@field x string column of numbers above 0
----@field y string column of numbers above 0
+---@field y string column of numbers above 0; rows where it is undefined are left out
+---@field unit? string column whose equal values share a lattice; sample if the rows have it, else seed
+
+---@class ricochet.rows_paired_fields
+---@field by string column of the two values
+---@field of string column to compare
+---@field at number[] the two values
+---@field unit? string as in rows:power_law
 
 
 --- The list first, first + step ... last; range(n) is 1 ... n.
@@ -835,7 +850,7 @@ function ricochet.accuracy(t) end
 ---@field effects ricochet.effect[] those that may matter
 ---@field of? string[] outcomes to compare (default {"e", "beta", "mu"})
 ---@field samples? integer lattices or meshes: the scene's own and others of its kind (default 8)
---- Which effects a scene calls for: runs it with and without each on the same lattices or meshes, prints the change of outcomes with its standard error beside that of their mean over the samples, and the cost in time. All by verlet. An effect that cannot act on these bodies, as damping of springs on elements, is left out by name. Returns a list of tables: name, cost, and by outcome change, se, sampling; or name and `left_out`, the reason.
+--- Which effects a scene calls for: runs it with and without each on the same lattices or meshes, prints the change of outcomes with its standard error beside that of their mean over the samples, whether it is seen (by chance in one of twenty cases, by Student's t), and the cost in time. All by verlet. An effect that cannot act on these bodies, as damping of springs on elements, is left out by name. Returns a list of tables: name, cost, and by outcome change, se, sampling; or name and `left_out`, the reason.
 ---@param t ricochet.relevance_fields
 ---@return table
 function ricochet.relevance(t) end

@@ -121,7 +121,7 @@ local waves = add_losses(ricochet.sweep { name = "elastic_sphere_radiation", ove
   scene = function(at) return on_half_space(at.nu, at.v) end }:run())
 for _, nu in ipairs(p.nu) do
   local of, constant = waves:where { nu = nu }, theory.hunter_coefficient { nu = nu }
-  local law = of:power_law { x = "v", y = "lost" }
+  local law = of:power_law { x = "v", y = "lost", unit = "v" }
   print(("half-space of its material, nu = %g: lost ~ (v/c0)^%.3f +- %.3f (0.6); over (v/c0)^0.6, theory %.3f"):format(
     nu, law.exponent, law.se, constant))
   for _, row in ipairs(of) do

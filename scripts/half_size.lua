@@ -7,6 +7,7 @@ local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 
 local p = ricochet.parameters(figures.parameters {
+  standard_error = false,
   psi1  = { { 0, 1, 2, 3, 4, 6, 8 }, min = 0, doc = "tangents of the incident angle, rising" },
   ratio = { 1 / 100, min = 1e-6, doc = "wall stiffness over disk stiffness" },
 })

@@ -59,7 +59,7 @@ for _, row in ipairs(rows) do
   row.lost = 1 - row.e ^ 2
   print(("v_n = %.3f m/s: e = %.5f, by radiated waves alone %.5f"):format(row.v, row.e, radiated(row.v)))
 end
-local law = rows:power_law { x = "v", y = "lost" }
+local law = rows:power_law { x = "v", y = "lost", unit = "v" }
 print(("1 - e^2 = %.4f (v_n / (m/s))^%.3f +- %.3f"):format(law.factor, law.exponent, law.se))
 local function e_at(angle)
   if rows[1].e ~= rows[1].e then return 1 end  -- --check runs nothing

@@ -3,6 +3,7 @@ local core = require "ricochet.core"
 local outcomes = require "ricochet.outcomes"
 local refine = require "ricochet.refine"
 local statistics = require "ricochet.statistics"
+local student = require "ricochet.student"
 
 local function with_effects(scene, effects)
   local t = core.given(scene)
@@ -90,7 +91,7 @@ local function verdict_of(c, rows, bare)
     return ("%d pairs finished with this outcome defined: %s"):format(c.count, failed and failed.reason or "")
   end
   local change = math.abs(c.change)
-  if math.max(change, c.se) < 1e-12 or change <= 2 * c.se then return "not seen" end
+  if math.max(change, c.se) < 1e-12 or not student.is_seen(change, c.se, c.count - 1) then return "not seen" end
   if c.sampling == 0 then return "changes it; these samples do not scatter" end
   return change < c.sampling and "below the sampling error" or "matters"
 end
@@ -130,7 +131,11 @@ local function relevance(given)
   local refusals = refusals_in(t.scene, t.effects)
   local function runs(effects)
     local scenes = {}
-    for k = 1, t.samples do scenes[k] = with_effects(refine.refined(t.scene, 1, k - 1), effects) end
+    for k = 1, t.samples do  -- what an effect draws is another in each sample, as its lattice is
+      local own = {}
+      for i, effect in ipairs(effects) do own[i] = core.reseeded(effect, k - 1) end
+      scenes[k] = with_effects(refine.refined(t.scene, 1, k - 1), own)
+    end
     return core.pilot(scenes)
   end
   local bare, bare_seconds = runs {}

@@ -13,6 +13,8 @@ function figures.parameters(own)
   local shared = {
     psi1      = { { 0, 0.5, 1, 2, 3, 4, 5, 6, 7, 8 }, min = 0, doc = "tangents of the incident angle, rising" },
     samples   = { 100, int = true, min = 1, doc = "random lattices per angle" },
+    standard_error = { 0, min = 0, doc = "wanted of the mean e at every angle, instead of `samples`; 0: none" },
+    seeds     = { 0, int = true, min = 0, doc = "added to every sample's seed: other lattices of the same kind" },
     nodes     = { 800, int = true, min = 40, doc = "of the disk; the wall has five times as many" },
     speed     = { 0.1, unit = "c", min = 1e-6, doc = "impact speed" },
     roughness = { 0.03, unit = "R", min = 0, max = 0.2, doc = "standard deviation of the rims" },
@@ -31,12 +33,13 @@ end
 --- the parameters above. `at`: sample and launch; nodes, if not p's; mass of a node [m0], if not 1.
 function figures.scene(p, ratio, at)
   local nodes, mass = at.nodes or p.nodes, at.mass or 1
+  local seed = at.sample + (p.seeds or 0)
   local timed = p.step == 0 and p.accuracy > 0 and p.method == "auto"
   return ricochet.scene {
     projectile = ricochet.disk { nodes = nodes, mass = mass, stiffness = 1e4, placement = p.placement,
-      roughness = p.roughness, seed = at.sample },
+      roughness = p.roughness, seed = seed },
     target = ricochet.wall { nodes = 5 * nodes, mass = mass, stiffness = 1e4 * ratio, placement = p.placement,
-      roughness = p.roughness, seed = at.sample },
+      roughness = p.roughness, seed = seed },
     launch = at.launch,
     contact = figures.contact,
     method = p.method,
@@ -46,11 +49,13 @@ function figures.scene(p, ratio, at)
 end
 
 --- The sweep of such scenes over samples and angles, at the same speed or, with `normal_speed`, at the same normal
---- speed.
+--- speed; with p.standard_error as many samples of each angle as that takes.
 function figures.sweep(p, name, ratio, normal_speed)
+  local wanted = (p.standard_error or 0) > 0 and p.standard_error or nil
   return ricochet.sweep {
     name = name,
-    over = { sample = ricochet.range(p.samples), psi1 = p.psi1 },
+    over = { sample = not wanted and ricochet.range(p.samples) or nil, psi1 = p.psi1 },
+    samples = wanted and "by_error", standard_error = wanted,
     scene = function(at)
       local launch = normal_speed and { normal_speed = normal_speed, tangential_speed = normal_speed * at.psi1 }
         or { speed = p.speed, psi1 = at.psi1 }
@@ -179,8 +184,11 @@ end
 
 --- "rims of 0.03 R, 800 + 4000 nodes, ..." for captions.
 function figures.caption(p, ratio)
-  return ("Stiffness of the wall %g of the disk's, rims of %g R, %d + %d nodes (%s), %d lattices an angle."):format(
-    ratio, p.roughness, p.nodes, 5 * p.nodes, p.placement, p.samples)
+  local by_error = (p.standard_error or 0) > 0
+  local samples = by_error and ("as many lattices an angle as e ± %g takes"):format(p.standard_error)
+    or ("%d lattices an angle"):format(p.samples)
+  return ("Stiffness of the wall %g of the disk's, rims of %g R, %d + %d nodes (%s), %s."):format(ratio, p.roughness,
+    p.nodes, 5 * p.nodes, p.placement, samples)
 end
 
 -- Finite elements: sphere, mu = 0.3, nu = 0.3, e = 1; {v_ct/(mu v_n), v_ct'/(mu v_n)}. [Chung & Ooi 2011, test 5]

@@ -2,9 +2,11 @@
 -- way to a wanted standard error.
 local core = require "ricochet.core"
 local outcomes = require "ricochet.outcomes"
+local of_sizes = require "ricochet.plan_sizes"
 local pilot = require "ricochet.plan_pilot"
 local refine = require "ricochet.refine"
 local statistics = require "ricochet.statistics"
+local student = require "ricochet.student"
 local sweeps = require "ricochet.sweep"
 local text = require "ricochet.plan_text"
 
@@ -18,19 +20,6 @@ local function copy(t)
   local result = {}
   for k, v in pairs(t) do result[k] = v end
   return result
-end
-
--- The variance that is exceeded in one of ten cases, over the one that n degrees of freedom measured: n / chi^2 at 0.1,
--- by Wilson and Hilferty's approximation, good to 1 % from 5 degrees on.
-local function cautious(n)
-  return 1 / math.max(0.05, 1 - 2 / (9 * n) - 1.2816 * math.sqrt(2 / (9 * n))) ^ 3
-end
-
--- By how many standard errors a mean of n + 1 numbers strays from 0 in one of twenty cases, if that is what it is:
--- Student's t, to 1 %.
-local function told_apart(n)
-  local few = { 12.71, 4.30, 3.18, 2.78, 2.57 }
-  return few[n] or 1.96 + 2.9 / n
 end
 
 -- Seconds at a factor, by a power law between sizes of the pilot; beyond them by nodes times steps, which is power 1.5.
@@ -53,16 +42,6 @@ local function nearest_size(sizes, factor)
     if math.abs(math.log(size.factor / factor)) < math.abs(math.log(best.factor / factor)) then best = size end
   end
   return best
-end
-
--- Deviation of a point's outcome over samples, from all sizes of the pilot, and the one to plan with.
-local function deviation(sizes, k)
-  local square, freedom = 0, 0
-  for _, size in ipairs(sizes) do
-    square = square + size[k].sd ^ 2 * size[k].freedom
-    freedom = freedom + size[k].freedom
-  end
-  return math.sqrt(square / freedom), math.sqrt(square / freedom * cautious(freedom))
 end
 
 local Plan = { __name = "a plan", __metatable = false }
@@ -105,26 +84,18 @@ end
 
 -- The softness of a contact as an error: what it changes, where that is told apart from scatter.
 local function counted(softness)
-  local is_seen = softness.count > 1 and math.abs(softness.mean) > told_apart(softness.count - 1) * softness.se
-  return is_seen and math.abs(softness.mean) or 0
+  return student.is_seen(softness.mean, softness.se, softness.count - 1) and math.abs(softness.mean) or 0
 end
 
 -- The four errors of the sweep as it is at point k, of which those of the time step and the contact are known.
 local function budget_of_point(plan, name, k, step, softness)
   local sizes = plan.sizes
-  local sd, sd_cautious = deviation(sizes, k)
-  -- What the size of lattice or mesh changes, per unit of the spacing over the scene's own: as seen, and together with
-  -- what is not known of it.
-  local by_spacing = {}
-  for i, size in ipairs(sizes) do
-    by_spacing[i] = { x = size.factor ^ -0.5, value = size[k].mean, se = size[k].se }
-  end
-  local slope, slope_se = 0, 0
-  if #sizes > 1 then slope, slope_se = refine.fitted_line(by_spacing) end  -- of one size nothing is known
+  local sd, sd_cautious = of_sizes.deviation(sizes, k)
+  local slope, slope_se, slope_seen = of_sizes.error(sizes, k)
   local p = {
     name = name, mean = nearest_size(sizes, 1)[k].mean, sd = sd, sd_cautious = sd_cautious,
     sampling = sd / math.sqrt(plan.samples_now), slope = slope, slope_se = slope_se,
-    lattice = math.sqrt(slope ^ 2 + slope_se ^ 2), step = step,
+    slope_seen = slope_seen, lattice = math.sqrt(slope ^ 2 + slope_se ^ 2), step = step,
     softness = softness.mean, softness_se = softness.se, softness_counts = counted(softness),
   }
   local greatest = -1

@@ -48,13 +48,21 @@ function pilot.spread_out(list, most)
   return few
 end
 
+-- A number in as few digits as tell it apart from every other.
+local function exactly(value)
+  for digits = 4, 17 do
+    local shown = ("%." .. digits .. "g"):format(value)
+    if tonumber(shown) == value then return shown end
+  end
+end
+
 --- What a point is called: the names in `over` and their values, but for the sample.
 function pilot.name_of(point, names, sample)
   local parts = {}
   for _, name in ipairs(names) do
     if name ~= sample then
       local value = point[name]
-      local shown = type(value) == "number" and ("%.4g"):format(value) or tostring(value)
+      local shown = math.type(value) == "float" and exactly(value) or tostring(value)
       parts[#parts + 1] = ("%s=%s"):format(name, shown)
     end
   end

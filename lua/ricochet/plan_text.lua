@@ -17,10 +17,11 @@ local function print_budget(plan)
     "dominates")
   for _, p in ipairs(plan.points) do
     print_line("%-20s %9.4f %9.2g %18s %10.2g %18s  %s", p.name, p.mean, p.sampling,
-      change_text(-p.slope, p.slope_se), p.step, change_text(p.softness, p.softness_se), p.dominates)
+      change_text(-p.slope, p.slope_se) .. (p.slope_seen and " *" or ""), p.step,
+      change_text(p.softness, p.softness_se), p.dominates)
   end
   print_line("  %s: what an infinitely fine %s would change, extrapolated in the spacing, and what the pilot leaves "
-    .. "unknown of it", size, plan.division)
+    .. "unknown of it; *: told apart from 0", size, plan.division)
   print_line("  contact: what an infinitely hard one would change, mean over the pilot's samples; it counts where it "
     .. "is told apart from 0")
 end

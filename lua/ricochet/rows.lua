@@ -1,5 +1,7 @@
 -- Rows of a sweep: an array of tables, one an impact, with summaries.
 local core = require "ricochet.core"
+local paired = require "ricochet.paired"
+local power_law = require "ricochet.power_law"
 local statistics = require "ricochet.statistics"
 
 local Rows, Summary = { __name = "rows", __metatable = false }, { __name = "a summary", __metatable = false }
@@ -19,7 +21,7 @@ Rows.__index = function(rows, name)
   if #rows > 0 and rawget(rows[1], name) ~= nil then
     core.fail_here(("'%s' is a column of each row: rows[i].%s"):format(name, name))
   end
-  core.unknown("the table of rows", name, { "summary", "where", "power_law" })
+  core.unknown("the table of rows", name, { "summary", "where", "power_law", "paired" })
 end
 Rows.__call = function() core.fail_here "rows are a list; write: for _, row in ipairs(rows) do" end
 
@@ -68,14 +70,12 @@ local function groups(rows, by)
   return list
 end
 
--- Mean, deviation, standard error and count of a column of these rows.
+-- Mean, deviation, standard error, count and units of a column of these rows.
 local function statistics_of(members, column)
-  local values = {}
-  for i, row in ipairs(members) do
-    values[i] = row[column]
-    if type(values[i]) ~= "number" then core.fail(("column '%s' holds no numbers"):format(column)) end
+  for _, row in ipairs(members) do
+    if type(row[column]) ~= "number" then core.fail(("column '%s' holds no numbers"):format(column)) end
   end
-  return statistics.of(values)
+  return statistics.of_units(members, column)
 end
 
 -- What a sweep varied in its rows, and in which units: { names =, units = } of a list of rows.
@@ -121,38 +121,32 @@ Rows.summary = core.wrap(function(self, given)
   return summarise(self, type(t.by) == "string" and { t.by } or t.by, t.of, { by = "by", of = "of" })
 end)
 
---- y = factor x^exponent by least squares of the logarithms, over finished rows: { exponent =, se =, factor =, count =
---- }.
+-- The column whose equal values share a lattice: that which the call names, sample if the rows have it, else seed.
+local function lattice_column(rows, named)
+  if named then known_column(rows, named, "unit") end
+  return named or #rows > 0 and rawget(rows[1], "sample") ~= nil and "sample" or "seed"
+end
+
+Rows.paired = core.wrap(function(self, given)
+  if not core.is(self, Rows) then core.fail "is a method of rows: write rows:paired { ... }, with a colon" end
+  local t = core.check("rows:paired", given)
+  known_column(self, t.by, "by")
+  known_column(self, t.of, "of")
+  if #t.at ~= 2 then core.fail(("'at' takes two values of %s, has %d"):format(t.by, #t.at), "at") end
+  return core.strict(paired(self, t.by, t.of, t.at, lattice_column(self, t.unit)), "the table of a paired difference")
+end)
+
 Rows.power_law = core.wrap(function(self, given)
   if not core.is(self, Rows) then core.fail "is a method of rows: write rows:power_law { ... }, with a colon" end
   local t = core.check("rows:power_law", given)
   known_column(self, t.x, "x")
   known_column(self, t.y, "y")
-  local n, x, y, xx, xy, yy = 0, 0, 0, 0, 0, 0
+  local unit = lattice_column(self, t.unit)
+  local list = {}
   for _, row in ipairs(self) do
-    if is_data(row) and row[t.y] == row[t.y] then
-      for _, column in ipairs { t.x, t.y } do
-        if type(row[column]) ~= "number" or row[column] <= 0 then
-          core.fail(("a power law needs values above 0, '%s' is %s in a row"):format(column, tostring(row[column])))
-        end
-      end
-      local dx, dy = math.log(row[t.x]) - x, math.log(row[t.y]) - y
-      n = n + 1
-      x, y = x + dx / n, y + dy / n
-      xx, xy, yy = xx + dx * (math.log(row[t.x]) - x), xy + dx * (math.log(row[t.y]) - y),
-        yy + dy * (math.log(row[t.y]) - y)
-    end
+    if is_data(row) then list[#list + 1] = row end
   end
-  if core.is_check() then
-    return core.strict({ exponent = 1, se = 0, factor = 1, count = 0 }, "the table of a power law")
-  end
-  if n < 3 or xx == 0 then
-    core.fail(("a power law needs three rows or more of different '%s', there are %d"):format(t.x, n))
-  end
-  local exponent = xy / xx
-  local se = math.sqrt(math.max(0, yy - exponent * xy) / (n - 2) / xx)
-  return core.strict({ exponent = exponent, se = se, factor = math.exp(y - exponent * x), count = n },
-    "the table of a power law")
+  return core.strict(power_law(list, t.x, t.y, unit), "the table of a power law")
 end)
 
 local rows_of

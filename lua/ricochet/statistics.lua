@@ -18,6 +18,28 @@ function statistics.of(values)
   return { mean = mean, sd = sd, se = sd / math.sqrt(n), count = n }
 end
 
+--- The same of a column of finished rows, in which a lattice struck from both sides (equal `pair`) is one unit, its
+--- mean: `count` impacts, `units`, and the deviation and standard error of those.
+function statistics.of_units(rows, column)
+  local sums, order, count = {}, {}, 0
+  for i, row in ipairs(rows) do
+    local value, status = row[column], rawget(row, "status")
+    if value == value and (status == nil or status == "finished") then
+      local key = rawget(row, "pair") or -i
+      if not sums[key] then
+        sums[key] = { 0, 0 }
+        order[#order + 1] = key
+      end
+      sums[key][1], sums[key][2], count = sums[key][1] + value, sums[key][2] + 1, count + 1
+    end
+  end
+  local values = {}
+  for i, key in ipairs(order) do values[i] = sums[key][2] == 1 and sums[key][1] or sums[key][1] / sums[key][2] end
+  local of = statistics.of(values)
+  of.count, of.units = count, of.count
+  return of
+end
+
 --- The same of a column of the finished rows.
 function statistics.of_finished(rows, column)
   local values = {}

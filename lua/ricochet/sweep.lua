@@ -1,5 +1,6 @@
 -- ricochet.sweep: scenes over every combination of some values.
 local core = require "ricochet.core"
+local rounds = require "ricochet.rounds"
 local rows_of = require("ricochet.rows").rows_of
 
 local methods = {}
@@ -25,13 +26,16 @@ for _, name in ipairs { "psi1", "seed", "step" } do outcome[name] = nil end
 local most_combinations = 1e7
 
 -- Names in order, and the list of points: every combination, the last name fastest.
-local function combinations(over)
+local function combinations(over, counts)
   local names, count = {}, 1
   for name, values in pairs(over) do
     if type(name) ~= "string" then core.fail("'over' takes name = list of values", "over") end
     if name == "" or name == "." or name:find "[%c/]" then
       core.fail(("over: '%s' cannot name a column of results; use letters, digits and _"):format(name:gsub("%c", "?")),
         "over")
+    end
+    if counts and (name == "sample" or name == "mirrored" or name == "pair") then
+      core.fail(("over.%s: samples = \"by_error\" makes that column itself; leave it out"):format(name), "over", name)
     end
     if outcome[name] then
       core.fail(("over.%s: '%s' is a column of the outcome; take another name"):format(name, name), "over", name)
@@ -65,7 +69,7 @@ local function combinations(over)
     core.fail(("'over' has %.3g combinations; a sweep takes at most %.0g of them: give shorter lists, or several " ..
       "sweeps"):format(count, most_combinations), "over")
   end
-  if #names == 0 then core.fail("'over' is empty; give at least one name = list of values", "over") end
+  if #names == 0 and not counts then core.fail("'over' is empty; give at least one name = list of values", "over") end
   table.sort(names)
   local points = { {} }
   for _, name in ipairs(names) do
@@ -125,6 +129,14 @@ end)
 
 methods.run = core.wrap(function(self)
   local sweep = contents(self) or core.fail "is a method of a sweep: write sweep:run(), with a colon"
+  if sweep.by_error then
+    local own = { name = sweep.name, names = sweep.names, points = sweep.points }
+    local names = { table.unpack(sweep.names) }
+    names[#names + 1] = "sample"
+    local given = { scene = sweep.scene, names = names }
+    function own.make(point) return scene_at(given, point) end
+    return rows_of(rounds.run(own, sweep.by_error), { names = names, units = sweep.units })
+  end
   local scenes = {}
   for i, point in ipairs(sweep.points) do
     scenes[i] = scene_at(sweep, point)
@@ -137,7 +149,7 @@ local function sweep(given)
   if not t.name:match "^[%w_%-]+$" then
     core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name")
   end
-  local names, points = combinations(t.over)
+  local names, points = combinations(t.over, t.samples)
   for name, unit in pairs(t.units) do
     if not t.over[name] then
       core.fail(("'units' names '%s', which is not among 'over'"):format(tostring(name)), "units")
@@ -145,7 +157,8 @@ local function sweep(given)
     if type(unit) ~= "string" then core.fail(("units.%s must be a text, is a %s"):format(name, type(unit)), "units") end
   end
   local self = setmetatable({}, Sweep)
-  held[self] = { name = t.name, scene = t.scene, over = t.over, names = names, points = points, units = t.units }
+  held[self] = { name = t.name, scene = t.scene, over = t.over, names = names, points = points, units = t.units,
+    by_error = rounds.checked(t) }
   return self
 end
 

@@ -172,33 +172,55 @@ void tell_contact(std::vector<Scene>& scenes, const Places& members, const Place
                              scenes[members.front()].integration.accuracy_of, error / 2, error));
 }
 
+// Trials of a kind's scenes: each gets what they chose.
+KindsChoice try_kind(std::vector<Scene>& scenes, const Places& members, int threads, const std::atomic<bool>& stop,
+                     const Telling& telling) {
+  const Places places = tried_of(scenes, members);
+  std::vector<TrialScene> tried;
+  for (const std::size_t i : places) tried.push_back(trial_scene(scenes, i));
+  const Integration asked = scenes[members.front()].integration;
+  tell_start(asked, places.size(), members.size(), telling);
+  Choice choice;
+  try {
+    choice = choose_for_accuracy(tried, members.size(), threads, stop);
+  } catch (const FieldError& error) {
+    throw SceneError(error, members.front());
+  }
+  tell_choice(asked, choice, places, telling);
+  take(scenes, members, places, choice);
+  tell_contact(scenes, members, places, tried, choice, threads, stop, telling);
+  return {choice.method, choice.theta, choice.longest, choice.error, scenes[members.front()].error_contact};
+}
+
+void take_known(std::vector<Scene>& scenes, const Places& members, const KindsChoice& choice) {
+  for (const std::size_t i : members) {
+    scenes[i].integration.method = choice.method;
+    scenes[i].integration.theta = choice.theta;
+    scenes[i].integration.accuracy = not_given;
+    scenes[i].error_step = choice.error_step;
+    scenes[i].error_contact = choice.error_contact;
+  }
+}
+
 }  // namespace
 
 std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, const std::atomic<bool>& stop,
-                                     const Telling& telling) {
+                                     const Telling& telling, KnownChoices* known) {
   std::map<std::string, Places> kinds;
   std::vector<bool> chosen(scenes.size());
   std::vector<double> theta(scenes.size()), longest(scenes.size());
+  KnownChoices own;
+  if (!known) known = &own;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     chosen[i] = !std::isnan(scenes[i].integration.accuracy);
     if (chosen[i]) kinds[kind_of(scenes[i])].push_back(i);
   }
   for (const auto& [kind, members] : kinds) {
-    const Places places = tried_of(scenes, members);
-    std::vector<TrialScene> tried;
-    for (const std::size_t i : places) tried.push_back(trial_scene(scenes, i));
-    const Integration asked = scenes[members.front()].integration;
-    tell_start(asked, places.size(), members.size(), telling);
-    Choice choice;
-    try {
-      choice = choose_for_accuracy(tried, members.size(), threads, stop);
-    } catch (const FieldError& error) {
-      throw SceneError(error, members.front());
-    }
-    tell_choice(asked, choice, places, telling);
-    take(scenes, members, places, choice);
-    for (const std::size_t i : members) longest[i] = choice.longest;
-    tell_contact(scenes, members, places, tried, choice, threads, stop, telling);
+    if (const auto found = known->find(kind); found != known->end())
+      take_known(scenes, members, found->second);
+    else
+      known->emplace(kind, try_kind(scenes, members, threads, stop, telling));
+    for (const std::size_t i : members) longest[i] = known->at(kind).longest;
   }
   SweepOptions options;
   options.threads = threads;

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,14 +18,24 @@ struct Telling {
   std::function<std::string(std::size_t scene)> name;
 };
 
+/// What trials chose for a kind of scenes.
+struct KindsChoice {
+  std::string method;
+  double theta, longest, error_step, error_contact;
+};
+
+/// By what scenes that share their trials have in common.
+using KnownChoices = std::map<std::string, KindsChoice>;
+
 /// Scenes with integration.accuracy get the method, theta and error estimate that trials chose; the others stay as they
 /// are. Scenes that differ only in seeds, angle, spin, place of landing and the shape of an outline of equal extent and
 /// area share the trials of nine of them, spread over all in which they differ: the error estimate is the greatest of
 /// these nine, so that about one row of ten may exceed it. One of the nine that does not settle has its own. Then every
 /// one of them is found to start with its step. Throws SceneError for a trial that cannot reach its accuracy, and for
 /// a scene that cannot start.
+/// Kinds that are `known` are not tried again, and those that are tried are known afterwards.
 std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, const std::atomic<bool>& stop,
-                                     const Telling& telling);
+                                     const Telling& telling, KnownChoices* known = nullptr);
 
 /// run_sweep() of such scenes: those that fail by a step that trials chose (energy_drift, unstable, not_finite) are run
 /// again with half of it, three times at most, and only the last outcome is handed over.

@@ -1,5 +1,7 @@
 #include "impact/outcome.hpp"
 
+#include <set>
+
 #include "effect/catalogue.hpp"
 #include "impact/roles.hpp"
 
@@ -247,6 +249,12 @@ const std::vector<std::pair<Field, std::function<double(const Outcome&)>>>& Outc
     return columns;
   }();
   return list;
+}
+
+bool turns_in_mirror(const std::string& column) {
+  static const std::set<std::string> turning{"psi1",      "psi2",         "normal_x",  "vt",      "omega",
+                                             "target_vt", "target_omega", "impulse_t", "last_vt", "last_omega"};
+  return turning.contains(column);
 }
 
 }  // namespace ricochet

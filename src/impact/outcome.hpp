@@ -82,4 +82,7 @@ struct Outcome {
   static const std::vector<std::pair<Field, std::function<double(const Outcome&)>>>& fields();
 };
 
+/// Whether the column changes its sign where the impact is seen in a mirror, x to -x.
+bool turns_in_mirror(const std::string& column);
+
 }  // namespace ricochet

@@ -101,7 +101,8 @@ void report_velocities(const Run& run, const Relative& start, const Relative& af
   o.psi2 = ratio(later.t, -first.n);
   o.beta = ratio(-later.t, first.t);
   if (!std::isfinite(o.tan_alpha)) return;
-  const Vec2 n_alpha(-o.tan_alpha, 1);  // its length cancels
+  const double along = tangential(run.start.bodies[role::projectile].velocity) < 0 ? -1 : 1;
+  const Vec2 n_alpha(-along * o.tan_alpha, 1);  // its length cancels
   o.e_alpha = ratio(-Vec2(later.t, later.n).dot(n_alpha), Vec2(first.t, first.n).dot(n_alpha));
 }
 

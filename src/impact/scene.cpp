@@ -58,10 +58,11 @@ const std::vector<Member<Launch>>& Launch::fields() {
         "height to fall from under gravity",
         not_negative, "", true},
        &Launch::speed},
-      {{"psi1", "number", "", "tangent of the incident angle, v_t / v_n; 0 unless given otherwise", not_negative, "",
-        true},
+      {{"psi1", "number", "",
+        "tangent of the incident angle, v_t / v_n; 0 unless given otherwise; below 0 the projectile moves along -x",
+        any_number, "", true},
        &Launch::psi1},
-      {{"angle", "number", "degrees", "incident angle from the normal, instead of psi1", {0, 90}, "", true},
+      {{"angle", "number", "degrees", "incident angle from the normal, instead of psi1", {-90, 90}, "", true},
        &Launch::angle},
       {{"normal_speed", "number", "c", "speed along the normal, instead of speed; 0 as for speed", not_negative, "",
         true},
@@ -99,7 +100,7 @@ Vec2 Launch::velocity() const {
   if (given(angle)) {
     // At 90 degrees the cosine would leave a normal speed of 6e-17.
     const double gamma = angle * std::numbers::pi / 180;
-    return {magnitude * std::sin(gamma), angle == 90 ? 0.0 : -magnitude * std::cos(gamma)};
+    return {magnitude * std::sin(gamma), std::abs(angle) == 90 ? 0.0 : -magnitude * std::cos(gamma)};
   }
   const double tangent = given(psi1) ? psi1 : 0.0, secant = std::sqrt(1 + tangent * tangent);
   return {magnitude * tangent / secant, -magnitude / secant};
@@ -233,7 +234,14 @@ std::string Scene::text() const {
          motion_text(*target) + text_of("launch", launch) + text_of("contact", contact) +
          text_of("integration", integration) + (step_is_chosen() ? "integration.chosen\n" : "") +
          text_of("ending", ending) + (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects)) +
-         text_of_units(*this);
+         text_of_units(*this) + (mirrored ? "mirrored\n" : "");
+}
+
+Scene Scene::struck_from_other_side() const {
+  Scene other = *this;
+  other.mirrored = !mirrored;
+  for (double* along : {&other.launch.psi1, &other.launch.angle, &other.launch.tangential_speed}) *along = -*along;
+  return other;
 }
 
 std::string Scene::hash() const { return hash_text(text()); }

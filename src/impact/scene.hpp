@@ -14,8 +14,8 @@
 
 namespace ricochet {
 
-/// How the projectile comes in. The normal is +y: it falls along -y and moves along +x. Either `speed` with `psi1` or
-/// `angle`, or `normal_speed` with `tangential_speed`.
+/// How the projectile comes in. The normal is +y: it falls along -y and moves along +x, or along -x where
+/// what slants it is below 0. Either `speed` with `psi1` or `angle`, or `normal_speed` with `tangential_speed`.
 struct Launch {
   double speed = not_given;
   double psi1 = not_given;
@@ -71,7 +71,8 @@ struct Scene {
   /// Estimated, of integration.accuracy_of, from the softness of a contact that the program chose; no part of the text.
   double error_contact = not_given;
   bool step_is_chosen() const { return !std::isnan(error_step); }
-  Units units;  ///< of its user; nothing that computes looks at them
+  bool mirrored = false;  ///< its row tells the impact as seen in a mirror, x to -x
+  Units units;            ///< of its user; nothing that computes looks at them
 
   /// By index, as the engine moves them.
   std::vector<const Body*> bodies() const { return {projectile.get(), target.get()}; }
@@ -81,6 +82,9 @@ struct Scene {
   const Method& method() const;
   /// Why a method cannot be used beside the effects of the scene; empty if it can.
   std::string conflict_with(const Method& method) const;
+
+  /// The same bodies struck from the other side, whose row tells the impact as seen in a mirror.
+  Scene struck_from_other_side() const;
 
   /// One line a quantity, shortest exact numbers.
   std::string text() const;

@@ -30,7 +30,8 @@ bool Row::finished() const { return status == name_of(Status::finished); }
 Row row_of(const Scene& scene, const Outcome& outcome, double seconds) {
   Row row;
   for (const auto& [field, value] : Outcome::fields())
-    row.outcomes.push_back(value(outcome) * scene.units.worth(field.unit));
+    row.outcomes.push_back((scene.mirrored && turns_in_mirror(field.name) ? -value(outcome) : value(outcome)) *
+                           scene.units.worth(field.unit));
   row.seconds = seconds;
   row.status = name_of(outcome.status);
   row.reason = scene.units.explained(outcome.reason);

@@ -205,7 +205,9 @@ Function relevance_function() {
       .doc =
           "Which effects a scene calls for: runs it with and without each on the same lattices or meshes, prints the "
           "change of outcomes with its standard error beside "
-          "that of their mean over the samples, and the cost in time. All by verlet. An effect that cannot act on "
+          "that of their mean over the samples, whether it is seen (by chance in one of twenty cases, by Student's t), "
+          "and "
+          "the cost in time. All by verlet. An effect that cannot act on "
           "these bodies, as damping of springs on elements, is left out by name. Returns a list of tables: "
           "name, cost, and by outcome change, se, sampling; or name and `left_out`, the reason.",
       .fields = std::vector<Field>{scene_field()} + own,

@@ -24,7 +24,8 @@ constexpr const char* stubs_head =
     "---@class ricochet.plan\n---@field run fun(self: ricochet.plan): ricochet.rows\n\n"
     "---@class ricochet.summary\n---@field print fun(self: ricochet.summary)\n\n---@class ricochet.rows\n"
     "---@field summary fun(self: ricochet.rows, t: ricochet.rows_summary_fields): ricochet.summary\n---@field "
-    "power_law fun(self: ricochet.rows, t: ricochet.rows_power_law_fields): table\n---@field where fun(self: "
+    "power_law fun(self: ricochet.rows, t: ricochet.rows_power_law_fields): table\n---@field paired "
+    "fun(self: ricochet.rows, t: ricochet.rows_paired_fields): table\n---@field where fun(self: "
     "ricochet.rows, columns: table): ricochet.rows\n\n"
     "local ricochet = { file = {}, theory = {}, materials = {} }\n\n";
 

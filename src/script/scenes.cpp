@@ -307,7 +307,8 @@ Function scene_function() {
   return {
       .name = "scene",
       .doc =
-          "One impact: a free projectile falls on a target along -y and moves along +x. It is placed upstream "
+          "One impact: a free projectile falls on a target along -y and moves along +x, or along -x where psi1 is "
+          "below 0. It is placed upstream "
           "so that its smooth outline would touch the "
           "target's at x = launch.at. Speeds are those in space: launch.speed of the projectile, body.velocity of the "
           "target, which is where it was built when the run begins; heights and gaps are between the two. "

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "body/plan.hpp"
+#include "impact/chosen_steps.hpp"
 #include "impact/scene.hpp"
 #include "record/row.hpp"
 #include "sandbox/sandbox.hpp"
@@ -52,6 +53,7 @@ class Session {
 
   std::map<std::string, std::shared_ptr<const Scene>>
       chosen;  ///< scenes with the step chosen for their accuracy, by the asked scene's hash
+  std::map<std::string, KnownChoices> rounds;  ///< of sweeps that run in rounds, by name: what their trials chose
 
   RunFolders folders{options};
 

@@ -14,8 +14,31 @@ Telling logged(Session& session, SceneName name) {
   return {[&session](const std::string& line) { session.log(line + "\n"); }, std::move(name)};
 }
 
-std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes, const Telling& telling) {
-  return with_chosen_steps(scenes, session.options.threads, stop_requested, telling);
+std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes, const Telling& telling,
+                                     KnownChoices* known) {
+  return with_chosen_steps(scenes, session.options.threads, stop_requested, telling, known);
+}
+
+std::vector<Scene> with_steps_of_rounds(Session& session, const std::string& sweep, const std::vector<Scene>& scenes,
+                                        const Telling& telling) {
+  std::vector<Scene> chosen = scenes, fresh;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const auto found = session.chosen.find(sweep + scenes[i].hash());
+    if (found != session.chosen.end()) {
+      chosen[i] = *found->second;
+    } else if (!std::isnan(scenes[i].integration.accuracy)) {
+      fresh.push_back(scenes[i]);
+      places.push_back(i);
+    }
+  }
+  const Telling of_all{telling.line, [&](std::size_t k) { return telling.name(places[k]); }};
+  fresh = with_chosen_steps(session, fresh, of_all, &session.rounds[sweep]);
+  for (std::size_t k = 0; k < fresh.size(); ++k) {
+    chosen[places[k]] = fresh[k];
+    session.chosen[sweep + scenes[places[k]].hash()] = std::make_shared<const Scene>(fresh[k]);
+  }
+  return chosen;
 }
 
 Scene with_chosen_step(Session& session, const Scene& scene) {

@@ -18,7 +18,12 @@ Telling printed(Session& session, SceneName name);
 Telling logged(Session& session, SceneName name);
 
 /// Scenes that ask for an accuracy with the method and step chosen for it, by trial runs. Others as they are.
-std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes, const Telling& telling);
+std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes, const Telling& telling,
+                                     KnownChoices* known = nullptr);
+/// The same of a sweep's scenes so far, in rounds: those of an earlier one keep what it chose, and new ones of a kind
+/// that was tried take that.
+std::vector<Scene> with_steps_of_rounds(Session& session, const std::string& sweep, const std::vector<Scene>& scenes,
+                                        const Telling& telling);
 /// The same for one scene; the choice is kept for the rest of the run. With --check nothing is tried.
 Scene with_chosen_step(Session& session, const Scene& scene);
 

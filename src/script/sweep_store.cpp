@@ -91,7 +91,7 @@ std::string Parameters::place(std::size_t scene) const {
 }
 
 Store::Store(Session& session, const std::string& name, const std::vector<std::string>& hashes,
-             const Parameters& parameters)
+             const Parameters& parameters, const Earlier& earlier)
     : session_(session),
       folder_(session.folders.named(name)),
       parts_(run_names::parts(folder_)),
@@ -104,7 +104,7 @@ Store::Store(Session& session, const std::string& name, const std::vector<std::s
   std::error_code error;
   if (session.options.force || (session.options.resume && fs::exists(run_names::new_parts(folder_), error)))
     parts_ = run_names::new_parts(folder_);
-  if (session.options.resume) load();
+  if (earlier.taken) load(earlier.strangers);
 }
 
 void Store::add(const std::vector<std::pair<std::size_t, Row>>& batch) {
@@ -175,7 +175,7 @@ bool Store::accept(const Row& row) {
   return true;
 }
 
-void Store::load() {
+void Store::load(bool strangers_too) {
   std::size_t strangers = 0;
   for (const fs::path& file : run_names::stored(folder_)) {
     const Provenance theirs = read_provenance(file);
@@ -187,7 +187,7 @@ void Store::load() {
                         file.string(), name, it == theirs.end() ? "unknown" : it->second, value));
     for (const Row& row : rows_of(file)) strangers += !accept(row);
   }
-  if (strangers > 0)
+  if (strangers > 0 && !strangers_too)
     throw FileError(fmt::format(
         "{} holds {} rows of other scenes than this sweep's, which --resume would lose; use the same parameters (and "
         "the same scenes where accuracy chooses the step: trials of them chose it), --force, or another --out",

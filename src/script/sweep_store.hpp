@@ -23,13 +23,19 @@ struct Parameters {
   std::string place(std::size_t scene) const;
 };
 
+/// What of a sweep's earlier rows a store takes up.
+struct Earlier {
+  bool taken;      ///< else it begins anew
+  bool strangers;  ///< rows of other scenes may be among them: later rounds will ask for those
+};
+
 /// Rows of a sweep as they come in, and their files.
 class Store {
  public:
-  /// Takes what is stored if the session resumes. Throws FileError for what is damaged, or not of these scenes, or of
+  /// Takes what is stored if it is to be taken up. Throws FileError for what is damaged, or not of these scenes, or of
   /// another version.
-  Store(Session& session, const std::string& name, const std::vector<std::string>& hashes,
-        const Parameters& parameters);
+  Store(Session& session, const std::string& name, const std::vector<std::string>& hashes, const Parameters& parameters,
+        const Earlier& earlier);
 
   const std::vector<bool>& done() const { return done_; }
   const std::vector<Row>& rows() const { return rows_; }
@@ -54,7 +60,7 @@ class Store {
   bool accept(const Row& row);
   // Puts the column of parameter `p` before all others.
   void add_parameter(Table& table, std::size_t p, const std::vector<std::size_t>& scenes) const;
-  void load();
+  void load(bool strangers_too);
 
   Session& session_;
   std::filesystem::path folder_, parts_;

@@ -36,15 +36,24 @@ void warn_of_twins(Session& session, const std::string& name, const std::vector<
                   name, hashes.size() - once, hashes.size()));
 }
 
+/// A sweep that runs in rounds has all its scenes so far in each, and ends with them once more.
+enum class Stage { whole, first_round, round, last };
+
 /// A sweep that a script runs.
 struct Request {
   std::string name;
   Parameters parameters;
   std::vector<Scene> scenes;
+  Stage stage = Stage::whole;
   std::string stored = {};  ///< what an error leaves behind
 
   SceneName scene_name() const {
     return [this](std::size_t scene) { return parameters.place(scene); };
+  }
+  bool goes_on() const { return stage == Stage::first_round || stage == Stage::round; }
+  Earlier earlier(bool resume) const {
+    const bool begins = stage == Stage::whole || stage == Stage::first_round;
+    return {resume || !begins, goes_on()};
   }
 };
 
@@ -106,6 +115,16 @@ std::vector<Scene> scenes_at(lua_State* L, int list) {
   lua_rawgeti(L, list, static_cast<lua_Integer>(error.scene) + 1);
   const SceneObject& object = scene_at(L, -1);
   throw_at(session_of(L), object.site, FieldError(error.field, object.scene.units.explained(error.what()) + where));
+}
+
+// struck_from_other_side(scene): the same bodies, whose row tells the impact as seen in a mirror.
+int struck_from_other_side(lua_State* L) {
+  SceneObject& object = scene_at(L, 1);
+  SceneObject other{object.scene.struck_from_other_side(), object.site};
+  lua_getiuservalue(L, 1, 1);
+  lua_replace(L, 1);
+  push_object(L, "ricochet.scene", std::move(other));
+  return 1;
 }
 
 // with_chosen_step(scene, error): the scene, whose step trials have chosen: where it fails by it, it takes a shorter
@@ -185,11 +204,13 @@ void tell_end(Session& session, const Request& sweep, const Store& store, const 
 }
 
 std::vector<Row> run(Session& session, Request& sweep) {
-  sweep.scenes = with_chosen_steps(session, sweep.scenes, printed(session, sweep.scene_name()));
+  const Telling telling = printed(session, sweep.scene_name());
+  sweep.scenes = sweep.stage == Stage::whole ? with_chosen_steps(session, sweep.scenes, telling)
+                                             : with_steps_of_rounds(session, sweep.name, sweep.scenes, telling);
   std::vector<std::string> hashes;
   for (const Scene& scene : sweep.scenes) hashes.push_back(scene.hash());
   check_steps(session, sweep.scenes);
-  Store store(session, sweep.name, hashes, sweep.parameters);
+  Store store(session, sweep.name, hashes, sweep.parameters, sweep.earlier(session.options.resume));
   const std::size_t before = store.count();
   SweepUse use;
   try {
@@ -201,6 +222,7 @@ std::vector<Row> run(Session& session, Request& sweep) {
     sweep.stored = "\n  " + store.left_behind();
     throw;
   }
+  if (sweep.goes_on()) return store.rows();
   store.assemble();
   tell_end(session, sweep, store, store.count() > before ? &use : nullptr);
   return store.rows();
@@ -221,22 +243,32 @@ void push_rows(lua_State* L, const std::vector<Row>& rows, const std::vector<std
   }
 }
 
-// run_sweep(name, names, points, scenes): the rows, in the order of the scenes.
+Stage stage_named(const std::string& name, bool first) {
+  if (name == "round") return first ? Stage::first_round : Stage::round;
+  return name == "last" ? Stage::last : Stage::whole;
+}
+
+// run_sweep(name, names, points, scenes, stage): the rows, in the order of the scenes. Of a sweep in rounds, `stage` is
+// "round" or "last", and the scenes are all so far.
 int run_sweep_from_lua(lua_State* L) {
   Session& session = session_of(L);
   const std::string name = luaL_checkstring(L, 1);
-  if (!session.first_sweep_named(name))
+  const std::string stage = luaL_optstring(L, 5, "whole");
+  const bool first = stage != "last" && !(stage == "round" && session.rounds.contains(name));
+  if (first && !session.first_sweep_named(name))
     throw at_this_call(
         L,
         fmt::format("a sweep called '{}' has run already and its results would be replaced; give this one another name",
                     name));
-  Request sweep{name, read_parameters(L, 2, 3), scenes_at(L, 4)};
+  Request sweep{name, read_parameters(L, 2, 3), scenes_at(L, 4), stage_named(stage, first)};
+  if (stage == "round") session.rounds[name];
   std::vector<Row> rows;
   try {
     rows = session.options.check ? check_only(session, sweep) : run(session, sweep);
   } catch (const SceneError& error) {
     throw_at_scene(L, 4, error, fmt::format(" (at {}){}", sweep.parameters.place(error.scene), sweep.stored));
   }
+  if (sweep.stage == Stage::last) session.rounds.erase(name);
   push_rows(L, rows, sweep.parameters.names, 3);
   return 1;
 }
@@ -264,11 +296,26 @@ Function sweep_function() {
               "Scenes over every combination of some values. `sweep:run()` runs them on all cores, leaves "
               "results.h5 and results.csv in the run's folder and "
               "returns the rows. A sample that did not finish is counted and never averaged in.",
-          .fields = {{"name", "string", "", "names the folder of its results"},
-                     {"over", "table", "", "name = list of values, each a number, string or boolean"},
-                     {"units", "table", "", "name = unit of a value of 'over', for axes: { gap = \"R\" }", any_number,
-                      "{}"},
-                     {"scene", "function", "", "function (at) that returns the scene at the values at.name"}},
+          .fields =
+              {{"name", "string", "", "names the folder of its results"},
+               {"over", "table", "", "name = list of values, each a number, string or boolean"},
+               {"scene", "function", "", "function (at) that returns the scene at the values at.name"},
+               {"samples",
+                "string",
+                "",
+                "by_error: as many samples of every point as a wanted error of `of` takes, in rounds; the scene's "
+                "function gets their running number as at.sample, from 1",
+                any_number,
+                "",
+                true,
+                {"by_error"}},
+               {"standard_error", "number", "", "with samples: wanted of the mean at every point", positive, "", true},
+               {"relative_error", "number", "", "the same, over the mean", positive, "", true},
+               {"of", "string", "", "with samples: the outcome that it is about", any_number, "e"},
+               {"most", "integer", "", "with samples: of a point, at most", {8, 1e6}, "10000"},
+               {"pilot", "integer", "", "with samples: of every point in the first round", {8, 1e6}, "8"},
+               {"mirrored", "boolean", "",
+                "with samples: strike lattices from both sides; where that pays, unless given", any_number, "", true}},
           .returns = "sweep",
           .example =
               "ricochet.sweep { name = \"angles\", over = { psi1 = {0, 1} }, scene = function(at) return "
@@ -286,11 +333,29 @@ std::vector<Function> rows_functions() {
        .returns = "summary",
        .example = "rows:summary { by = \"psi1\", of = { \"e\", \"mu\" } }:print()"},
       {.name = "rows:power_law",
-       .doc = "The exponent of a power law y = factor x^exponent by least squares of the logarithms of finished "
-              "rows: a table of exponent, its standard error se, factor and count.",
-       .fields = {{"x", "string", "", "column of numbers above 0"}, {"y", "string", "", "column of numbers above 0"}},
+       .doc =
+           "The exponent of a power law y = factor x^exponent by least squares of the logarithms of finished "
+           "rows: a table of `exponent`, `factor`, `count`, the exponent's standard error `se` and its `freedom`, and "
+           "`low` and `high`, between which it is with 95 % by Student's t. Impacts of one lattice are not "
+           "independent: the error is that of a jackknife over the values of `unit`. Rows of one unit, or a fit that "
+           "hangs on one, leave it undefined (nan), and `reason` says why.",
+       .fields = {{"x", "string", "", "column of numbers above 0"},
+                  {"y", "string", "", "column of numbers above 0; rows where it is undefined are left out"},
+                  {"unit", "string", "",
+                   "column whose equal values share a lattice; sample if the rows have it, else seed", any_number, "",
+                   true}},
        .returns = "table",
        .example = "local law = rows:power_law { x = \"speed\", y = \"e\" }"},
+      {.name = "rows:paired",
+       .doc = "By how much a column changes between two values of another, over the lattices that both have, whose own "
+              "scatter falls out: a table of `change`, its standard error `se`, `low` and `high` (95 %, Student's t), "
+              "`is_seen`, `units` and `gain`: how many times more independent lattices would be needed.",
+       .fields = {{"by", "string", "", "column of the two values"},
+                  {"of", "string", "", "column to compare"},
+                  {"at", "numbers", "", "the two values"},
+                  {"unit", "string", "", "as in rows:power_law", any_number, "", true}},
+       .returns = "table",
+       .example = "rows:paired { by = \"psi1\", of = \"e\", at = { 0, 1 } }"},
       {.name = "rows:where",
        .doc = "The rows whose columns have the given values.",
        .returns = "rows",
@@ -316,6 +381,7 @@ Group sweep_functions() {
                   {"columns", columns},
                   {"pilot", guarded<pilot>},
                   {"with_chosen_step", guarded<with_chosen_step>},
+                  {"struck_from_other_side", guarded<struck_from_other_side>},
                   {"clock", clock_seconds}}};
 }
 

@@ -16,10 +16,9 @@ struct PushedPlace {
   double force;  ///< [m0 c^2/R]
 };
 
-/// Ends of a contact along the surface, from every push in it: those with more than 1 % of the strongest. The
-/// projectile moves along +x.
+/// Ends of a contact along the surface, from every push in it: those with more than 1 % of the strongest.
 struct ContactEnds {
-  Vec2 trailing, leading;  ///< [R]
+  Vec2 left, right;  ///< [R]
 };
 inline ContactEnds contact_ends(const std::vector<PushedPlace>& pushes, double strongest) {
   std::optional<Vec2> a, b;
@@ -45,12 +44,14 @@ void measure_contact(const Pair<W>& pair, int lane, const Motions<W>& bodies, do
   if (strongest * run.start.contact.reach < run.threshold) return;  // between two touches
   auto [a, b] = contact_ends(pushes, strongest);
   if (first.solid->axisymmetric) a = {-tangential(b), normal(b)};
+  const bool leftwards = tangential(run.start.bodies[role::projectile].velocity) < 0;
   Indentation& i = run.indentation;
   i.seen = true;
   i.depth = overlap;
   i.length = tangential(b) - tangential(a);
-  i.centre_offset = std::abs(centre - tangential(a));
-  i.tan_alpha = i.length > 0 ? (normal(b) - normal(a)) / i.length : Outcome::undefined;
+  i.centre_offset = std::abs(centre - tangential(leftwards ? b : a));
+  i.tan_alpha =
+      i.length > 0 ? (leftwards ? normal(a) - normal(b) : normal(b) - normal(a)) / i.length : Outcome::undefined;
 }
 
 }  // namespace ricochet

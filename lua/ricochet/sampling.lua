@@ -1,0 +1,74 @@
+-- How many samples of a point a wanted standard error takes, in rounds.
+local sampling = {}
+
+--- No point stops with fewer units (lattices, struck once or from both sides): an error by fewer is hardly known.
+sampling.least = 8
+-- By how many times the number of units a round may grow: a deviation by a few is rough.
+local most_growth = 3
+-- What a stop by chance takes from the coverage of an interval, this gives back: the greatest that costs a tenth at 40.
+local by_few = 4
+-- Pairs are worth it from here on: the gain that a pilot shows is rough.
+local least_gain = 1.1
+
+--- The standard error that is wanted of a mean: an absolute one, or one relative to the mean, whichever is given.
+function sampling.wanted(t, mean)
+  return t.standard_error or t.relative_error * math.abs(mean)
+end
+
+--- Units that a deviation calls for: of few, which a round may find small by chance and stop, somewhat more.
+function sampling.needed(sd, wanted, count)
+  if sd == 0 then return sampling.least end
+  return math.max(sampling.least, math.ceil((sd / wanted) ^ 2 * (1 + by_few / count)))
+end
+
+--- How many units a point that has `count` of this deviation is to have after the next round; `count` once it is met,
+--- or `most` is.
+function sampling.goal(count, sd, wanted, most)
+  local needed = sampling.needed(sd, wanted, count)
+  if needed <= count then return count end
+  return math.min(needed, most_growth * count, most)
+end
+
+--- By how many times fewer impacts pairs do than single ones for the same standard error: `pairs`, list of the two
+--- outcomes of each lattice that has both.
+function sampling.gain_of_pairs(pairs)
+  local n, single, paired = #pairs, { 0, 0 }, 0
+  if n < 2 then return 0 / 0 end
+  local mean = { 0, 0 }
+  for _, pair in ipairs(pairs) do
+    for side = 1, 2 do mean[side] = mean[side] + pair[side] / n end
+  end
+  for _, pair in ipairs(pairs) do
+    local off = 0
+    for side = 1, 2 do
+      single[side] = single[side] + (pair[side] - mean[side]) ^ 2
+      off = off + (pair[side] - mean[side]) / 2
+    end
+    paired = paired + off ^ 2
+  end
+  if paired == 0 then return 0 / 0 end
+  return (single[1] + single[2]) / 2 / (2 * paired)
+end
+
+--- What a point takes next. state: `count` lattices so far, of which the first `both` are struck from both sides;
+--- `side`: "one", "tried" (both, to see whether it pays) or "both"; `why` not both. of: sd and units of its outcomes;
+--- pairs(): as above. Returns whether more is to run.
+function sampling.decide(state, of, wanted, most, pairs)
+  if of.units < 2 then return false end  -- more would tell no more
+  if state.side == "tried" then
+    state.gain = sampling.gain_of_pairs(pairs())
+    state.side = state.gain > least_gain and "both" or "one"
+    state.why = state.side == "one" and "does not pay" or nil
+  end
+  local goal = sampling.goal(state.count, of.sd, wanted, most)
+  if goal == state.count then return false end
+  if state.side == "one" and not state.why then
+    state.side, state.both = "tried", state.count
+  else
+    state.count = goal
+    if state.side == "both" then state.both = goal end
+  end
+  return true
+end
+
+return sampling

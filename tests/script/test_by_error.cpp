@@ -1,0 +1,227 @@
+// Sweeps that take as many samples as a wanted error needs, through scripts.
+#include <catch2/catch.hpp>
+
+#include "program.hpp"
+#include "store/table.hpp"
+
+using namespace ricochet;
+using namespace ricochet::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+/// A sweep of small scenes as `rows`; `launch` and `asked` are fields.
+std::string by_error(const std::string& asked, const std::string& launch = "psi1 = at.psi1",
+                     const std::string& more = "") {
+  return R"(local ricochet = require "ricochet"
+local rows = ricochet.sweep {
+  name = "s", over = { psi1 = { 0, 1, 6 } }, samples = "by_error", )" +
+         asked + R"(,
+  scene = function(at)
+    return ricochet.scene {
+      projectile = ricochet.disk { nodes = 60, roughness = 0.03, seed = at.sample },
+      target = ricochet.wall { width = 4, depth = 1.5, nodes = 150, stiffness = 400, roughness = 0.03, seed = at.sample },
+      launch = { )" +
+         launch + " }, contact = { V0 = 150, xi = 300 }" + more + R"(,
+    }
+  end,
+}:run()
+)";
+}
+
+const char* every_bit = R"(local list = {}
+for _, row in ipairs(rows) do
+  list[#list + 1] = ("%g %d %s %d %.17g %.17g"):format(row.psi1, row.sample, row.mirrored, row.pair, row.e, row.psi2)
+end
+print("bits: " .. table.concat(list, ";"))
+)";
+
+std::string bits_of(const Ended& ended) {
+  INFO(ended.out << ended.err);
+  REQUIRE(ended.status == 0);
+  const std::size_t from = ended.out.find("bits: ");
+  REQUIRE(from != std::string::npos);
+  return ended.out.substr(from, ended.out.find('\n', from) - from);
+}
+
+/// coverage(draw, mean, wanted): of 1000 sweeps by error of one point, whose lattices give draw() and, from the other
+/// side, its second value, the share of 95 % intervals that hold the mean, and impacts on average.
+const char* coverage = R"(local sampling = require "ricochet.sampling"
+local statistics = require "ricochet.statistics"
+local student = require "ricochet.student"
+local wide = {}
+local function coverage(draw, mean, wanted, has_sides)
+  local hits, impacts = 0, 0
+  for _ = 1, 1000 do
+    local state, drawn = { count = 8, both = 0, side = "one", why = not has_sides and "has none" or nil }, {}
+    local of
+    repeat
+      while #drawn < state.count do drawn[#drawn + 1] = { draw() } end
+      local values = {}
+      for i, pair in ipairs(drawn) do values[i] = i <= state.both and (pair[1] + pair[2]) / 2 or pair[1] end
+      of = statistics.of(values)
+      of.units = of.count
+    until not sampling.decide(state, of, wanted, 10000, function() return { table.unpack(drawn, 1, state.both) } end)
+    wide[of.units] = wide[of.units] or student.quantile(of.units - 1)
+    if math.abs(of.mean - mean) <= wide[of.units] * of.se then hits = hits + 1 end
+    impacts = impacts + (state.count + math.min(state.count, state.both)) / 1000
+  end
+  return hits / 1000, impacts
+end
+local function normal() return math.sqrt(-2 * math.log(1 - math.random())) * math.cos(2 * math.pi * math.random()) end
+)";
+
+}  // namespace
+
+TEST_CASE(
+    "a sweep by error meets it at every point with no fewer than eight lattices, struck from both sides as said") {
+  const Workplace here;
+  const Ended ended = here.script(by_error("standard_error = 0.03") + R"(
+local summary = rows:summary { by = "psi1", of = { "e" } }
+for i, line in ipairs(summary) do
+  assert(line.e.se <= 0.03 and line.e.units >= 8 and line.count == line.e.count, line.e.se)
+  local lattices, impacts = {}, 0
+  for _, row in ipairs(rows:where { psi1 = line.psi1 }) do
+    lattices[row.sample] = (lattices[row.sample] or 0) + row.e
+    if row.mirrored then impacts = impacts + 1 end
+  end
+  assert(line.psi1 > 0 or impacts == 0)
+  assert(line.count == line.e.units + impacts, line.count .. " " .. line.e.units)
+end
+-- The other side of a lattice is the launch with -psi1, told as in a mirror.
+local mirrored = nil
+for _, row in ipairs(rows) do if row.mirrored then mirrored = mirrored or row end end
+assert(mirrored and mirrored.psi1 > 0)
+local row = ricochet.scene {
+  projectile = ricochet.disk { nodes = 60, roughness = 0.03, seed = mirrored.sample },
+  target = ricochet.wall { width = 4, depth = 1.5, nodes = 150, stiffness = 400, roughness = 0.03,
+    seed = mirrored.sample },
+  launch = { psi1 = -mirrored.psi1 }, contact = { V0 = 150, xi = 300 } }:run()
+assert(row.e == mirrored.e and row.psi2 == -mirrored.psi2 and row.omega == -mirrored.omega and row.mu == mirrored.mu)
+-- What a fixed number would have cost, from the pilot's deviations alone.
+local most, points = 0, 0
+for line in ricochet.file.read "s_samples.csv":gmatch "\n([^\n]+)" do
+  local cells = {}
+  for cell in line:gmatch "[^,]+" do cells[#cells + 1] = tonumber(cell) or 0 / 0 end
+  most, points = math.max(most, 8, math.ceil((cells[3] / cells[4]) ^ 2)), points + 1
+end
+print(("told: %d samples of every point would have met it too: %d impacts"):format(most, most * points))
+)",
+                                  "--quiet");
+  INFO(ended.out << ended.err);
+  CHECK(ended.status == 0);
+  const std::size_t told = ended.out.find("told: ");
+  REQUIRE(told != std::string::npos);
+  CHECK_THAT(ended.out.substr(0, told), Contains(ended.out.substr(told + 6, ended.out.find('\n', told) - told - 6)));
+  const Table table = read_table(here.path / "out/s/results.h5");
+  CHECK(table.number("sample"));
+  CHECK(table.number("pair"));
+  CHECK(table.text("mirrored"));
+}
+
+TEST_CASE("a sweep by error has the same bits on one thread, in one lane, and resumed after half of its rows") {
+  const Workplace here;
+  const std::string script = by_error("standard_error = 0.04", "psi1 = at.psi1", ", accuracy = 1e-2") + every_bit;
+  const std::string whole = bits_of(here.script(script, "--quiet"));
+  CHECK(bits_of(here.run("s.lua --quiet --force --threads 1 --batch 1")) == whole);
+  CHECK(bits_of(here.run("s.lua --quiet --resume")) == whole);
+}
+
+TEST_CASE("mirrors are refused by name where the scene is not symmetric, and left out where nobody asked") {
+  const Workplace here;
+  const auto refused = [&](const std::string& launch, const std::string& more = "") {
+    const Ended ended = here.script(by_error("standard_error = 0.1, mirrored = true", launch, more), "--quiet --force");
+    CHECK(ended.status == 1);
+    return ended.first_line();
+  };
+  CHECK_THAT(refused("psi1 = at.psi1, at = 0.1"), Contains("cannot be mirrored: launch.at is 0.1, which has a side"));
+  CHECK_THAT(refused("psi1 = at.psi1, spin = 0.01"), Contains("cannot be mirrored: launch.spin is 0.01"));
+  const Ended unasked = here.script(by_error("standard_error = 0.2", "psi1 = at.psi1, at = 0.1"), "--quiet --force");
+  INFO(unasked.out << unasked.err);
+  CHECK(unasked.status == 0);
+}
+
+TEST_CASE("mistakes in samples by error are found before anything runs") {
+  const Workplace here;
+  const auto first_line = [&](const std::string& asked) {
+    return here.script(by_error(asked), "--quiet").first_line();
+  };
+  CHECK_THAT(first_line("pilot = 8"), Contains("takes standard_error or relative_error, one of them"));
+  CHECK_THAT(first_line("standard_error = 1, relative_error = 1"), Contains("takes standard_error or relative_error"));
+  CHECK_THAT(first_line("standard_error = 1, pilot = 4"), Contains("'pilot' must be"));
+  CHECK_THAT(first_line("standard_error = 1, pilot = 20, most = 10"), Contains("'pilot' is more than 'most'"));
+  CHECK_THAT(first_line("standard_error = 1, of = 'betta'"),
+             Contains("an outcome has no 'betta' (did you mean 'beta'?)"));
+  const Ended alone = here.script(
+      "local ricochet = require 'ricochet'\nricochet.sweep { name = 's', over = { a = { 1 } }, standard_error = 1,\n"
+      "  scene = function(at) end }");
+  CHECK_THAT(alone.first_line(), Contains("'standard_error' needs samples = \"by_error\" beside it"));
+  const Ended counted = here.script(
+      "local ricochet = require 'ricochet'\nricochet.sweep { name = 's', over = { sample = { 1 } }, standard_error = "
+      "1,\n"
+      "  samples = 'by_error', scene = function(at) end }");
+  CHECK_THAT(counted.first_line(), Contains("over.sample: samples = \"by_error\" makes that column itself"));
+  CHECK_FALSE(fs::exists(here.path / "out"));
+}
+
+TEST_CASE("a point none of whose impacts finishes is told and not tried for ever") {
+  const Workplace here;
+  const Ended ended =
+      here.script(by_error("standard_error = 0.01, most = 16", "psi1 = at.psi1", ", time_limit = 0.1"), "--quiet");
+  CHECK_THAT(ended.out, Contains("cannot be planned: fewer than two impacts of the pilot finished") &&
+                            Contains("24 impacts in 1 rounds"));
+}
+
+TEST_CASE("intervals of a sweep by error hold the mean in 93 to 97 of 100 cases, whatever the law of the samples") {
+  const Ended ended = script_with_module(std::string(coverage) + R"(math.randomseed(11)
+local function gamma()
+  local product = 1
+  for _ = 1, 4 do product = product * (1 - math.random()) end
+  return -math.log(product)
+end
+local laws = {
+  normal = { function() return normal() end, 0, 1 }, skewed = { gamma, 4, 2 },
+  two_valued = { function() return math.random() < 0.4 and 1 or 0 end, 0.4, 0.24 ^ 0.5 },
+}
+for name, law in pairs(laws) do
+  local share, impacts = coverage(law[1], law[2], law[3] / 10)
+  print(name, share, impacts)
+  assert(share >= 0.93 and share <= 0.97, name .. ": " .. share)
+end
+)");
+  INFO(ended.out << ended.err);
+  CHECK(ended.status == 0);
+}
+
+TEST_CASE("intervals of a sweep by error hold the mean of 300 real lattices in 93 to 97 of 100 cases, and pairs pay") {
+  std::ifstream file(std::string(RICOCHET_SOURCE) + "/tests/script/lattices.csv");  // lattices.lua makes it
+  const std::string table{std::istreambuf_iterator<char>(file), {}};
+  REQUIRE(!table.empty());
+  const Ended ended = script_with_module(std::string(coverage) + "local text = [[" + table + R"(]]
+math.randomseed(12)
+local lattices = {}
+for psi1, e, mirrored in text:gmatch "\n(%d+),%d+,([%d.]+),([%d.]+)" do
+  lattices[psi1] = lattices[psi1] or {}
+  table.insert(lattices[psi1], { tonumber(e), tonumber(mirrored) })
+end
+local angles = 0
+for psi1, list in pairs(lattices) do
+  angles = angles + 1
+  assert(#list >= 298, psi1 .. ": " .. #list)
+  local values = {}
+  for _, pair in ipairs(list) do
+    values[#values + 1] = pair[1]
+    values[#values + 1] = pair[2]
+  end
+  local of = statistics.of(values)
+  local function draw() return table.unpack(list[math.random(#list)]) end
+  local share, impacts = coverage(draw, of.mean, of.sd / 10, true)
+  print(psi1, share, impacts)
+  assert(share >= 0.93 and share <= 0.97, psi1 .. ": " .. share)
+  assert(psi1 ~= "8" or impacts < 60, impacts)  -- of one side it takes 100
+end
+assert(angles == 3)
+)");
+  INFO(ended.out << ended.err);
+  CHECK(ended.status == 0);
+}
