@@ -58,9 +58,14 @@ function sampling.decide(state, of, wanted, most, pairs)
   if state.side == "tried" then
     state.gain = sampling.gain_of_pairs(pairs())
     state.side = state.gain > least_gain and "both" or "one"
+    state.chosen = state.count
     state.why = state.side == "one" and "does not pay" or nil
   end
   local goal = sampling.goal(state.count, of.sd, wanted, most)
+  -- Pairs that are few were chosen for scattering little: their deviation is known from fresh ones.
+  if state.side == "both" and state.both == state.count and state.chosen and state.count < 2 * state.chosen then
+    goal = math.min(math.max(goal, 2 * state.chosen), most)
+  end
   if goal == state.count then return false end
   if state.side == "one" and not state.why then
     state.side, state.both = "tried", state.count

@@ -1,5 +1,5 @@
--- The table that test_by_error.cpp draws from: e of 300 lattices of the soft wall, of 200 + 1000 nodes, at each of some angles, each struck
--- from both sides. From the root of the tree, a minute on two cores:
+-- The table that test_by_error.cpp draws from: e of 300 lattices of the soft wall, of 200 + 1000 nodes, at each of some
+-- angles, each struck from both sides. From the root of the tree, a minute on two cores:
 --   ricochet run tests/script/lattices.lua --out /tmp/lattices && cp /tmp/lattices/lattices/lattices.csv tests/script/
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
