@@ -15,16 +15,17 @@ function sampling.wanted(t, mean)
   return t.standard_error or t.relative_error * math.abs(mean)
 end
 
---- Units that a deviation calls for: of few, which a round may find small by chance and stop, somewhat more.
-function sampling.needed(sd, wanted, count)
-  if sd == 0 then return sampling.least end
-  return math.max(sampling.least, math.ceil((sd / wanted) ^ 2 * (1 + by_few / count)))
+--- Units that a deviation calls for: n > (sd/wanted)^2 (1 + by_few/n); of few, which a round may find small by chance
+--- and stop, somewhat more.
+function sampling.needed(sd, wanted)
+  local plain = (sd / wanted) ^ 2
+  return math.max(sampling.least, math.ceil((plain + math.sqrt(plain ^ 2 + 4 * by_few * plain)) / 2))
 end
 
 --- How many units a point that has `count` of this deviation is to have after the next round; `count` once it is met,
 --- or `most` is.
 function sampling.goal(count, sd, wanted, most)
-  local needed = sampling.needed(sd, wanted, count)
+  local needed = sampling.needed(sd, wanted)
   if needed <= count then return count end
   return math.min(needed, most_growth * count, most)
 end
@@ -67,7 +68,8 @@ function sampling.decide(state, of, wanted, most, pairs)
     goal = math.min(math.max(goal, 2 * state.chosen), most)
   end
   if goal == state.count then return false end
-  if state.side == "one" and not state.why then
+  -- A trial of the other side costs as much as the pilot: where less than that is left, it cannot pay.
+  if state.side == "one" and not state.why and goal > 2 * state.count then
     state.side, state.both = "tried", state.count
   else
     state.count = goal

@@ -44,7 +44,7 @@ std::string bits_of(const Ended& ended) {
   return ended.out.substr(from, ended.out.find('\n', from) - from);
 }
 
-/// coverage(draw, mean, wanted, pilot, has_sides): of 1000 sweeps by error of one point, whose lattices give draw()
+/// coverage(draw, mean, wanted, pilot, has_sides): of 3000 sweeps by error of one point, whose lattices give draw()
 /// and, from the other side, its second value, the share of 95 % intervals that hold the mean, and impacts on average.
 const char* coverage = R"(local sampling = require "ricochet.sampling"
 local statistics = require "ricochet.statistics"
@@ -52,7 +52,7 @@ local student = require "ricochet.student"
 local wide = {}
 local function coverage(draw, mean, wanted, pilot, has_sides)
   local hits, impacts = 0, 0
-  for _ = 1, 1000 do
+  for _ = 1, 3000 do
     local state, drawn = { count = pilot, both = 0, side = "one", why = not has_sides and "has none" or nil }, {}
     local of
     repeat
@@ -64,9 +64,9 @@ local function coverage(draw, mean, wanted, pilot, has_sides)
     until not sampling.decide(state, of, wanted, 10000, function() return { table.unpack(drawn, 1, state.both) } end)
     wide[of.units] = wide[of.units] or student.quantile(of.units - 1)
     if math.abs(of.mean - mean) <= wide[of.units] * of.se then hits = hits + 1 end
-    impacts = impacts + (state.count + math.min(state.count, state.both)) / 1000
+    impacts = impacts + (state.count + math.min(state.count, state.both)) / 3000
   end
-  return hits / 1000, impacts
+  return hits / 3000, impacts
 end
 local function normal() return math.sqrt(-2 * math.log(1 - math.random())) * math.cos(2 * math.pi * math.random()) end
 )";
@@ -181,7 +181,7 @@ local function gamma()
 end
 local laws = {
   normal = { function() return normal() end, 0, 1 }, skewed = { gamma, 4, 2 },
-  two_valued = { function() return math.random() < 0.4 and 1 or 0 end, 0.4, 0.24 ^ 0.5 },
+  two_valued = { function() return math.random() < 0.5 and 1 or 0 end, 0.5, 0.5 },
 }
 for name, law in pairs(laws) do
   local share, impacts = coverage(law[1], law[2], law[3] / 10, 8)
