@@ -1,4 +1,5 @@
 // Sweeps that take as many samples as a wanted error needs, through scripts.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "program.hpp"
@@ -13,28 +14,28 @@ namespace {
 /// A sweep of small scenes as `rows`; `launch` and `asked` are fields.
 std::string by_error(const std::string& asked, const std::string& launch = "psi1 = at.psi1",
                      const std::string& more = "") {
-  return R"(local ricochet = require "ricochet"
+  return R"lua(local ricochet = require "ricochet"
 local rows = ricochet.sweep {
-  name = "s", over = { psi1 = { 0, 1, 6 } }, samples = "by_error", )" +
-         asked + R"(,
+  name = "s", over = { psi1 = { 0, 1, 6 } }, samples = "by_error", )lua" +
+         asked + R"lua(,
   scene = function(at)
     return ricochet.scene {
       projectile = ricochet.disk { nodes = 60, roughness = 0.03, seed = at.sample },
       target = ricochet.wall { width = 4, depth = 1.5, nodes = 150, stiffness = 400, roughness = 0.03, seed = at.sample },
-      launch = { )" +
-         launch + " }, contact = { V0 = 150, xi = 300 }" + more + R"(,
+      launch = { )lua" +
+         launch + " }, contact = { V0 = 150, xi = 300 }" + more + R"lua(,
     }
   end,
 }:run()
-)";
+)lua";
 }
 
-const char* every_bit = R"(local list = {}
+const char* every_bit = R"lua(local list = {}
 for _, row in ipairs(rows) do
   list[#list + 1] = ("%g %d %s %d %.17g %.17g"):format(row.psi1, row.sample, row.mirrored, row.pair, row.e, row.psi2)
 end
 print("bits: " .. table.concat(list, ";"))
-)";
+)lua";
 
 std::string bits_of(const Ended& ended) {
   INFO(ended.out << ended.err);
@@ -46,7 +47,7 @@ std::string bits_of(const Ended& ended) {
 
 /// coverage(draw, mean, wanted, pilot, has_sides): of 3000 sweeps by error of one point, whose lattices give draw()
 /// and, from the other side, its second value, the share of 95 % intervals that hold the mean, and impacts on average.
-const char* coverage = R"(local sampling = require "ricochet.sampling"
+const char* coverage = R"lua(local sampling = require "ricochet.sampling"
 local statistics = require "ricochet.statistics"
 local student = require "ricochet.student"
 local wide = {}
@@ -69,14 +70,14 @@ local function coverage(draw, mean, wanted, pilot, has_sides)
   return hits / 3000, impacts
 end
 local function normal() return math.sqrt(-2 * math.log(1 - math.random())) * math.cos(2 * math.pi * math.random()) end
-)";
+)lua";
 
 }  // namespace
 
 TEST_CASE(
     "a sweep by error meets it at every point with no fewer than eight lattices, struck from both sides as said") {
   const Workplace here;
-  const Ended ended = here.script(by_error("standard_error = 0.03") + R"(
+  const Ended ended = here.script(by_error("standard_error = 0.03") + R"lua(
 local summary = rows:summary { by = "psi1", of = { "e" } }
 for i, line in ipairs(summary) do
   assert(line.e.se <= 0.03 and line.e.units >= 8 and line.count == line.e.count, line.e.se)
@@ -106,7 +107,7 @@ for line in ricochet.file.read "s_samples.csv":gmatch "\n([^\n]+)" do
   most, points = math.max(most, 8, math.ceil((cells[3] / cells[4]) ^ 2)), points + 1
 end
 print(("told: %d samples of every point would have met it too: %d impacts"):format(most, most * points))
-)",
+)lua",
                                   "--quiet");
   INFO(ended.out << ended.err);
   CHECK(ended.status == 0);
@@ -119,12 +120,17 @@ print(("told: %d samples of every point would have met it too: %d impacts"):form
   CHECK(table.text("mirrored"));
 }
 
-TEST_CASE("a sweep by error has the same bits on one thread, in one lane, and resumed after half of its rows") {
+TEST_CASE("a sweep by error has the same bits on one thread, in one lane, and resumed after fewer rounds") {
   const Workplace here;
   const std::string script = by_error("standard_error = 0.04", "psi1 = at.psi1", ", accuracy = 1e-2") + every_bit;
   const std::string whole = bits_of(here.script(script, "--quiet"));
   CHECK(bits_of(here.run("s.lua --quiet --force --threads 1 --batch 1")) == whole);
   CHECK(bits_of(here.run("s.lua --quiet --resume")) == whole);
+  // An earlier run that stopped sooner: what it has is taken up, and the rest follows.
+  const std::string sooner = by_error("standard_error = 0.2", "psi1 = at.psi1", ", accuracy = 1e-2");
+  CHECK(here.script(sooner, "--quiet --force").status == 0);
+  CHECK(read_table(here.path / "out/s/results.h5").rows() < std::count(whole.begin(), whole.end(), ';') / 2);
+  CHECK(bits_of(here.script(script, "--quiet --resume")) == whole);
 }
 
 TEST_CASE("mirrors are refused by name where the scene is not symmetric, and left out where nobody asked") {
@@ -173,7 +179,7 @@ TEST_CASE("a point none of whose impacts finishes is told and not tried for ever
 }
 
 TEST_CASE("intervals of a sweep by error hold the mean in 93 to 97 of 100 cases, whatever the law of the samples") {
-  const Ended ended = script_with_module(std::string(coverage) + R"(math.randomseed(11)
+  const Ended ended = script_with_module(std::string(coverage) + R"lua(math.randomseed(11)
 local function gamma()
   local product = 1
   for _ = 1, 4 do product = product * (1 - math.random()) end
@@ -188,7 +194,7 @@ for name, law in pairs(laws) do
   print(name, share, impacts)
   assert(share >= 0.93 and share <= 0.97, name .. ": " .. share)
 end
-)");
+)lua");
   INFO(ended.out << ended.err);
   CHECK(ended.status == 0);
 }
@@ -197,7 +203,7 @@ TEST_CASE("intervals of a sweep by error hold the mean of 300 real lattices in 9
   std::ifstream file(std::string(RICOCHET_SOURCE) + "/tests/script/lattices.csv");  // lattices.lua makes it
   const std::string table{std::istreambuf_iterator<char>(file), {}};
   REQUIRE(!table.empty());
-  const Ended ended = script_with_module(std::string(coverage) + "local text = [[" + table + R"(]]
+  const Ended ended = script_with_module(std::string(coverage) + "local text = [[" + table + R"lua(]]
 math.randomseed(12)
 local lattices = {}
 for psi1, e, mirrored in text:gmatch "\n(%d+),%d+,([%d.]+),([%d.]+)" do
@@ -215,14 +221,14 @@ for psi1, list in pairs(lattices) do
   end
   local of = statistics.of(values)
   local function draw() return table.unpack(list[math.random(#list)]) end
-  -- Where lattices fold, some stray far, and a pilot of 8 is too often blind to them: it leaves 0.91 to 0.94.
-  local share, impacts = coverage(draw, of.mean, of.sd / 10, 16, true)
+  -- Where lattices fold, some stray far, and a short pilot is often blind to them: one of 8 leaves 0.91 to 0.94.
+  local share, impacts = coverage(draw, of.mean, of.sd / 10, 24, true)
   print(psi1, share, impacts)
   assert(share >= 0.93 and share <= 0.97, psi1 .. ": " .. share)
-  assert(psi1 ~= "4" or impacts < 80, impacts)  -- of one side it takes 110
+  assert(psi1 ~= "4" or impacts < 105, impacts)  -- of one side it takes 110
 end
 assert(angles == 3)
-)");
+)lua");
   INFO(ended.out << ended.err);
   CHECK(ended.status == 0);
 }
