@@ -299,6 +299,7 @@ Function sweep_function() {
           .fields =
               {{"name", "string", "", "names the folder of its results"},
                {"over", "table", "", "name = list of values, each a number, string or boolean"},
+               {"units", "table", "", "name = unit of a value of 'over', for axes: { gap = \"R\" }", any_number, "{}"},
                {"scene", "function", "", "function (at) that returns the scene at the values at.name"},
                {"samples",
                 "string",
