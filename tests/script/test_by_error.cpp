@@ -21,7 +21,8 @@ local rows = ricochet.sweep {
   scene = function(at)
     return ricochet.scene {
       projectile = ricochet.disk { nodes = 60, roughness = 0.03, seed = at.sample },
-      target = ricochet.wall { width = 4, depth = 1.5, nodes = 150, stiffness = 400, roughness = 0.03, seed = at.sample },
+      target = ricochet.wall { width = 4, depth = 1.5, nodes = 150, stiffness = 400, roughness = 0.03,
+        seed = at.sample },
       launch = { )lua" +
          launch + " }, contact = { V0 = 150, xi = 300 }" + more + R"lua(,
     }

@@ -103,7 +103,9 @@ local nan = 0 / 0
 local function rows(samples, change)
   local list = {}
   for s, sample in ipairs(samples) do
-    for k, v in ipairs { 1, 2, 4 } do list[#list + 1] = { sample = sample, v = v, e = (0.5 + 0.01 * s * k) * v ^ -0.25 } end
+    for k, v in ipairs { 1, 2, 4 } do
+      list[#list + 1] = { sample = sample, v = v, e = (0.5 + 0.01 * s * k) * v ^ -0.25 }
+    end
   end
   if change then change(list) end
   return power_law(list, "v", "e", "sample")
@@ -157,7 +159,8 @@ is_stated(share(n, function()
   return of.is_seen
 end), "6 lattices")
 assert(math.abs(math.exp(gain) - 5) < 1, math.exp(gain))  -- (1.25 + 1.25) / 0.5, of few: somewhat more
-local fine, message = pcall(paired, { { psi1 = 6, e = 1, sample = 1, status = "finished" } }, "psi1", "e", { 6, 7 }, "sample")
+local alone = { { psi1 = 6, e = 1, sample = 1, status = "finished" } }
+local fine, message = pcall(paired, alone, "psi1", "e", { 6, 7 }, "sample")
 assert(not fine and tostring(message):find("no row has psi1 = 7", 1, true), tostring(message))
 )");
 }
