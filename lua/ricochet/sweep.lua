@@ -9,7 +9,7 @@ Sweep.__index = function(_, name)
   if name == "summary" or type(name) == "number" then
     core.fail_here "this sweep has not run: rows come from sweep:run()"
   end
-  return methods[name] or core.unknown("a sweep", name, { "run", "at" })
+  return methods[name] or core.unknown("a sweep", name, { "run", "at", "record" })
 end
 Sweep.__newindex = function() core.fail_here "a sweep takes no new fields" end
 
@@ -141,7 +141,39 @@ methods.run = core.wrap(function(self)
   for i, point in ipairs(sweep.points) do
     scenes[i] = scene_at(sweep, point)
   end
-  return rows_of(core.run_sweep(sweep.name, sweep.names, sweep.points, scenes), sweep)
+  local rows = rows_of(core.run_sweep(sweep.name, sweep.names, sweep.points, scenes), sweep)
+  sweep.rows = rows
+  return rows
+end)
+
+-- The hashes of rows, given as rows or as their numbers.
+local function hashes_of(sweep, rows)
+  local hashes = {}
+  for i = 1, #rows do
+    local row = rows[i]
+    if math.type(row) == "integer" then
+      if row < 1 or row > #sweep.rows then
+        core.fail(("there is no row %d; the rows are 1 to %d"):format(row, #sweep.rows), "rows")
+      end
+      row = sweep.rows[row]
+    end
+    if type(row) ~= "table" or type(rawget(row, "scene_hash")) ~= "string" then
+      core.fail("takes rows of the sweep, or their numbers", "rows")
+    end
+    hashes[i] = row.scene_hash
+  end
+  return hashes
+end
+
+--- Records rows' own scenes, with the method and step that their sweep has chosen.
+methods.record = core.wrap(function(self, given)
+  local sweep = contents(self) or core.fail "is a method of a sweep: write sweep:record { ... }, with a colon"
+  local t = core.check("sweep:record", given)
+  if not sweep.rows then core.fail "this sweep has not run; call sweep:run() first" end
+  if (t.rows == nil) == (t.replay == nil) then
+    core.fail("give rows, or replay = \"typical\" or \"extremes\"", "rows")
+  end
+  return core.record_rows(sweep.name, t.rows and hashes_of(sweep, t.rows) or t.replay, t.frames)
 end)
 
 local function sweep(given)

@@ -47,6 +47,7 @@ Group wave_functions();
 Group plot_functions();
 Group picture_functions();
 Group record_functions();
+Group report_functions();
 Group accuracy_functions();
 Group elasticity_functions();
 Group mesh_functions();

@@ -13,6 +13,7 @@
 #include "script/reference.hpp"
 #include "script/render_command.hpp"
 #include "script/repl.hpp"
+#include "script/run_report.hpp"
 #include "script/state.hpp"
 #include "script/terminal.hpp"
 
@@ -68,6 +69,7 @@ void run(RunOptions options, const std::string& script, const std::vector<std::s
     throw;
   }
   session.finish();
+  write_report(session);
   if (session.nothing_finished())
     throw Error("not one impact finished; the first ended " + session.first_failure, Exit::numerical);
 }
@@ -78,6 +80,7 @@ struct Commands {
   CLI::App* run = nullptr;
   RunOptions options;
   RenderOptions drawing;
+  ReportOptions report;
   std::string script, file, theory;
   std::vector<std::string> arguments;
   bool price = false, stubs = false;
@@ -135,6 +138,7 @@ void add_run(Commands& c) {
   command->add_flag("--force", options.force, "replace earlier results");
   command->add_flag("--new", options.fresh, "leave earlier results and go to a folder NAME-2, NAME-3 ...");
   command->add_flag("--check", options.check, "build every scene, run none");
+  command->add_flag("!--no-report", options.report, "leave no report.html, and run no impact twice for its replays");
   command->add_flag("--traceback", options.traceback, "show where in the scripts an error came from");
   command->add_flag("--unsafe", options.unsafe, "lift the sandbox: io, os.execute, debug");
   command->add_flag("--help,-h", options.help, "this, or the script's own parameters");
@@ -229,6 +233,18 @@ void add_render(Commands& c) {
   command->callback([&drawing] { render_file(drawing); });
 }
 
+void add_report(Commands& c) {
+  ReportOptions& wanted = c.report;
+  CLI::App* command = c.app.add_subcommand(
+      "report", "Make report.html, one file with plots and replays, of stored results: ricochet report DIR|results.h5");
+  command->add_option("DIR", wanted.path, "a results.h5, or a folder with some in it or below")->required();
+  command->add_option("--replays", wanted.replays, "at most so many, of those in an earlier report (default: 6)")
+      ->check(count_within(0, 1000));
+  command->add_option("--title", wanted.title, "of the page (default: the first line of the script, if a comment)");
+  command->add_option("--out", wanted.out, "the file (default: report.html in DIR)");
+  command->callback([&wanted] { report_of_results(wanted); });
+}
+
 void add_reference(Commands& c) {
   CLI::App* command = c.app.add_subcommand("reference", "Print the reference of the Lua module");
   command->add_flag("--stubs", c.stubs, "as definitions for the Lua language server");
@@ -259,7 +275,8 @@ void program(int count, char** words) {
   Commands c;
   c.app.require_subcommand(1);
   c.app.set_version_flag("--version", version_text);
-  for (const auto add : {add_run, add_accuracy, add_effects, add_theory, add_repl_and_info, add_render, add_reference})
+  for (const auto add :
+       {add_run, add_accuracy, add_effects, add_theory, add_repl_and_info, add_render, add_report, add_reference})
     add(c);
   try {
     c.app.parse(count, words);

@@ -197,6 +197,7 @@ int scene_run(lua_State* L) {
   const Row row = row_of(scene, outcome, 0);
   if (!session.options.check) {
     session.count(row);
+    if (session.singles.size() < Session::most_singles) session.singles.emplace_back(scene, row);
     warn_of_limit(session, {scene}, {row},
                   [&](std::size_t) { return fmt::format("{}:{}: scene", object.site.file, object.site.line); });
   }

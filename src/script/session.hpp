@@ -13,6 +13,7 @@
 #include "impact/scene.hpp"
 #include "record/row.hpp"
 #include "sandbox/sandbox.hpp"
+#include "script/page.hpp"
 #include "script/run_folders.hpp"
 #include "store/table.hpp"
 
@@ -23,6 +24,7 @@ struct RunOptions {
   int batch = 0;  ///< 0: as many lanes as there are
   std::string out = "out";
   bool resume = false, force = false, fresh = false;  ///< what to do where results are: fresh is --new
+  bool report = true;                                 ///< leave report.html
   bool check = false, traceback = false, quiet = false, unsafe = false, help = false;
   std::string study;       ///< Lua that studies `first_scene`: the script is then only checked
   double max_seconds = 0;  ///< of the whole run; 0: no limit
@@ -30,6 +32,21 @@ struct RunOptions {
 
 /// The name of a script that is read from standard input.
 inline constexpr const char* standard_input = "-";
+
+/// A sweep that has run, for its replays: the scenes are those of its rows, with the steps that were chosen.
+struct Swept {
+  std::string name;
+  std::filesystem::path folder;
+  std::vector<Scene> scenes;
+};
+
+/// What a script says of its report (ricochet.report).
+struct PageWish {
+  std::string title, notes, which = "typical";
+  std::vector<std::string> questions;
+  std::vector<PageLine> lines;
+  int replays = 6, frames = 120;
+};
 
 /// ^C, SIGTERM and SIGHUP (a terminal that is gone), unless nohup ignores it, then ask the run to stop. A second signal
 /// ends the program at once.
@@ -56,6 +73,11 @@ class Session {
   std::map<std::string, KnownChoices> rounds;  ///< of sweeps that run in rounds, by name: what their trials chose
 
   RunFolders folders{options};
+
+  std::vector<Swept> swept;                    ///< in the order in which they ran
+  std::vector<std::pair<Scene, Row>> singles;  ///< that ran by themselves, the first `most_singles`
+  static constexpr std::size_t most_singles = 1000;
+  PageWish page;
 
   /// The script's own folder, named as its file is.
   std::filesystem::path own_folder() const {

@@ -27,6 +27,8 @@ void add_column(Table& table, const Field& field, const std::vector<const Row*>&
   }
 }
 
+}  // namespace
+
 Table table_of(const std::vector<const Row*>& rows) {
   Table table;
   const Units units = Units::named(rows.empty() ? "paper" : rows.front()->units);
@@ -40,6 +42,8 @@ Table table_of(const std::vector<const Row*>& rows) {
                member.place);
   return table;
 }
+
+namespace {
 
 // The column of that name in a table that was read.
 template <class Column>

@@ -29,6 +29,9 @@ struct Earlier {
   bool strangers;  ///< rows of other scenes may be among them: later rounds will ask for those
 };
 
+/// All columns of rows, in the units of the first.
+Table table_of(const std::vector<const Row*>& rows);
+
 /// Rows of a sweep as they come in, and their files.
 class Store {
  public:

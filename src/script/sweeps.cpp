@@ -225,6 +225,7 @@ std::vector<Row> run(Session& session, Request& sweep) {
   if (sweep.goes_on()) return store.rows();
   store.assemble();
   tell_end(session, sweep, store, store.count() > before ? &use : nullptr);
+  session.swept.push_back({sweep.name, store.folder(), sweep.scenes});
   return store.rows();
 }
 

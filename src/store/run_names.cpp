@@ -94,7 +94,7 @@ bool is_film(const std::string& name) {
 bool is_of_the_run(const fs::path& name) {
   fs::path first = *name.begin();
   if (has_extension_of(first, {new_extension})) first = first.stem();
-  if (first == log || first == list || first == parts_name) return true;
+  if (first == log || first == report || first == list || first == parts_name) return true;
   return std::any_of(rows_sinks().begin(), rows_sinks().end(),
                      [&](const RowsSink& sink) { return first == with(results_stem, sink.extension); });
 }

@@ -10,6 +10,7 @@
 namespace ricochet::run_names {
 
 inline constexpr const char* log = "run.log";
+inline constexpr const char* report = "report.html";
 
 /// While it is written, a file is called so; it is renamed once it is whole.
 std::filesystem::path unfinished(std::filesystem::path path);

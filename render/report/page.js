@@ -1,0 +1,139 @@
+"use strict";
+// Puts the page together.
+function addReplays(section, replays) {
+  section.replays = new Map();
+  const hashes = section.columns.scene_hash;
+  if (!hashes) return;
+  const rowOf = new Map(hashes.values.map((hash, i) => [hash, i]));
+  for (const replay of replays) {
+    if (!rowOf.has(replay.hash)) continue;
+    const row = rowOf.get(replay.hash);
+    Object.assign(replay, { section, row });
+    const at = Object.values(section.columns).filter(c => c.parameter);
+    const vary = at.filter(c => new Set(c.values).size > 1);
+    replay.title = (vary.length ? vary : at).map(c => `${symbolOf(c.name)} = ${shown(c.values[row])}`).join(", ") || `impact ${row + 1}`;
+    replay.place_name = [`sweep=${section.index}`, ...vary.map(c => `${plainName(c.name)}=${c.values[row]}`)].join("&");
+    section.replays.set(row, replay);
+  }
+}
+
+function tools(section) {
+  const box = (key, text) => {
+    const input = element("input", { type: "checkbox", checked: section.show[key], onchange: () => { section.show[key] = input.checked; drawPlots(section); } });
+    input.dataset.show = key;
+    return element("label", {}, input, " " + text);
+  };
+  const choices = Object.values(section.columns).filter(c => typeof c.values[0] === "number" && new Set(c.values).size > 1 && (c.parameter || ["psi1", "contact_time", "indentation"].includes(c.name)));
+  const select = element("select", { onchange: () => {
+    section.x = section.columns[select.value];
+    section.groups = groupsOf(section);
+    drawPlots(section);
+  } }, ...choices.map(c => element("option", { value: c.name, selected: c === section.x }, symbolOf(c.name))));
+  return element("div", { className: "tools" }, choices.length > 1 ? element("label", {}, "against ", select) : null, box("dots", "single impacts"),
+    pageData.lines.length ? box("lines", "theory") : null, box("log", "logarithmic"));
+}
+
+function showSection(section) {
+  const id = `section-${section.index}`, many = pageData.sections.length > 1;
+  const heading = element("h2", { id }, many ? `What came out: ${section.name}` : "What came out");
+  const plots = element("div", { className: "plots" });
+  section.pickedText = element("p", { className: "picked" });
+  section.pickedText.setAttribute("role", "status");
+  section.root = element("div");
+  const results = element("section");
+  results.setAttribute("aria-labelledby", id);
+  section.boxes = {};
+  for (const quantity of section.quantities) plots.append(section.boxes[quantity] = element("div", { className: "plot" }));
+  const meaning = element("p", { className: "hint" }, "e: how fast the projectile leaves along the normal, over how fast it came. μ: tangential over normal impulse. β: the same as e, of the sliding of the contact point, with its sign turned.");
+  if (section.quantities.length) {
+    results.append(element("div", { className: "head" }, heading, tools(section)),
+      element("p", { className: "hint" }, "Bars are standard errors of means. Point at a dot to read it, drag to zoom, double-click to undo. Ringed impacts have a replay: click one."),
+      plots, meaning, section.pickedText, element("h3", {}, "Means"), meansTable(section));
+  } else {
+    results.append(heading, element("p", {}, section.sentence), section.pickedText);
+  }
+  if (section.rows) results.append(rowsTable(section));
+  const trust = element("section", { className: "two" }, element("div", {}, element("h2", {}, "How far to trust it"),
+    element("ul", {}, ...trustLines(section).map(line => element("li", {}, line)))), element("div", {}, element("h2", {}, "Where it came from"), provenanceTable(section.provenance)));
+  section.root.append(results, trust);
+  byId("results").append(section.root);
+  drawPlots(section);
+}
+
+function showHeader() {
+  const texts = (id, list) => { byId(id).hidden = !list.length; list.forEach(text => byId(id).append(element("li", {}, text))); };
+  byId("notes").hidden = !pageData.notes;
+  byId("notes").textContent = pageData.notes;
+  texts("questions", pageData.questions);
+  for (const section of sections) {
+    const done = finishedRows(section).length, name = sections.length > 1 ? `${section.name}: ` : "";
+    byId("chips").append(element("li", { className: section.rows && done === section.rows ? "ok" : "bad" }, `${name}${done} of ${section.rows} finished`));
+    const closure = greatest(section.columns.energy_closure);
+    if (closure >= 0) byId("chips").append(element("li", { className: closure < 1e-2 ? "ok" : "bad" }, `${name}energy balances to ${shown(closure, 2)}`));
+  }
+  const from = pageData.sections[0] ? pageData.sections[0].provenance : {};
+  if (from.version) byId("chips").append(element("li", {}, `Ricochet ${from.version}, commit ${from.commit}`));
+  if (from.start) byId("chips").append(element("li", {}, from.start.replace("T", " ").replace("Z", " UTC")));
+  byId("again").textContent = from.script_name ? `ricochet run ${from.script_name} ${(from.arguments || "").trim().replaceAll("\n", " ")}` : "";
+  byId("copy").onclick = () => navigator.clipboard.writeText(byId("script").textContent);
+  byId("log-box").hidden = !pageData.log;
+  byId("log").textContent = pageData.log;
+  byId("told").textContent = pageData.sections.map(s => s.told).filter(text => text).join(" ");
+}
+
+// The replay that a link like #sweep=0&psi1=3&t=8.25 means: the one that agrees with most of it.
+function linkedReplay(replays) {
+  const want = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+  const agrees = replay => Object.entries(want).filter(([name, value]) => {
+    if (name === "sweep") return +value === replay.section.index;
+    const column = replay.section.columns[name] || replay.section.columns["over_" + name];
+    return column && String(column.values[replay.row]) === value;
+  }).length;
+  const best = replays.reduce((a, b) => agrees(b) > agrees(a) ? b : a, replays[Math.floor((replays.length - 1) / 2)]);
+  return { replay: best, time: want.t == null ? null : +want.t };
+}
+
+function redrawAll() {
+  sections.forEach(drawPlots);
+  if (player.replay) drawCharts();
+}
+
+async function start() {
+  const began = performance.now();
+  const replays = [...document.querySelectorAll("script.replay")].map(tag => JSON.parse(tag.textContent));
+  for (const [index, raw] of pageData.sections.entries()) {
+    const section = { ...raw, index, columns: await readColumns(raw), plots: {}, picked: null, show: { dots: true, lines: true, log: false } };
+    axesOf(section);
+    section.groups = groupsOf(section);
+    addReplays(section, replays);
+    sections.push(section);
+  }
+  showHeader();
+  const known = replays.filter(replay => replay.section);
+  if (!known.length && byId("told").textContent) byId("stage").before(element("p", { className: "warn" }, byId("told").textContent));
+  if (known.length) {
+    startPlayer(known);
+    const { replay, time } = linkedReplay(known);
+    replay.section.picked = replay.row;
+    sections.forEach(showSection);
+    await choose(replay, time);
+  } else {
+    sections.forEach(showSection);
+  }
+  let width = innerWidth, waiting;
+  addEventListener("resize", () => {
+    if (innerWidth === width) return;
+    width = innerWidth;
+    clearTimeout(waiting);
+    waiting = setTimeout(redrawAll, 120);
+  });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redrawAll);
+  addEventListener("beforeprint", () => { document.documentElement.classList.add("print"); redrawAll(); });
+  addEventListener("afterprint", () => { document.documentElement.classList.remove("print"); redrawAll(); });
+  window.report = { ready: performance.now() - began, sections, player, go, play, pickRow, readReplay };
+}
+
+start().catch(error => {
+  document.body.prepend(element("p", { className: "warn" }, `This report could not be drawn: ${error.message} (a browser of 2023 or later is needed)`));
+  throw error;
+});

@@ -1,0 +1,211 @@
+"use strict";
+// Plays a replay: its clock runs in simulated time. Beside it the ledger of energy, force and overlap, linked with it.
+const energyParts = [["projectile_translation", "flight of the projectile"], ["projectile_rotation", "its spin"],
+  ["projectile_vibration", "its vibration"], ["target_translation", "flight of the target"],
+  ["target_rotation", "the target's spin"], ["target_vibration", "the target's vibration"],
+  ["contact_energy", "pressed contact"], ["effects_energy", "taken by effects (friction, loss, gravity)"]];
+const player = { replay: null, frames: null, at: 0, playing: false, last: 0, paint: null, charts: [], drawn: 0, spent: 0 };
+const cachedFrames = new Map();
+
+const timesOf = replay => replay.series.time;
+function frameAt(time) {
+  const times = timesOf(player.replay);
+  let k = 0;
+  while (k < times.length - 2 && times[k + 1] <= time) k++;
+  return Math.max(0, Math.min(times.length - 1.001, k + (time - times[k]) / (times[k + 1] - times[k])));
+}
+function timeNow() {
+  const times = timesOf(player.replay), k = Math.min(times.length - 2, Math.floor(player.at));
+  return times[k] + (player.at - k) * (times[k + 1] - times[k]);
+}
+const energyUnit = () => player.replay.unit.total_energy;
+
+// In contact where the force is more than a thousandth of the greatest.
+function contactFrames(replay) {
+  const force = replay.series.force_n.map(Math.abs), most = Math.max(...force);
+  const touching = force.map(f => most > 0 && f > 1e-3 * most);
+  return { first: touching.indexOf(true), last: touching.lastIndexOf(true), touching, hardest: force.indexOf(most) };
+}
+
+function whatHappens(k) {
+  const { series, unit } = player.replay, contact = contactFrames(player.replay);
+  const phase = contact.first < 0 ? "Free flight" : k < contact.first ? "Before the contact"
+    : k > contact.last ? "After the contact" : contact.touching[k] ? "In contact" : "Between two touches";
+  const total = series.total_energy[k] || 1;
+  const vibration = (series.projectile_vibration[k] || 0) + (series.target_vibration[k] || 0);
+  const way = series.vn[k] < 0 ? "approaches" : "leaves";
+  const force = contact.touching[k] ? ` Contact pushes it with ${shown(series.force_n[k], 3)} ${unit.force_n}.` : "";
+  const spin = Math.abs(series.omega[k] || 0) > 1e-6 ? `, turns by ${shown(series.omega[k], 3)} ${unit.omega}` : "";
+  return `${phase}. The projectile ${way} at ${shown(Math.abs(series.vn[k]), 3)} ${unit.vn} along the normal` +
+    `, slides at ${shown(series.vt[k], 3)} ${unit.vt}${spin}; vibrations hold ${Math.round(100 * vibration / total)} % of the energy.${force}`;
+}
+
+function refresh(light) {
+  const { replay, frames, paint } = player, began = performance.now();
+  drawMoment(byId("view"), paint, replay, frames, player.at, { magnify: +byId("magnify").value, field: byId("field").value });
+  player.spent += performance.now() - began;
+  player.drawn++;
+  const times = timesOf(replay), time = timeNow(), text = `t = ${shown(time, 4)} ${replay.unit.time}`;
+  byId("seek").value = Math.round(1000 * (time - times[0]) / (times.at(-1) - times[0]));
+  byId("seek").setAttribute("aria-valuetext", text);
+  byId("clock").textContent = text;
+  byId("now").textContent = whatHappens(Math.round(player.at));
+  placeLines();
+  if (!light) history.replaceState(null, "", linkOf(replay, time));
+}
+
+function linkOf(replay, time) {
+  const keep = /\bnogl\b/.test(location.hash) ? "&nogl" : "";
+  return `#${replay.place_name}&t=${+time.toPrecision(5)}${keep}`;
+}
+
+function go(frame, light) {
+  player.at = Math.max(0, Math.min(player.replay.frames - 1.001, frame));
+  refresh(light);
+}
+
+function play(on) {
+  player.playing = on;
+  byId("play").textContent = on ? "❚❚" : "▶";
+  byId("play").setAttribute("aria-label", on ? "Pause" : "Play");
+  if (!on) return refresh();
+  if (player.at > player.replay.frames - 2) player.at = 0;
+  player.last = 0;
+  requestAnimationFrame(tick);
+}
+
+const secondsOfAll = 10;
+function tick(now) {
+  if (!player.playing) return;
+  const times = timesOf(player.replay), whole = times.at(-1) - times[0];
+  if (player.last) {
+    const time = timeNow() + (now - player.last) / 1000 * whole / secondsOfAll * +byId("rate").value;
+    if (time >= times.at(-1)) {
+      go(player.replay.frames - 1.001);
+      return play(false);
+    }
+    go(frameAt(time), true);
+  }
+  player.last = now;
+  requestAnimationFrame(tick);
+}
+
+// Line charts of series against time, with a line at the moment shown that can be dragged.
+function chart(box, lines, unit, label) {
+  box.textContent = "";
+  box.classList.add("draggable");
+  const { replay } = player, colours = palette().concat("#888", "#555");
+  const axis = { stroke: ink(), grid: { stroke: gridInk() }, ticks: { stroke: gridInk() } };
+  const dashes = [[], [], [6, 4], [2, 3], [8, 3, 2, 3], [], [2, 2], [6, 2]];
+  const made = new uPlot({ width: box.clientWidth, height: 210, legend: { live: false },
+    cursor: { y: false, drag: { setScale: false, x: false, y: false } }, scales: { x: { time: false } },
+    axes: [{ ...axis, label: withUnit("time", replay.unit.time), labelSize: 20 }, { ...axis, label: withUnit(label, unit), labelSize: 20, size: 56 }],
+    series: [{}, ...lines.map((line, i) => ({ label: line[1], stroke: colours[i], width: 2, dash: dashes[i], points: { show: false } }))],
+    hooks: { setSize: [() => placeLines()] } }, [timesOf(replay), ...lines.map(line => replay.series[line[0]])], box);
+  made.nowLine = made.over.appendChild(element("div", { className: "nowline" }));
+  made.root.querySelector("canvas").setAttribute("role", "img");
+  made.root.querySelector("canvas").setAttribute("aria-label", `${label} against time: ${lines.map(line => line[1]).join(", ")}`);
+  const seek = event => go(frameAt(made.posToVal(event.clientX - made.over.getBoundingClientRect().left, "x")));
+  made.over.addEventListener("pointerdown", event => {
+    play(false);
+    seek(event);
+    const end = new AbortController();
+    addEventListener("pointermove", seek, { signal: end.signal });
+    addEventListener("pointerup", () => end.abort(), { once: true });
+  });
+  player.charts.push(made);
+}
+
+function placeLines() {
+  for (const made of player.charts) if (made.nowLine) made.nowLine.style.left = made.valToPos(timeNow(), "x") + "px";
+}
+
+function drawCharts() {
+  player.charts.forEach(made => made.destroy());
+  player.charts = [];
+  const { series, unit } = player.replay;
+  const most = Math.max(...series.total_energy.map(Math.abs)) || 1;
+  const parts = energyParts.filter(([name]) => series[name].some(x => x != null && Math.abs(x) > 1e-4 * most));
+  chart(byId("energy"), parts, energyUnit(), "energy");
+  chart(byId("force"), [["force_n", "normal force"], ["force_t", "tangential force"]], unit.force_n, "force");
+  chart(byId("overlap"), [["overlap", "how much nearer the centres are than at the first touch"]], unit.overlap, "overlap");
+  placeLines();
+}
+
+function drawLedger() {
+  const { series } = player.replay, last = player.replay.frames - 1, table = byId("ledger");
+  const total = series.total_energy;
+  table.textContent = "";
+  table.append(element("caption", {}, `Energy before and after [${energyUnit()}]`));
+  table.append(element("tr", {}, ...["where", "before", "after", "share after"].map(h => element("th", { scope: "col" }, h))));
+  for (const [name, text] of energyParts) {
+    const before = series[name][0], after = series[name][last];
+    if (before == null || Math.abs(before) < 1e-9 * total[0] && Math.abs(after) < 1e-9 * total[0]) continue;
+    table.append(element("tr", {}, element("td", {}, text), element("td", {}, shown(before, 5)), element("td", {}, shown(after, 5)),
+      element("td", {}, (100 * after / total[last]).toFixed(1) + " %")));
+  }
+  const off = Math.abs(total[last] - total[0]) / Math.abs(total[0]);
+  table.append(element("tr", { className: "sum" }, element("td", {}, "all"), element("td", {}, shown(total[0], 5)),
+    element("td", {}, shown(total[last], 5)), element("td", {}, `differ by ${shown(100 * off, 2)} %`)));
+}
+
+function drawStrip() {
+  const { replay, frames } = player, contact = contactFrames(replay), last = replay.frames - 1.001;
+  const first = Math.max(0, contact.first), end = Math.max(0, contact.last);
+  const moments = [[0, "start"], [first, "first touch"], [Math.max(0, contact.hardest), "greatest force"], [end, "last touch"], [last, "end"]];
+  byId("strip").textContent = "";
+  for (const [frame, name] of moments) {
+    const canvas = element("canvas", { width: 380, height: 222 });
+    const text = `${name}, t = ${shown(timesOf(replay)[Math.floor(frame)], 3)}`;
+    byId("strip").append(element("button", { onclick: () => { play(false); go(frame); } }, canvas, element("small", {}, text)));
+    drawMoment(canvas, null, replay, frames, frame, { scales: false });
+  }
+  return moments;
+}
+
+// Shows a replay, at a time if one is given.
+async function choose(replay, time) {
+  if (player.playing) play(false);
+  if (!cachedFrames.has(replay.hash)) cachedFrames.set(replay.hash, await readReplay(replay));
+  Object.assign(player, { replay, frames: cachedFrames.get(replay.hash) });
+  byId("which").textContent = replay.title;
+  byId("view").setAttribute("aria-label", `Replay of the impact at ${replay.title}`);
+  for (const button of byId("chooser").children) button.setAttribute("aria-pressed", button.dataset.hash === replay.hash);
+  byId("scene").textContent = replay.scene;
+  const moments = drawStrip();
+  player.at = time == null || !Number.isFinite(time) ? moments[2][0] : frameAt(time);
+  drawCharts();
+  drawLedger();
+  refresh();
+}
+
+function startPlayer(replays, want) {
+  byId("stage").hidden = false;
+  byId("scene-box").hidden = false;
+  for (const id of ["under", "view"]) Object.assign(byId(id), { width: 960, height: 548 });
+  player.paint = makeGlPainter(byId("under"));
+  for (const replay of replays) {
+    const button = element("button", { onclick: () => pickRow(replay.section, replay.row) }, `▶ ${replay.title}`);
+    button.dataset.hash = replay.hash;
+    byId("chooser").append(button);
+  }
+  byId("play").onclick = byId("view").onclick = () => play(!player.playing);
+  byId("seek").oninput = event => {
+    if (player.playing) play(false);
+    const times = timesOf(player.replay);
+    go(frameAt(times[0] + event.target.value / 1000 * (times.at(-1) - times[0])));
+  };
+  byId("magnify").onchange = byId("field").onchange = () => refresh();
+  addEventListener("keydown", onKey);
+  return want;
+}
+
+function onKey(event) {
+  if (/INPUT|SELECT|BUTTON|SUMMARY|PRE/.test(event.target.tagName) || event.ctrlKey || event.altKey || event.metaKey) return;
+  const actions = { " ": () => play(!player.playing), ArrowRight: () => go(Math.floor(player.at + 1e-6) + 1),
+    ArrowLeft: () => go(Math.ceil(player.at - 1e-6) - 1), Home: () => go(0), End: () => go(player.replay.frames) };
+  if (!actions[event.key]) return;
+  event.preventDefault();
+  if (event.key !== " " && player.playing) play(false);
+  actions[event.key]();
+}

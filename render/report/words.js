@@ -1,0 +1,58 @@
+"use strict";
+// Elements, numbers and names as people read them.
+function element(tag, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children.filter(child => child != null));
+  return made;
+}
+
+function shown(value, digits = 4) {
+  if (value == null || typeof value === "number" && !Number.isFinite(value)) return "–";
+  if (typeof value !== "number") return String(value);
+  const size = Math.abs(value);
+  const text = size >= 1e6 || size > 0 && size < 1e-3 ? value.toExponential(Math.min(digits, 3) - 1)
+    : String(+value.toPrecision(digits));
+  return text.replaceAll("-", "−");
+}
+
+const isDark = () => matchMedia("(prefers-color-scheme: dark)").matches && !document.documentElement.classList.contains("print");
+const ink = () => isDark() ? "#e6eaf0" : "#1c2430";
+const gridInk = () => isDark() ? "#2e3641" : "#e6eaee";
+
+// Okabe and Ito's, told apart by the colour-blind; the darker ones for white, the lighter ones for black.
+const palette = () => isDark() ? ["#6cb4f5", "#f0a860", "#5fd0ac", "#e6a3cc", "#f0e060", "#8fd3f5"]
+  : ["#0b5fa5", "#b3541e", "#00795a", "#a6437c", "#7a6a00", "#3b3b98"];
+
+const names = { e: "coefficient of restitution e", mu: "impulse ratio μ", beta: "tangential restitution β",
+  psi1: "Ψ₁ (tangent of the angle of incidence)", psi2: "Ψ₂ (of the contact point's rebound)",
+  vn: "normal velocity after", vt: "tangential velocity after", omega: "spin after", contact_time: "contact time",
+  indentation: "greatest indentation", energy_closure: "relative error of the energy balance",
+  touches: "number of touches", status: "how it ended", wall_seconds: "computing time",
+  certified: "certified: no node can have crossed the other rim", time: "time", speed: "speed of the impact" };
+const symbols = { e: "e", mu: "μ", beta: "β", psi1: "Ψ₁", psi2: "Ψ₂", omega: "ω", vn: "vₙ", vt: "vₜ" };
+const plainName = name => name.startsWith("over_") ? name.slice(5) : name;
+const symbolOf = name => symbols[plainName(name)] || plainName(name).replaceAll("_", " ");
+const withUnit = (text, unit) => unit ? `${text} [${unit}]` : text;
+const labelOf = column => withUnit(names[plainName(column.name)] || symbolOf(column.name), column.unit);
+
+// Mean, standard deviation and standard error of what is defined.
+function statistics(values) {
+  const known = values.filter(v => v != null);
+  const count = known.length;
+  if (count === 0) return { count, mean: null, sd: null, se: null };
+  const mean = known.reduce((sum, v) => sum + v, 0) / count;
+  if (count === 1) return { count, mean, sd: null, se: null };
+  const sd = Math.sqrt(known.reduce((sum, v) => sum + (v - mean) ** 2, 0) / (count - 1));
+  return { count, mean, sd, se: sd / Math.sqrt(count) };
+}
+
+const plusMinus = s => s.mean == null ? "–" : s.se == null ? `${shown(s.mean)}` : `${shown(s.mean)} ± ${shown(s.se, 2)}`;
+
+function showTip(text, event) {
+  const tip = byId("tip");
+  tip.textContent = text;
+  tip.hidden = false;
+  tip.style.left = Math.max(4, Math.min(innerWidth - tip.offsetWidth - 8, event.clientX + 14)) + "px";
+  tip.style.top = Math.max(4, Math.min(innerHeight - tip.offsetHeight - 8, event.clientY + 14)) + "px";
+}
+const hideTip = () => { byId("tip").hidden = true; };

@@ -1,0 +1,45 @@
+#pragma once
+// A report as one HTML file that needs no network and no server.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "store/table.hpp"
+
+namespace ricochet {
+
+/// The results of one sweep on a page.
+struct PageSection {
+  std::string name;
+  Table table;
+  Provenance provenance;
+  std::vector<std::string> replays{};  ///< of rows, by replay_json()
+  std::string told{};                  ///< why an impact has no replay; empty if nothing needs saying
+};
+
+struct PageLine {
+  std::string of, label;  ///< the column that it is a theory of
+  std::vector<double> x, y;
+};
+
+struct Page {
+  std::string title, notes{}, log{};
+  std::vector<std::string> questions{};
+  std::vector<PageLine> lines{};
+  std::vector<PageSection> sections{};
+};
+
+/// No report is larger, as long as its rows are not: replays that would make it so are left out, and the page says so.
+inline constexpr std::size_t most_page_bytes = 8'000'000;
+
+/// More rows are carried as binary columns; of more than the second, in single precision and of the main columns only.
+inline constexpr std::size_t most_text_rows = 2000, most_whole_rows = 20000;
+
+/// The same bytes for the same page: nothing of the clock or the machine is added.
+std::string html_of(const Page& page);
+
+/// The replays in the text of an earlier report, by the hash of their scene, as replay_json() gave them.
+std::map<std::string, std::string> replays_in(const std::string& html);
+
+}  // namespace ricochet

@@ -1,0 +1,127 @@
+#include "script/page_sentence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace ricochet {
+
+namespace {
+
+struct Mean {
+  std::size_t count = 0;
+  double mean = 0, squares = 0;
+
+  void add(double value) {
+    ++count;
+    const double off = value - mean;
+    mean += off / static_cast<double>(count);
+    squares += off * (value - mean);
+  }
+  /// Standard error; of one value undefined.
+  double se() const {
+    const double n = static_cast<double>(count);
+    return count < 2 ? NAN : std::sqrt(squares / (n - 1) / n);
+  }
+  std::string text() const { return fmt::format("{:.3g} ± {:.2g}", mean, se()); }
+};
+
+bool finished(const Table& table, std::size_t row) {
+  const TextColumn* status = table.text("status");
+  return !status || status->values[row] == "finished";
+}
+
+// The parameter that is asked about: the first numeric one with two values or more that counts no samples.
+const NumberColumn* asked(const Table& table) {
+  for (const NumberColumn& column : table.numbers) {
+    const std::string& name = column.field.name;
+    if (column.field.doc != "parameter of the sweep" || name.ends_with("sample") || name.ends_with("seed")) continue;
+    const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
+    if (low != column.values.end() && *low < *high) return &column;
+  }
+  return nullptr;
+}
+
+std::string counted(std::size_t count) { return fmt::format("{} impact{}", count, count == 1 ? "" : "s"); }
+
+std::string why_none(const Table& table) {
+  if (table.rows() == 0) return "No impact has run yet, so there is nothing to report.";
+  const TextColumn *status = table.text("status"), *reason = table.text("reason");
+  const std::string how = status ? status->values.front() : "", why = reason ? reason->values.front() : "";
+  return fmt::format("None of the {} finished, so there is no result to report. The first ended {}{}{}.",
+                     counted(table.rows()), how, why.empty() ? "" : ": ", why);
+}
+
+std::map<double, Mean> means_at(const Table& table, const NumberColumn& at, const NumberColumn& e) {
+  std::map<double, Mean> means;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    if (finished(table, row) && !std::isnan(e.values[row])) means[at.values[row]].add(e.values[row]);
+  std::erase_if(means, [](const auto& one) { return one.second.count < 2; });
+  return means;
+}
+
+// What the means at several values of a parameter say of it.
+std::string dependence(const Table& table, const NumberColumn& e) {
+  const NumberColumn* at = asked(table);
+  if (!at) return "";
+  const std::map<double, Mean> means = means_at(table, *at, e);
+  if (means.size() < 2) return "";
+  const auto lower = [](const auto& a, const auto& b) { return a.second.mean < b.second.mean; };
+  const auto [low, high] = std::minmax_element(means.begin(), means.end(), lower);
+  std::string name = at->field.name;
+  if (name.starts_with("over_")) name = name.substr(5);
+  if (high->second.mean - low->second.mean < 2 * std::hypot(low->second.se(), high->second.se()))
+    return fmt::format(
+        " Whether e changes with {} these impacts cannot tell: its highest and lowest mean, {} and {}, are within 2 "
+        "standard errors of each other.",
+        name, high->second.text(), low->second.text());
+  return fmt::format(" The mean is highest at {} = {:.4g} ({}) and lowest at {} = {:.4g} ({}).", name, high->first,
+                     high->second.text(), name, low->first, low->second.text());
+}
+
+std::string of_many(const Table& table, const NumberColumn& e, const Mean& mean, std::size_t above) {
+  std::string text = dependence(table, e);
+  if (text.empty() && std::abs(mean.mean - 1) < 2 * mean.se())
+    text = " Whether the mean is below or above 1 these impacts cannot tell: it is within 2 standard errors of it.";
+  if (above > 0)
+    text += fmt::format(" In {} of them the projectile left faster along the normal than it came (e > 1).", above);
+  return text;
+}
+
+}  // namespace
+
+std::string report_sentence(const Table& table) {
+  std::size_t done = 0;
+  for (std::size_t row = 0; row < table.rows(); ++row) done += finished(table, row);
+  if (done == 0) return why_none(table);
+  Mean mean;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  std::size_t above = 0;
+  const NumberColumn* e = table.number("e");
+  for (std::size_t row = 0; e && row < table.rows(); ++row) {
+    const double value = e->values[row];
+    if (!finished(table, row) || std::isnan(value)) continue;
+    mean.add(value);
+    low = std::min(low, value);
+    high = std::max(high, value);
+    above += value > 1;
+  }
+  const std::string head = fmt::format("{} of {} finished", done, counted(table.rows()));
+  if (mean.count == 0) return head + "; none has a coefficient of restitution e.";
+  if (mean.count == 1)
+    return fmt::format(
+        "{}: the coefficient of restitution is e = {:.3g}. One impact has no error bar; another random "
+        "lattice may give another value.",
+        head, mean.mean);
+  if (mean.count < many_impacts)
+    return fmt::format(
+        "{}. The coefficient of restitution e lies between {:.3g} and {:.3g}, its mean is {} (standard "
+        "error). So few impacts show how large e is, and hardly what it depends on.",
+        head, low, high, mean.text());
+  return fmt::format("{}. The mean coefficient of restitution is e = {} (standard error).{}", head, mean.text(),
+                     of_many(table, *e, mean, above));
+}
+
+}  // namespace ricochet

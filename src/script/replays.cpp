@@ -1,0 +1,185 @@
+#include "script/replays.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "impact/batch.hpp"
+#include "record/film.hpp"
+#include "record/whole_section.hpp"
+#include "sandbox/sandbox.hpp"
+#include "script/filmed.hpp"
+#include "script/page_text.hpp"
+#include "store/packed.hpp"
+
+namespace ricochet {
+
+namespace {
+
+bool is_parameter(const Field& field) { return field.doc == "parameter of the sweep"; }
+
+bool is_sample(const Field& field) { return field.name.ends_with("sample") || field.name.ends_with("seed"); }
+
+// The point of the sweep that a row stands at, whatever its sample.
+std::string point_of(const Table& table, std::size_t row) {
+  std::string point;
+  for (const NumberColumn& column : table.numbers)
+    if (is_parameter(column.field) && !is_sample(column.field)) point += fmt::format("{} ", column.values[row]);
+  for (const TextColumn& column : table.texts)
+    if (is_parameter(column.field) && !is_sample(column.field)) point += column.values[row] + "\n";
+  return point;
+}
+
+bool has_finished(const Table& table, std::size_t row) {
+  const TextColumn* status = table.text("status");
+  return !status || status->values[row] == "finished";
+}
+
+double e_of(const Table& table, std::size_t row) {
+  const NumberColumn* e = table.number("e");
+  return e ? e->values[row] : not_given;
+}
+
+// Finished rows by rising e; those without one come last.
+std::vector<std::size_t> by_e(const Table& table, std::vector<std::size_t> rows) {
+  const auto key = [&](std::size_t row) { return std::isnan(e_of(table, row)) ? HUGE_VAL : e_of(table, row); };
+  std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  return rows;
+}
+
+std::vector<std::size_t> finished_rows(const Table& table) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    if (has_finished(table, row)) rows.push_back(row);
+  return rows;
+}
+
+void add_once(std::vector<std::size_t>& list, std::size_t row, std::size_t most) {
+  if (list.size() < most && std::find(list.begin(), list.end(), row) == list.end()) list.push_back(row);
+}
+
+// The middle one of each point, in the order of the sweep.
+std::vector<std::size_t> middle_rows(const Table& table, const std::vector<std::size_t>& rows) {
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<std::size_t>> points;
+  for (const std::size_t row : rows) {
+    const std::string point = point_of(table, row);
+    if (points[point].empty()) order.push_back(point);
+    points[point].push_back(row);
+  }
+  std::vector<std::size_t> middle;
+  for (const std::string& point : order) {
+    const std::vector<std::size_t> sorted = by_e(table, points[point]);
+    middle.push_back(sorted[(sorted.size() - 1) / 2]);
+  }
+  return middle;
+}
+
+// Of those a sample has, what a reader sees or follows.
+bool is_shown(const std::string& name) {
+  static const std::set<std::string> names{"time",
+                                           "x",
+                                           "height",
+                                           "vn",
+                                           "vt",
+                                           "omega",
+                                           "angle",
+                                           "force_n",
+                                           "force_t",
+                                           "overlap",
+                                           "projectile_translation",
+                                           "projectile_rotation",
+                                           "projectile_vibration",
+                                           "target_translation",
+                                           "target_rotation",
+                                           "target_vibration",
+                                           "contact_energy",
+                                           "effects_energy",
+                                           "total_energy"};
+  return names.count(name) > 0;
+}
+
+std::string series_json(const std::vector<Sample>& samples, const Units& units) {
+  std::string values, names;
+  for (const auto& [field, value] : Sample::fields()) {
+    if (!is_shown(field.name)) continue;
+    std::string list;
+    for (const Sample& sample : samples) {
+      const double number = units.worth(field.unit) * value(sample);
+      list += (list.empty() ? "" : ",") + (std::isfinite(number) ? fmt::format("{:.7g}", number) : "null");
+    }
+    values += fmt::format("{}\"{}\":[{}]", values.empty() ? "" : ",", field.name, list);
+    names += fmt::format("{}\"{}\":{}", names.empty() ? "" : ",", field.name, json_text(units.name(field.unit)));
+  }
+  return fmt::format("\"series\":{{{}}},\"unit\":{{{}}}", values, names);
+}
+
+std::string bodies_json(const FrameMesh& mesh) {
+  std::string bodies;
+  for (const BodyMesh& body : mesh.bodies) {
+    std::string chains;
+    for (const MeshChain& chain : body.surface)
+      chains += fmt::format("{}{{\"closed\":{},\"node\":[{}]}}", chains.empty() ? "" : ",", chain.closed,
+                            fmt::join(chain.node, ","));
+    bodies += fmt::format("{}{{\"first\":{},\"nodes\":{},\"axisymmetric\":{},\"chains\":[{}]}}",
+                          bodies.empty() ? "" : ",", body.first, body.nodes, body.axisymmetric, chains);
+  }
+  return fmt::format("\"bodies\":[{}]", bodies);
+}
+
+}  // namespace
+
+std::vector<std::size_t> rows_to_replay(const Table& table, const std::string& how, std::size_t count) {
+  const std::vector<std::size_t> finished = finished_rows(table);
+  std::vector<std::size_t> list;
+  if (finished.empty() || count == 0) return list;
+  const std::vector<std::size_t> sorted = by_e(table, finished);
+  if (how == "typical") {
+    const std::vector<std::size_t> middle = middle_rows(table, finished);
+    const std::size_t most = std::min(count, middle.size());
+    for (std::size_t k = 0; k < most; ++k)
+      add_once(list, middle[most == 1 ? middle.size() / 2 : k * (middle.size() - 1) / (most - 1)], count);
+  }
+  add_once(list, sorted.front(), count);
+  add_once(list, sorted.back(), count);
+  return list;
+}
+
+Viewing viewing_of(const Table& table, std::size_t row, const Scene& scene, int frames) {
+  const auto number = [&](const char* name) {
+    const NumberColumn* column = table.number(name);
+    return column ? column->values[row] / scene.units.worth("R/c") : not_given;
+  };
+  return {.until = number("time"), .step = number("step"), .frames = frames};
+}
+
+std::string replay_json(const Scene& scene, const Viewing& viewing) {
+  const BuiltSolids solids(scene);
+  const FrameMesh halves = frame_mesh(scene, solids), mesh = whole_section(halves);
+  const int frames = std::min(viewing.frames, static_cast<int>(most_node_frames / std::max(1, mesh.nodes())));
+  if (frames < fewest_frames && frames < viewing.frames) return "";
+  Trajectory trajectory(mesh);
+  std::vector<Sample> samples;
+  const std::vector<double> times = equal_times(viewing.from, viewing.until, frames, viewing.step);
+  const Sampling sampling{times, [&](const Sample& sample) { samples.push_back(sample); }};
+  const bool whole = film_scene(
+      solids, scene, times, stop_requested, [&](const Frame& frame) { trajectory.add(whole_section(halves, frame)); },
+      sampling);
+  if (!whole || trajectory.frames().size() < 2 || samples.size() != trajectory.frames().size()) return "";
+  settle_overlaps(samples);
+  const PackedReplay replay = packed(trajectory);
+  const Units& units = scene.units;
+  return fmt::format(
+      "{{\"hash\":\"{}\",\"nodes\":{},\"frames\":{},\"grid\":{},\"levels\":{},\"top\":{:.7g},\"speedUnit\":{},"
+      "\"length\":{:.7g},\"lengthUnit\":{},\"method\":\"{}\",{},{},\"scene\":{},\"triangles\":\"{}\",\"place\":\"{}\","
+      "\"colour\":\"{}\"}}",
+      scene.hash(), mesh.nodes(), samples.size(), replay.grid, replay.levels, replay.top * units.worth("c"),
+      json_text(units.name("c")), units.worth("R"), json_text(units.name("R")), scene.method().name, bodies_json(mesh),
+      series_json(samples, units), json_text(scene.text()), base64(replay.triangles), base64(replay.place),
+      base64(replay.colour));
+}
+
+}  // namespace ricochet

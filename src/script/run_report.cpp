@@ -1,0 +1,209 @@
+#include "script/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+#include "impact/parallel.hpp"
+#include "script/page.hpp"
+#include "script/replays.hpp"
+#include "script/sweep_store.hpp"
+#include "script/terminal.hpp"
+#include "store/files.hpp"
+#include "store/run_names.hpp"
+
+namespace ricochet {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Replays of a run may take a tenth of the time that its impacts took, or so long, whichever is more. [s]
+constexpr double little_time = 5;
+
+// A page tells no more of the log than fits on some screens.
+constexpr std::size_t most_log = 20000;
+
+// "A soft wall at three angles", if the script begins with "-- A soft wall at three angles.".
+std::string title_of(const std::string& script, const std::string& name) {
+  std::string line = script.substr(0, script.find('\n'));
+  if (!line.starts_with("--")) return fs::path(name).filename();
+  line.erase(0, line.find_first_not_of("- "));
+  if (line.size() > 110) line = line.substr(0, line.find(' ', 90)) + " ...";
+  while (line.ends_with('.') && !line.ends_with("...")) line.pop_back();
+  return line.empty() ? fs::path(name).filename().string() : line;
+}
+
+std::string text_in(const Provenance& provenance, const std::string& name) {
+  const auto found = provenance.find(name);
+  return found == provenance.end() ? "" : found->second;
+}
+
+std::string log_in(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(folder / run_names::log, error)) return "";
+  std::string log = read_file(folder / run_names::log);
+  return log.size() <= most_log ? log : log.substr(0, most_log) + "\n(the rest is in run.log)";
+}
+
+struct Replay {
+  const Scene* scene;
+  Viewing viewing;
+  std::string json;
+};
+
+double seconds_of(const Table& table, std::size_t row) {
+  const NumberColumn* column = table.number("wall_seconds");
+  return column ? column->values[row] : 0;
+}
+
+// The chosen rows' scenes that time allows to run once more.
+std::vector<Replay> planned_replays(const PageSection& section, const std::vector<Scene>& scenes, const PageWish& wish,
+                                    std::size_t count) {
+  std::unordered_map<std::string, const Scene*> of_hash;
+  for (const Scene& scene : scenes) of_hash.emplace(scene.hash(), &scene);
+  const Table& table = section.table;
+  const TextColumn* hashes = table.text("scene_hash");
+  double all = 0, taken = 0;
+  for (std::size_t row = 0; row < table.rows(); ++row) all += seconds_of(table, row);
+  std::vector<Replay> replays;
+  for (const std::size_t row : rows_to_replay(table, wish.which, count)) {
+    const auto scene = of_hash.find(hashes->values[row]);
+    if (scene == of_hash.end()) continue;
+    taken += 2 * seconds_of(table, row);  // watched, and alone in its lanes
+    if (taken > std::max(little_time, all / 10)) break;
+    replays.push_back({scene->second, viewing_of(table, row, *scene->second, wish.frames), ""});
+  }
+  return replays;
+}
+
+// A scene that cannot be shown has no replay, and the page says why.
+void add_replays(Session& session, PageSection& section, const std::vector<Scene>& scenes, std::size_t count) {
+  std::vector<Replay> replays = planned_replays(section, scenes, session.page, count);
+  std::string refused;
+  std::mutex telling;
+  in_parallel(replays, session.options.threads, [&](Replay& replay) {
+    try {
+      replay.json = replay_json(*replay.scene, replay.viewing);
+    } catch (const FieldError& error) {
+      const std::lock_guard lock(telling);
+      refused = error.what();
+    }
+  });
+  for (Replay& replay : replays)
+    if (!replay.json.empty()) section.replays.push_back(std::move(replay.json));
+  if (!section.replays.empty() || count == 0) return;
+  if (!refused.empty())
+    section.told = "No impact has a replay: " + refused + ".";
+  else if (rows_to_replay(section.table, session.page.which, 1).empty())
+    section.told = "No impact finished, so none has a replay.";
+  else
+    section.told = fmt::format(
+        "No impact has a replay: one would take more than a tenth of the run's time, or has more than {} nodes.",
+        static_cast<int>(most_node_frames / fewest_frames));
+}
+
+Page page_of_run(Session& session) {
+  Page page;
+  const Provenance provenance = session.provenance();
+  page.title = session.page.title.empty() ? title_of(text_in(provenance, "script"), session.script.string())
+                                          : session.page.title;
+  page.notes = session.page.notes;
+  page.questions = session.page.questions;
+  page.lines = session.page.lines;
+  page.log = log_in(session.own_folder());
+  const std::size_t parts = session.swept.size() + !session.singles.empty();
+  const std::size_t all = static_cast<std::size_t>(session.page.replays);
+  const std::size_t count = all == 0 ? 0 : std::max<std::size_t>(1, all / std::max<std::size_t>(1, parts));
+  for (const Swept& swept : session.swept) {
+    const fs::path file = run_names::readable_results(swept.folder);
+    page.sections.push_back({swept.name, read_table(file), read_provenance(file)});
+    if (page.log.empty()) page.log = log_in(swept.folder);
+    add_replays(session, page.sections.back(), swept.scenes, count);
+  }
+  if (session.singles.empty()) return page;
+  std::vector<const Row*> rows;
+  std::vector<Scene> scenes;
+  for (const auto& [scene, row] : session.singles) {
+    rows.push_back(&row);
+    scenes.push_back(scene);
+  }
+  page.sections.push_back({"single impacts", table_of(rows), provenance});
+  add_replays(session, page.sections.back(), scenes, count);
+  return page;
+}
+
+// Where results lie: the file, or those in a folder and below.
+std::vector<fs::path> results_at(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) throw FileError(fmt::format("{} is not there; name a run's folder", path.string()));
+  if (!fs::is_directory(path, error)) return {path};
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(path))
+    if (entry.path() == run_names::readable_results(entry.path().parent_path())) files.push_back(entry.path());
+  if (files.empty())
+    throw FileError(
+        fmt::format("the folder {} holds no results.h5; name the folder of a sweep, or of all", path.string()));
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// Of an earlier report: beside the results, or in the folder of the script that made them.
+std::map<std::string, std::string> earlier_replays(const fs::path& results, const Provenance& provenance) {
+  const fs::path folder = fs::absolute(results).parent_path();
+  const fs::path own = folder.parent_path() / fs::path(text_in(provenance, "script_name")).stem();
+  std::map<std::string, std::string> replays;
+  std::error_code error;
+  for (const fs::path& place : {own, folder})
+    if (fs::exists(place / run_names::report, error))
+      for (auto& [hash, replay] : replays_in(read_file(place / run_names::report))) replays[hash] = replay;
+  return replays;
+}
+
+PageSection section_of(const fs::path& file, std::size_t most) {
+  const fs::path folder = fs::absolute(file).parent_path();
+  PageSection section{folder.filename(), read_table(file), read_provenance(file)};
+  const std::map<std::string, std::string> replays = earlier_replays(file, section.provenance);
+  if (const TextColumn* hashes = section.table.text("scene_hash"))
+    for (const std::string& hash : hashes->values)
+      if (const auto replay = replays.find(hash); replay != replays.end() && section.replays.size() < most)
+        section.replays.push_back(replay->second);
+  if (section.replays.empty() && most > 0)
+    section.told = "No report of an earlier run with replays of these impacts was found; ricochet run makes them.";
+  return section;
+}
+
+}  // namespace
+
+void write_report(Session& session) {
+  const fs::path folder = session.own_folder();
+  if (!session.options.report || session.options.check || !session.options.study.empty() || session.done) return;
+  if (session.swept.empty() && (session.singles.empty() || !session.folders.claimed(folder))) return;
+  session.folders.claim(folder);
+  const Page page = page_of_run(session);
+  if (stop_requested) throw Error("interrupted before the report; the results are stored", Exit::interrupted);
+  write_atomically(folder / run_names::report, html_of(page));
+  if (!session.options.quiet) put(fmt::format("report: {}\n", (folder / run_names::report).string()));
+}
+
+void report_of_results(const ReportOptions& options) {
+  const std::vector<fs::path> files = results_at(options.path);
+  Page page;
+  const std::size_t all = static_cast<std::size_t>(options.replays);
+  for (const fs::path& file : files)
+    page.sections.push_back(section_of(file, all == 0 ? 0 : std::max<std::size_t>(1, all / files.size())));
+  const Provenance& provenance = page.sections.front().provenance;
+  page.title = options.title.empty() ? title_of(text_in(provenance, "script"), text_in(provenance, "script_name"))
+                                     : options.title;
+  page.log = log_in(fs::absolute(files.front()).parent_path());
+  std::error_code error;
+  const fs::path place =
+      fs::is_directory(options.path, error) ? fs::path(options.path) : fs::absolute(files.front()).parent_path();
+  const fs::path out = options.out.empty() ? place / run_names::report : fs::path(options.out);
+  write_atomically(out, html_of(page));
+  putf("report: {}\n", out.string());
+}
+
+}  // namespace ricochet

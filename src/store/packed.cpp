@@ -1,0 +1,134 @@
+#include "store/packed.hpp"
+
+#include <libdeflate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/error.hpp"
+
+namespace ricochet {
+
+namespace {
+
+constexpr double greatest = 32767;
+
+// Of bodies that have an inside: the ends of a plane are drawn as far away as one likes.
+double reach_of(const Trajectory& trajectory) {
+  std::vector<bool> inside(static_cast<std::size_t>(trajectory.mesh().nodes()));
+  for (const auto& triangle : trajectory.mesh().triangles)
+    for (const int node : triangle) inside[static_cast<std::size_t>(node)] = true;
+  double reach = 0;
+  for (const Frame& frame : trajectory.frames())
+    for (std::size_t n = 0; n < inside.size(); ++n)
+      for (std::size_t k = 0; inside[n] && k < 2; ++k)
+        reach = std::max(reach, std::abs(static_cast<double>(frame.position[2 * n + k])));
+  return reach;
+}
+
+std::int32_t on_grid(double place, double grid) {
+  return static_cast<std::int32_t>(std::lround(std::clamp(place / grid, -greatest, greatest)));
+}
+
+std::string packed_places(const Trajectory& trajectory, double grid) {
+  std::vector<std::uint32_t> steps;
+  const std::size_t coordinates = trajectory.frames().front().position.size();
+  steps.reserve(coordinates * trajectory.frames().size());
+  for (std::size_t k = 0; k < coordinates; ++k) {
+    std::int32_t before = 0;
+    for (const Frame& frame : trajectory.frames()) {
+      const std::int32_t now = on_grid(frame.position[k], grid);
+      steps.push_back(static_cast<std::uint32_t>(now - before));
+      before = now;
+    }
+  }
+  return deflated(byte_planes(steps, 2));
+}
+
+double speed_of(const Frame& frame, std::size_t node) {
+  return std::hypot(static_cast<double>(frame.velocity[2 * node]), static_cast<double>(frame.velocity[2 * node + 1]));
+}
+
+// All but one in 2000 are slower: a few nodes of the rim would take the colours of all others.
+double top_speed(const Trajectory& trajectory) {
+  std::vector<double> speeds;
+  for (const Frame& frame : trajectory.frames())
+    for (std::size_t n = 0; 2 * n < frame.velocity.size(); ++n) speeds.push_back(speed_of(frame, n));
+  const auto place = speeds.begin() + static_cast<std::ptrdiff_t>(0.9995 * static_cast<double>(speeds.size() - 1));
+  std::nth_element(speeds.begin(), place, speeds.end());
+  return *place;
+}
+
+std::string packed_colours(const Trajectory& trajectory, double top, int levels) {
+  std::string steps;
+  const std::size_t nodes = trajectory.frames().front().velocity.size() / 2;
+  steps.reserve(nodes * trajectory.frames().size());
+  for (std::size_t n = 0; n < nodes; ++n) {
+    int before = 0;
+    for (const Frame& frame : trajectory.frames()) {
+      const double share = top > 0 ? std::min(1.0, speed_of(frame, n) / top) : 0;
+      const int now = static_cast<int>(std::lround(levels * std::sqrt(share)));
+      steps.push_back(static_cast<char>(now - before));
+      before = now;
+    }
+  }
+  return deflated(steps);
+}
+
+std::string packed_triangles(const FrameMesh& mesh) {
+  std::vector<std::uint32_t> steps;
+  std::uint32_t before = 0;
+  for (const auto& triangle : mesh.triangles)
+    for (const int node : triangle) {
+      steps.push_back(static_cast<std::uint32_t>(node) - before);
+      before = static_cast<std::uint32_t>(node);
+    }
+  return deflated(byte_planes(steps, 4));
+}
+
+}  // namespace
+
+std::string byte_planes(const std::vector<std::uint32_t>& numbers, int size) {
+  std::string bytes;
+  bytes.reserve(numbers.size() * static_cast<std::size_t>(size));
+  for (int k = 0; k < size; ++k)
+    for (const std::uint32_t number : numbers) bytes.push_back(static_cast<char>(number >> (8 * k) & 255));
+  return bytes;
+}
+
+std::string deflated(const std::string& bytes) {
+  const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
+      libdeflate_alloc_compressor(6), libdeflate_free_compressor);
+  if (!compressor) throw Error("libdeflate has no memory");
+  std::string small(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
+  small.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), small.data(), small.size()));
+  if (small.empty()) throw Error("libdeflate cannot compress a replay");
+  return small;
+}
+
+std::string base64(const std::string& bytes) {
+  static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve(4 * (bytes.size() + 2) / 3);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      word = word << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text.push_back(i + k <= bytes.size() ? letters[word >> (18 - 6 * k) & 63] : '=');
+  }
+  return text;
+}
+
+PackedReplay packed(const Trajectory& trajectory) {
+  PackedReplay replay;
+  replay.grid = std::max(replay.grid, reach_of(trajectory) / 32000);
+  replay.top = top_speed(trajectory);
+  replay.place = packed_places(trajectory, replay.grid);
+  replay.colour = packed_colours(trajectory, replay.top, replay.levels);
+  replay.triangles = packed_triangles(trajectory.mesh());
+  return replay;
+}
+
+}  // namespace ricochet
