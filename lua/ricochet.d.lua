@@ -831,6 +831,23 @@ function ricochet.record(t) end
 ---@param t ricochet.lammps_fields
 function ricochet.lammps(t) end
 
+---@class ricochet.sweep_record_fields
+---@field rows? table rows of the sweep, or their numbers
+---@field replay? "typical"|"extremes" instead: up to six that show what is typical, or the lowest and highest e
+---@field frames? integer of each (default 120)
+
+---@class ricochet.report_fields
+---@field title? string of the page; the first line of the script, if a comment
+---@field notes? string a paragraph below the title
+---@field questions? string[] listed below the notes
+---@field lines? table theory as a list of { of = column, label =, x = list, y = list }
+---@field replay? "typical"|"extremes" which impacts (default typical)
+---@field replays? integer how many, all sweeps together; 0: none (default 6)
+---@field frames? integer of each replay; fewer of bodies with many nodes (default 120)
+--- Adds to report.html, the page that every run leaves in its folder: a title, notes, questions to think about, lines of theory over the plots, which impacts are replayed. The last call holds.
+---@param t ricochet.report_fields
+function ricochet.report(t) end
+
 ---@class ricochet.accuracy_fields
 ---@field scene ricochet.scene what happens
 ---@field methods? string[] integrators; all unless given

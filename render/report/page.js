@@ -33,6 +33,13 @@ function tools(section) {
     pageData.lines.length ? box("lines", "theory") : null, box("log", "logarithmic"));
 }
 
+// What the units of these results mean.
+function unitsMeaning(section) {
+  const units = section.columns.units ? section.columns.units.values[0] : "paper";
+  return units === "SI" ? "Numbers are in SI units."
+    : "Units: R, the radius of the usual disk; m₀, the mass of one node of it; c, a reference speed (no speed of sound). Times are in R/c.";
+}
+
 function showSection(section) {
   const id = `section-${section.index}`, many = pageData.sections.length > 1;
   const heading = element("h2", { id }, many ? `What came out: ${section.name}` : "What came out");
@@ -44,7 +51,7 @@ function showSection(section) {
   results.setAttribute("aria-labelledby", id);
   section.boxes = {};
   for (const quantity of section.quantities) plots.append(section.boxes[quantity] = element("div", { className: "plot" }));
-  const meaning = element("p", { className: "hint" }, "e: how fast the projectile leaves along the normal, over how fast it came. μ: tangential over normal impulse. β: the same as e, of the sliding of the contact point, with its sign turned.");
+  const meaning = element("p", { className: "hint" }, "e: how fast the projectile leaves along the normal, over how fast it came. μ: tangential over normal impulse. β: the same as e, of the sliding of the contact point, with its sign turned. " + unitsMeaning(section));
   if (section.quantities.length) {
     results.append(element("div", { className: "head" }, heading, tools(section)),
       element("p", { className: "hint" }, "Bars are standard errors of means. Point at a dot to read it, drag to zoom, double-click to undo. Ringed impacts have a replay: click one."),
@@ -109,7 +116,7 @@ async function start() {
     sections.push(section);
   }
   showHeader();
-  const known = replays.filter(replay => replay.section);
+  const known = replays.filter(replay => replay.section).sort((a, b) => a.section.index - b.section.index || a.row - b.row);
   if (!known.length && byId("told").textContent) byId("stage").before(element("p", { className: "warn" }, byId("told").textContent));
   if (known.length) {
     startPlayer(known);

@@ -34,7 +34,7 @@ function whatHappens(k) {
   const total = series.total_energy[k] || 1;
   const vibration = (series.projectile_vibration[k] || 0) + (series.target_vibration[k] || 0);
   const way = series.vn[k] < 0 ? "approaches" : "leaves";
-  const force = contact.touching[k] ? ` Contact pushes it with ${shown(series.force_n[k], 3)} ${unit.force_n}.` : "";
+  const force = contact.touching[k] ? ` Contact pushes it with ${shown(series.force_n[k], 3)} ${pretty(unit.force_n)}.` : "";
   const spin = Math.abs(series.omega[k] || 0) > 1e-6 ? `, turns by ${shown(series.omega[k], 3)} ${unit.omega}` : "";
   return `${phase}. The projectile ${way} at ${shown(Math.abs(series.vn[k]), 3)} ${unit.vn} along the normal` +
     `, slides at ${shown(series.vt[k], 3)} ${unit.vt}${spin}; vibrations hold ${Math.round(100 * vibration / total)} % of the energy.${force}`;
@@ -136,11 +136,11 @@ function drawLedger() {
   const { series } = player.replay, last = player.replay.frames - 1, table = byId("ledger");
   const total = series.total_energy;
   table.textContent = "";
-  table.append(element("caption", {}, `Energy before and after [${energyUnit()}]`));
+  table.append(element("caption", {}, `Energy before and after [${pretty(energyUnit())}]`));
   table.append(element("tr", {}, ...["where", "before", "after", "share after"].map(h => element("th", { scope: "col" }, h))));
   for (const [name, text] of energyParts) {
-    const before = series[name][0], after = series[name][last];
-    if (before == null || Math.abs(before) < 1e-9 * total[0] && Math.abs(after) < 1e-9 * total[0]) continue;
+    const [before, after] = [series[name][0], series[name][last]].map(x => Math.abs(x) < 1e-9 * Math.abs(total[0]) ? 0 : x);
+    if (before === 0 && after === 0) continue;
     table.append(element("tr", {}, element("td", {}, text), element("td", {}, shown(before, 5)), element("td", {}, shown(after, 5)),
       element("td", {}, (100 * after / total[last]).toFixed(1) + " %")));
   }
@@ -171,6 +171,7 @@ async function choose(replay, time) {
   byId("which").textContent = replay.title;
   byId("view").setAttribute("aria-label", `Replay of the impact at ${replay.title}`);
   for (const button of byId("chooser").children) button.setAttribute("aria-pressed", button.dataset.hash === replay.hash);
+  byId("collided").textContent = replay.collided;
   byId("scene").textContent = replay.scene;
   const moments = drawStrip();
   player.at = time == null || !Number.isFinite(time) ? moments[2][0] : frameAt(time);

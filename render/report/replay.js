@@ -272,11 +272,11 @@ function bodyRadius(replay, frames) {
 
 // Both fields are coloured by the root of their share of the greatest value.
 function colourBar(context, replay, frames, field, big) {
-  const { width } = context.canvas, long = 220 * big, x = width - long - 24 * big, y = 34 * big;
+  const { width } = context.canvas, long = 220 * big, x = width - long - 44 * big, y = 34 * big;
   const top = field === "shift" ? shiftTop(replay, frames) * replay.length : replay.top;
   const unit = field === "shift" ? replay.lengthUnit : replay.speedUnit;
   context.fillStyle = "rgba(255,255,255,.85)";
-  context.fillRect(x - 12 * big, 6 * big, long + 30 * big, 62 * big);
+  context.fillRect(x - 12 * big, 6 * big, long + 50 * big, 62 * big);
   for (let k = 0; k < bins; k++) {
     context.fillStyle = shades[k];
     context.fillRect(x + k * long / bins, y, long / bins + 1, 12 * big);

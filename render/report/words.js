@@ -32,7 +32,9 @@ const names = { e: "coefficient of restitution e", mu: "impulse ratio μ", beta:
 const symbols = { e: "e", mu: "μ", beta: "β", psi1: "Ψ₁", psi2: "Ψ₂", omega: "ω", vn: "vₙ", vt: "vₜ" };
 const plainName = name => name.startsWith("over_") ? name.slice(5) : name;
 const symbolOf = name => symbols[plainName(name)] || plainName(name).replaceAll("_", " ");
-const withUnit = (text, unit) => unit ? `${text} [${unit}]` : text;
+// "m0 c^2/R" as it is printed.
+const pretty = unit => unit.replaceAll("m0", "m₀").replaceAll("^2", "²").replaceAll("^3", "³");
+const withUnit = (text, unit) => unit ? `${text} [${pretty(unit)}]` : text;
 const labelOf = column => withUnit(names[plainName(column.name)] || symbolOf(column.name), column.unit);
 
 // Mean, standard deviation and standard error of what is defined.

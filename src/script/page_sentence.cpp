@@ -72,6 +72,7 @@ std::string dependence(const Table& table, const NumberColumn& e) {
   const auto [low, high] = std::minmax_element(means.begin(), means.end(), lower);
   std::string name = at->field.name;
   if (name.starts_with("over_")) name = name.substr(5);
+  if (name == "psi1") name = "Ψ₁";
   if (high->second.mean - low->second.mean < 2 * std::hypot(low->second.se(), high->second.se()))
     return fmt::format(
         " Whether e changes with {} these impacts cannot tell: its highest and lowest mean, {} and {}, are within 2 "

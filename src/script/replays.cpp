@@ -130,6 +130,37 @@ std::string bodies_json(const FrameMesh& mesh) {
   return fmt::format("\"bodies\":[{}]", bodies);
 }
 
+// "a body 2 R wide and 2 R high of 300 nodes joined by springs"
+std::string described(const Body& body, const Units& units) {
+  if (body.plane) return "a rigid plane";
+  Vec2 low = body.outline.front(), high = low;
+  for (const Vec2& place : body.outline) {
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  }
+  const BodyNumbers& numbers = body.numbers;
+  const double wide = (numbers.axisymmetric() ? 2 : 1) * (high - low)[0];
+  std::string inside = numbers.rigid() ? "that is rigid" : "of nodes joined by springs";
+  if (numbers.of_elements()) inside = fmt::format("of elements, Poisson's ratio {:.3g}", numbers.nu);
+  if (numbers.of_modes()) inside += ", which moves by its modes of vibration";
+  return fmt::format("a body{} {} wide and {} high, {}", numbers.axisymmetric() ? " of revolution" : "",
+                     units.shown(wide, "R"), units.shown((high - low)[1], "R"), inside);
+}
+
+std::string collided(const Scene& scene, const FrameMesh& mesh) {
+  std::string text;
+  for (std::size_t b = 0; b < scene.bodies().size(); ++b) {
+    const Body& body = *scene.bodies()[b];
+    const int nodes = mesh.bodies[b].nodes;
+    text += fmt::format("{}{}: {}{}", b ? "; " : "", b ? "target" : "Projectile", described(body, scene.units),
+                        body.plane ? "" : fmt::format(" ({} nodes are drawn)", nodes));
+  }
+  const Vec2 velocity = scene.launch.velocity();
+  return text + fmt::format(". It comes at {} along the normal and {} along the surface.",
+                            scene.units.shown(std::abs(velocity[1]), "c"),
+                            scene.units.shown(std::abs(velocity[0]), "c"));
+}
+
 }  // namespace
 
 std::vector<std::size_t> rows_to_replay(const Table& table, const std::string& how, std::size_t count) {
@@ -174,12 +205,13 @@ std::string replay_json(const Scene& scene, const Viewing& viewing) {
   const Units& units = scene.units;
   return fmt::format(
       "{{\"hash\":\"{}\",\"nodes\":{},\"frames\":{},\"grid\":{},\"levels\":{},\"top\":{:.7g},\"speedUnit\":{},"
-      "\"length\":{:.7g},\"lengthUnit\":{},\"method\":\"{}\",{},{},\"scene\":{},\"triangles\":\"{}\",\"place\":\"{}\","
+      "\"length\":{:.7g},\"lengthUnit\":{},\"method\":\"{}\",\"collided\":{},{},{},\"scene\":{},\"triangles\":\"{}\","
+      "\"place\":\"{}\","
       "\"colour\":\"{}\"}}",
       scene.hash(), mesh.nodes(), samples.size(), replay.grid, replay.levels, replay.top * units.worth("c"),
-      json_text(units.name("c")), units.worth("R"), json_text(units.name("R")), scene.method().name, bodies_json(mesh),
-      series_json(samples, units), json_text(scene.text()), base64(replay.triangles), base64(replay.place),
-      base64(replay.colour));
+      json_text(units.name("c")), units.worth("R"), json_text(units.name("R")), scene.method().name,
+      json_text(collided(scene, mesh)), bodies_json(mesh), series_json(samples, units), json_text(scene.text()),
+      base64(replay.triangles), base64(replay.place), base64(replay.colour));
 }
 
 }  // namespace ricochet

@@ -213,9 +213,9 @@ ricochet.sweep { name = "${name}", over = { sample = ricochet.range(${count}) },
     ["none", sweep("none", 2, never), /None of the 2 impacts finished/, 0],
     ["one", sweep("one", 1, plain), /no error bar/, 1],
     ["few", sweep("few", 3, plain), /lies between/, 1],
-    ["elements", sweep("elements", 1, scene('ricochet.disk { nodes = 300, interior = "elements" }', "ricochet.plane {}", "{ speed = 0.1 }")), /1 of 1/, 1],
-    ["modes", sweep("modes", 1, scene('ricochet.disk { nodes = 200, interior = "modes" }', "ricochet.plane {}", "{ speed = 0.05 }")), /1 of 1/, 1],
-    ["axis", sweep("axis", 1, scene('ricochet.sphere { nodes = 300 }', "ricochet.plane {}", "{ speed = 0.05 }")), /1 of 1/, 1],
+    ["elements", sweep("elements", 1, scene('ricochet.disk { nodes = 300, interior = "elements", E = 1e4, nu = 0.3 }', "ricochet.plane {}", "{ speed = 0.1 }")), /1 of 1/, 1],
+    ["modes", sweep("modes", 1, scene('ricochet.disk { nodes = 200, interior = "modes", E = 1e4, nu = 0.3 }', "ricochet.plane {}", "{ speed = 0.05 }")), /1 of 1/, 1],
+    ["axis", sweep("axis", 1, scene('ricochet.sphere { E = 1e4, nu = 0.3, h_min = 0.1, h_max = 0.2 }', "ricochet.plane {}", "{ speed = 0.05 }")), /1 of 1/, 1],
     ["odd", `-- </script><script>window.hit = 1</script> <!-- "\n${sweep("odd", 2, plain)}-- </script><img src=x onerror="window.hit=1"> <!--\n-- ä\xff\n` + `-- ${"x".repeat(100)}\n`.repeat(10000), /2 of 2/, 1],
   ];
   for (const [name, text, sentence, replays] of cases) {

@@ -1,0 +1,167 @@
+// The page that a run leaves, what it says and what it carries. (How it looks in a browser: tests/browser.)
+
+#include <catch2/catch.hpp>
+
+#include "script/page.hpp"
+#include "script/page_sentence.hpp"
+#include "script/page_text.hpp"
+#include "script/program.hpp"
+#include "script/replays.hpp"
+
+using namespace ricochet;
+using namespace ricochet::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// Impacts at values of psi1, those of e below 0 not finished.
+Table results(const std::vector<double>& psi1, const std::vector<double>& e) {
+  Table table;
+  table.numbers.push_back({{"over_psi1", "number", "", "parameter of the sweep"}, psi1});
+  table.numbers.push_back({{"e", "number", "", "restitution"}, e});
+  TextColumn status{{"status", "string", "", ""}, {}}, reason{{"reason", "string", "", ""}, {}};
+  for (const double value : e) {
+    status.values.push_back(value < 0 ? "tunnelled" : "finished");
+    reason.values.push_back(value < 0 ? "a node passed" : "");
+  }
+  table.texts = {status, reason};
+  return table;
+}
+
+std::vector<double> repeated(const std::vector<double>& values, int times) {
+  std::vector<double> list;
+  for (int k = 0; k < times; ++k) list.insert(list.end(), values.begin(), values.end());
+  return list;
+}
+
+const std::string sweep = R"(-- Walls.
+local ricochet = require "ricochet"
+local sweep = ricochet.sweep { name = "walls", over = { sample = ricochet.range(2), psi1 = { 0, 1 } }, scene = function(at)
+  return ricochet.scene { projectile = ricochet.disk { nodes = 60, seed = at.sample }, target = ricochet.plane {},
+    launch = { speed = 0.1, psi1 = at.psi1 }, accuracy = 1e-2 } end }
+local rows = sweep:run()
+)";
+
+}  // namespace
+
+TEST_CASE("the sentence of a report has four forms, and never says more than the errors allow") {
+  CHECK(report_sentence(Table{}) == "No impact has run yet, so there is nothing to report.");
+  CHECK_THAT(report_sentence(results({0, 1}, {-1, -1})),
+             Contains("None of the 2 impacts finished") && Contains("tunnelled: a node passed"));
+  CHECK_THAT(
+      report_sentence(results({0, 1}, {0.75, -1})),
+      Contains("1 of 2 impacts finished: the coefficient of restitution is e = 0.75") && Contains("no error bar"));
+  CHECK_THAT(report_sentence(results({0, 0, 1, 1}, {0.7, 0.8, 0.7, 0.8})),
+             Contains("4 of 4 impacts finished. ") && Contains("between 0.7 and 0.8, its mean is 0.75 ± 0.029") &&
+                 !Contains("highest"));
+  const std::vector<double> psi1 = repeated({0, 0, 1, 1}, 5);
+  CHECK_THAT(report_sentence(results(psi1, repeated({0.7, 0.71, 0.9, 0.91}, 5))),
+             Contains("20 of 20") && Contains("highest at Ψ₁ = 1 (0.905 ±") && Contains("lowest at Ψ₁ = 0 (0.705 ±"));
+  CHECK_THAT(report_sentence(results(psi1, repeated({0.5, 1.1, 0.52, 1.11}, 5))),
+             Contains("cannot tell") && !Contains("highest at") && Contains("In 10 of them"));
+  CHECK_THAT(report_sentence(results(repeated({0}, 12), repeated({0.9, 1.1}, 6))),
+             Contains("Whether the mean is below or above 1 these impacts cannot tell"));
+}
+
+TEST_CASE("text of others is shown as it is and executed never") {
+  CHECK(html_text("a<b>&\"</script><!--") == "a&lt;b&gt;&amp;&quot;&lt;/script&gt;&lt;!--");
+  CHECK(json_text("</script>\"\\\n<!--") == "\"\\u003c/script>\\\"\\\\\\n\\u003c!--\"");
+  CHECK(shown_utf8(std::string("a\0b\x01\xff\xc3", 6)) == "a␀b␁\xEF\xBF\xBD\xEF\xBF\xBD");
+  CHECK(shown_utf8("ä Ψ₁ 𝛼\t\n") == "ä Ψ₁ 𝛼\t\n");
+  CHECK(shown_utf8("\xed\xa0\x80") == "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");  // half of a surrogate pair
+  Page page{.title = "</title><script>alert(1)</script>"};
+  page.sections.push_back({"s", results({0, 1}, {0.5, NAN}), {{"script", "</pre><script>x</script>"}}});
+  const std::string html = html_of(page);
+  CHECK(html.find("<script>alert") == std::string::npos);
+  CHECK(html.find("<script>x") == std::string::npos);
+  CHECK(html == html_of(page));
+  for (const char* address : {"src=\"http", "href=\"http", "src='http", "@import", "url("})
+    CHECK(html.find(address) == std::string::npos);
+}
+
+TEST_CASE("a page takes the replays that its budget holds, and finds them again") {
+  const std::string hash(32, 'a'), other(32, 'b');
+  const std::string small = "{\"hash\":\"" + hash + "\"}";
+  const std::string large = "{\"hash\":\"" + other + "\",\"place\":\"" + std::string(most_page_bytes, 'x') + "\"}";
+  Page page{.title = "t"};
+  page.sections.push_back({"s", results({0}, {0.5}), {}, {small, large}});
+  const std::string html = html_of(page);
+  CHECK(html.size() < most_page_bytes);
+  CHECK(replays_in(html) == std::map<std::string, std::string>{{hash, small}});
+  CHECK_THAT(html, Contains("1 replay was left out"));
+}
+
+TEST_CASE("typical rows are the middle ones of the points, extremes the lowest and highest e") {
+  const Table table = results({0, 0, 0, 1, 1, 1}, {0.5, 0.6, 0.9, 0.8, 0.7, -1});
+  CHECK(rows_to_replay(table, "typical", 2) == std::vector<std::size_t>{1, 4});
+  CHECK(rows_to_replay(table, "typical", 6) == std::vector<std::size_t>{1, 4, 0, 2});
+  CHECK(rows_to_replay(table, "extremes", 6) == std::vector<std::size_t>{0, 2});
+  CHECK(rows_to_replay(table, "typical", 1).size() == 1);
+  CHECK(rows_to_replay(results({0}, {-1}), "typical", 6).empty());
+}
+
+TEST_CASE("a sweep records rows' own scenes: their hashes and numbers are the rows'") {
+  const Workplace place;
+  const Ended run = place.script(sweep + R"(
+for _, chosen in ipairs { { rows = { 1, rows[4] } }, { replay = "extremes", frames = 30 } } do
+  local ok, made = pcall(function() return sweep:record(chosen) end)
+  if not ok then print(made) break end
+  for _, one in ipairs(made) do
+    local found = false
+    for _, row in ipairs(rows) do
+      found = found or row.scene_hash == one.scene_hash and row.e == one.e and row.vt == one.vt and row.steps == one.steps
+    end
+    assert(found)
+  end
+  print(#made)
+end
+)");
+  INFO(run.err);
+  REQUIRE(run.status == 0);
+  CHECK_THAT(run.out, Contains("\n2\n"));
+  const Ended early = place.script(
+      "local ricochet = require \"ricochet\"\nricochet.sweep { name = \"w\", over = { sample = { 1 } }, scene = "
+      "function() end }:record { replay = \"typical\" }",
+      "--new");
+  CHECK(early.status == 1);
+  CHECK_THAT(early.err, Contains("call sweep:run() first"));
+}
+
+TEST_CASE("a run leaves a report with replays of its rows, unless told not to") {
+  const Workplace place;
+  const Ended run = place.script(sweep + "ricochet.report { title = \"Two walls\", replays = 3, frames = 30 }\n");
+  INFO(run.err);
+  REQUIRE(run.status == 0);
+  const std::string html = place.read("out/s/report.html");
+  CHECK_THAT(html, Contains("<h1>Two walls</h1>") && Contains("4 of 4 impacts finished"));
+  const auto replays = replays_in(html);
+  CHECK(replays.size() == 3);
+  const std::string csv = place.read("out/walls/results.csv");
+  for (const auto& [hash, replay] : replays) {
+    CHECK(csv.find(hash) != std::string::npos);
+    CHECK(replay.find("\"frames\":30,") != std::string::npos);
+  }
+  CHECK(place.shell("ricochet report out --title Again --replays 2").status == 0);
+  const std::string again = place.read("out/report.html");
+  CHECK_THAT(again, Contains("<h1>Again</h1>"));
+  CHECK(replays_in(again).size() == 2);
+  CHECK(place.shell("ricochet report nowhere").status == 4);
+  const Workplace bare;
+  CHECK(bare.script(sweep, "--no-report").status == 0);
+  CHECK(!fs::exists(bare.path / "out/s"));
+}
+
+TEST_CASE("a report of an interrupted run that goes on is made at its end") {
+  const Workplace place;
+  CHECK(place.script(sweep, "--no-report").status == 0);
+  CHECK(place.script(sweep, "--resume").status == 0);
+  CHECK(replays_in(place.read("out/s/report.html")).size() >= 2);
+}
+
+TEST_CASE("the library of plots is the one of its checksums") {
+  const Workplace place;
+  const Ended checked =
+      place.shell(std::string("cd '") + RICOCHET_SOURCE + "/render/report/uplot' && sha256sum -c checksums.sha256");
+  INFO(checked.out << checked.err);
+  CHECK(checked.status == 0);
+}
