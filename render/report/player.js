@@ -35,7 +35,7 @@ function whatHappens(k) {
   const vibration = (series.projectile_vibration[k] || 0) + (series.target_vibration[k] || 0);
   const way = series.vn[k] < 0 ? "approaches" : "leaves";
   const force = contact.touching[k] ? ` Contact pushes it with ${shown(series.force_n[k], 3)} ${pretty(unit.force_n)}.` : "";
-  const spin = Math.abs(series.omega[k] || 0) > 1e-6 ? `, turns by ${shown(series.omega[k], 3)} ${unit.omega}` : "";
+  const spin = Math.abs(series.omega[k] || 0) > 1e-6 ? `, spins at ${shown(series.omega[k], 3)} ${unit.omega}` : "";
   return `${phase}. The projectile ${way} at ${shown(Math.abs(series.vn[k]), 3)} ${unit.vn} along the normal` +
     `, slides at ${shown(series.vt[k], 3)} ${unit.vt}${spin}; vibrations hold ${Math.round(100 * vibration / total)} % of the energy.${force}`;
 }

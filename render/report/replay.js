@@ -94,7 +94,7 @@ function windowOf(replay, frames) {
     }
   }
   const size = Math.max(high[0] - low[0], high[1] - low[1]);
-  const below = replay.bodies.length > 1 ? 0.9 * Math.min(size, 3) : 0.1;
+  const below = replay.bodies.some((other, i) => i > 0 && other.nodes > 2) ? 0.9 * Math.min(size, 3) : 0.15 * size;
   const width = Math.max(high[0] - low[0] + 0.5 * size, 1.75 * (high[1] - low[1] + below + 0.15 * size));
   const middle = (high[0] + low[0]) / 2;
   return { left: middle - width / 2, width, top: high[1] + 0.15 * size };
@@ -240,11 +240,12 @@ function arrow(context, x, y, dx, dy, colour) {
 }
 
 function drawScales(context, replay, frames, at, scale, onX, onY, field) {
-  const { width, height } = context.canvas, big = width / 960, series = replay.series;
+  const { width, height } = context.canvas, series = replay.series;
+  const big = Math.max(width / 960, 0.8 * width / (context.canvas.clientWidth || width));  // legible on a phone
   const k = Math.min(replay.frames - 1, Math.round(at)), body = replay.bodies[0];
   const motion = motionOf(replay, frames, body, placesAt(replay, frames, at, 1));
   const fastest = Math.max(...series.vn.map((v, i) => Math.hypot(v, series.vt[i]))) || 1;
-  const radius = bodyRadius(replay, frames), x = onX(motion.x), y = onY(motion.y);
+  const radius = bodyRadius(replay, frames), x = onX(series.x[k] / replay.length), y = onY(series.height[k] / replay.length);
   context.strokeStyle = "#fff";
   context.lineWidth = 2.5;
   context.beginPath();
@@ -256,18 +257,18 @@ function drawScales(context, replay, frames, at, scale, onX, onY, field) {
   context.font = `${Math.round(15 * big)}px system-ui, "DejaVu Sans", sans-serif`;
   colourBar(context, replay, frames, field, big);
   lengthBar(context, replay, scale, big, height);
-  context.textAlign = "left";
-  context.fillStyle = "#1c2430";
-  context.fillText("red arrow: velocity; white line: turns with the body", 14 * big, 22 * big);
 }
 
+// From the projectile's centre of mass to the nearest of its surface, in the first frame. [R]
 function bodyRadius(replay, frames) {
-  const body = replay.bodies[0], motion = motionOf(replay, frames, body, placesAt(replay, frames, 0, 1));
-  let radius = 0;
-  for (let n = body.first; n < body.first + body.nodes; n++) {
-    radius = Math.max(radius, Math.hypot(frames.place[2 * n] * replay.grid - motion.x0, frames.place[2 * n + 1] * replay.grid - motion.y0));
+  const body = replay.bodies[0], x0 = replay.series.x[0] / replay.length, y0 = replay.series.height[0] / replay.length;
+  let least = Infinity;
+  for (const chain of body.chains) {
+    for (const n of chain.node) {
+      least = Math.min(least, Math.hypot(frames.place[2 * n] * replay.grid - x0, frames.place[2 * n + 1] * replay.grid - y0));
+    }
   }
-  return radius;
+  return Number.isFinite(least) ? least : 0.1 * frames.window.width;
 }
 
 // Both fields are coloured by the root of their share of the greatest value.

@@ -113,8 +113,8 @@ std::string report_sentence(const Table& table) {
   if (mean.count == 0) return head + "; none has a coefficient of restitution e.";
   if (mean.count == 1)
     return fmt::format(
-        "{}: the coefficient of restitution is e = {:.3g}. One impact has no error bar; another random "
-        "lattice may give another value.",
+        "{}: the coefficient of restitution is e = {:.3g}. One impact has no error bar; another lattice or mesh "
+        "may give another value.",
         head, mean.mean);
   if (mean.count < many_impacts)
     return fmt::format(

@@ -179,6 +179,9 @@ PageSection section_of(const fs::path& file, std::size_t most) {
 
 void write_report(Session& session) {
   const fs::path folder = session.own_folder();
+  // An earlier one would pass for that of the new results.
+  if (!session.options.report && session.options.force && session.folders.claimed(folder))
+    remove_file(folder / run_names::report);
   if (!session.options.report || session.options.check || !session.options.study.empty() || session.done) return;
   if (session.swept.empty() && (session.singles.empty() || !session.folders.claimed(folder))) return;
   session.folders.claim(folder);

@@ -199,6 +199,7 @@ async function looksRight(page, name) {
   await page.emulateMedia({ media: "print" });
   const plots = await page.locator(".plots canvas").count();
   for (let k = 0; k < plots; k++) check(await page.locator(".plots canvas").nth(k).isVisible(), `print has plot ${k + 1}`);
+  if (pictures) await page.screenshot({ path: join(pictures, "print.png"), fullPage: true });
   if (pictures) await page.pdf({ path: join(pictures, "print.pdf"), format: "A4", printBackground: true });
   await page.emulateMedia({ media: "screen" });
 }

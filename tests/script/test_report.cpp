@@ -1,7 +1,13 @@
 // The page that a run leaves, what it says and what it carries. (How it looks in a browser: tests/browser.)
 
-#include <catch2/catch.hpp>
+#include <libdeflate.h>
 
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "record/film.hpp"
+#include "scenes.hpp"
+#include "script/filmed.hpp"
 #include "script/page.hpp"
 #include "script/page_sentence.hpp"
 #include "script/page_text.hpp"
@@ -32,6 +38,32 @@ std::vector<double> repeated(const std::vector<double>& values, int times) {
   std::vector<double> list;
   for (int k = 0; k < times; ++k) list.insert(list.end(), values.begin(), values.end());
   return list;
+}
+
+// A text of a replay's JSON, in base 64 and deflated, as the `size` bytes that it is of.
+std::string unpacked(const std::string& json, const std::string& name, std::size_t size) {
+  const std::string mark = "\"" + name + "\":\"";
+  const std::size_t begins = json.find(mark) + mark.size();
+  std::string bytes;
+  std::uint32_t word = 0;
+  int bits = 0;
+  static const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (std::size_t i = begins; letters.find(json[i]) != std::string::npos; ++i) {
+    word = word << 6 | static_cast<std::uint32_t>(letters.find(json[i]));
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes.push_back(static_cast<char>(word >> bits & 255));
+  }
+  std::string whole(size, '\0');
+  std::size_t written = 0;
+  libdeflate_decompressor* decompressor = libdeflate_alloc_decompressor();
+  const auto result =
+      libdeflate_zlib_decompress(decompressor, bytes.data(), bytes.size(), whole.data(), size, &written);
+  libdeflate_free_decompressor(decompressor);
+  REQUIRE(result == LIBDEFLATE_SUCCESS);
+  REQUIRE(written == size);
+  return whole;
 }
 
 const std::string sweep = R"(-- Walls.
@@ -98,6 +130,37 @@ TEST_CASE("typical rows are the middle ones of the points, extremes the lowest a
   CHECK(rows_to_replay(table, "extremes", 6) == std::vector<std::size_t>{0, 2});
   CHECK(rows_to_replay(table, "typical", 1).size() == 1);
   CHECK(rows_to_replay(results({0}, {-1}), "typical", 6).empty());
+}
+
+TEST_CASE("a page carries an impact's frames: places to half of 1e-3 R, and its numbers at the same times") {
+  for (const int seed : {1, 2, 3}) {
+    const Scene scene = small_scene(seed, seed - 1);
+    const BuiltSolids solids(scene);
+    const std::atomic<bool> stop = false;
+    const Course course = follow_course(solids, scene, stop);
+    const Viewing viewing{.until = course.outcome.time, .step = course.step, .frames = 40};
+    const std::string json = replay_json(scene, viewing);
+    std::vector<Frame> frames;
+    film_scene(solids, scene, equal_times(viewing.from, viewing.until, viewing.frames, viewing.step), stop,
+               [&](const Frame& frame) { frames.push_back(frame); });
+    REQUIRE(frames.size() == 40);
+    CHECK(json.find("\"frames\":40,\"grid\":0.001,") != std::string::npos);
+    CHECK(json.find(scene.hash()) != std::string::npos);
+    const std::size_t coordinates = frames[0].position.size(), count = coordinates * frames.size();
+    const std::string place = unpacked(json, "place", 2 * count);
+    double worst = 0;
+    for (std::size_t k = 0; k < coordinates; ++k) {
+      std::int16_t q = 0;
+      for (std::size_t f = 0; f < frames.size(); ++f) {
+        const std::size_t at = k * frames.size() + f;
+        q = static_cast<std::int16_t>(
+            q + (static_cast<unsigned char>(place[at]) | static_cast<unsigned char>(place[count + at]) << 8));
+        worst = std::max(worst, std::abs(1e-3 * q - static_cast<double>(frames[f].position[k])));
+      }
+    }
+    CHECK(worst <= 0.5e-3 * (1 + 1e-6));
+    CHECK(json == replay_json(scene, viewing));
+  }
 }
 
 TEST_CASE("a sweep records rows' own scenes: their hashes and numbers are the rows'") {
