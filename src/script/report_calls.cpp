@@ -158,7 +158,7 @@ Function report_function() {
                      {"questions", "strings", "", "listed below the notes", any_number, "", true},
                      {"lines", "table", "", "theory as a list of { of = column, label =, x = list, y = list }",
                       any_number, "", true},
-                     {"replay", "string", "", "which impacts", any_number, "typical", true, {"typical", "extremes"}},
+                     {"replay", "string", "", "which impacts", any_number, "typical", false, {"typical", "extremes"}},
                      {"replays", "integer", "", "how many, all sweeps together; 0: none", {0, 100}, "6"},
                      {"frames", "integer", "", "of each replay; fewer of bodies with many nodes", {2, 2000}, "120"}},
           .returns = "nothing",

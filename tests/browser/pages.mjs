@@ -150,6 +150,11 @@ async function seesPoints(page) {
     read++;
   }
   check(read === spots.length, `${read} points tell their values`);
+  for (const spot of spots.filter(s => s.ringed)) {
+    await page.mouse.move(spot.x, spot.y);
+    const told = await page.locator("#tip").textContent();
+    check(told.includes(`e = ${+spot.e.toPrecision(4)}`), `the ringed impact ${spot.row + 1} tells its own e`);
+  }
   const before = await page.locator("#which").textContent(), ledger = await page.locator("#ledger").textContent();
   const current = await page.evaluate("report.player.replay.row"), other = spots.find(s => s.ringed && s.row !== current);
   await page.mouse.click(other.x, other.y);
