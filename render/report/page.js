@@ -54,7 +54,8 @@ function showSection(section) {
   const meaning = element("p", { className: "hint" }, "e: how fast the projectile leaves along the normal, over how fast it came. μ: tangential over normal impulse. β: the same as e, of the sliding of the contact point, with its sign turned. " + unitsMeaning(section));
   if (section.quantities.length) {
     results.append(element("div", { className: "head" }, heading, tools(section)),
-      element("p", { className: "hint" }, "Bars are standard errors of means. Point at a dot to read it, drag to zoom, double-click to undo. Ringed impacts have a replay: click one."),
+      element("p", { className: "hint" }, "Small dots: single impacts. Large dots: means, with bars of one standard error. Rings: impacts with a replay."),
+      element("p", { className: "hint howto" }, "Point at a dot to read it, drag to zoom, double-click to undo. Click a ringed dot to play its impact."),
       plots, meaning, section.pickedText, element("h3", {}, "Means"), meansTable(section));
   } else {
     results.append(heading, element("p", {}, section.sentence), section.pickedText);

@@ -177,6 +177,7 @@ async function choose(replay, time) {
   player.at = time == null || !Number.isFinite(time) ? moments[2][0] : frameAt(time);
   drawCharts();
   drawLedger();
+  showColours(replay, player.frames, byId("field").value);
   refresh();
 }
 
@@ -196,7 +197,11 @@ function startPlayer(replays, want) {
     const times = timesOf(player.replay);
     go(frameAt(times[0] + event.target.value / 1000 * (times.at(-1) - times[0])));
   };
-  byId("magnify").onchange = byId("field").onchange = () => refresh();
+  byId("magnify").onchange = () => refresh();
+  byId("field").onchange = () => {
+    showColours(player.replay, player.frames, byId("field").value);
+    refresh();
+  };
   addEventListener("keydown", onKey);
   return want;
 }

@@ -207,7 +207,7 @@ function drawMoment(canvas, paint, replay, frames, at, { magnify = 1, field = "s
     paintPaths(context, screen, shares, frames.triangles);
   }
   drawRims(context, replay, screen, width / 960);
-  if (scales) drawScales(context, replay, frames, at, scale, onX, onY, field);
+  if (scales) drawScales(context, replay, frames, at, scale, onX, onY);
 }
 
 function drawRims(context, replay, screen, thick) {
@@ -239,7 +239,7 @@ function arrow(context, x, y, dx, dy, colour) {
   context.fill();
 }
 
-function drawScales(context, replay, frames, at, scale, onX, onY, field) {
+function drawScales(context, replay, frames, at, scale, onX, onY) {
   const { width, height } = context.canvas, series = replay.series;
   const big = Math.max(width / 960, 0.8 * width / (context.canvas.clientWidth || width));  // legible on a phone
   const k = Math.min(replay.frames - 1, Math.round(at)), body = replay.bodies[0];
@@ -255,7 +255,6 @@ function drawScales(context, replay, frames, at, scale, onX, onY, field) {
   const long = 1.1 * radius * scale / fastest;
   arrow(context, x, y, series.vt[k] * long, -series.vn[k] * long, "#e6194b");
   context.font = `${Math.round(15 * big)}px system-ui, "DejaVu Sans", sans-serif`;
-  colourBar(context, replay, frames, field, big);
   lengthBar(context, replay, scale, big, height);
 }
 
@@ -271,23 +270,19 @@ function bodyRadius(replay, frames) {
   return Number.isFinite(least) ? least : 0.1 * frames.window.width;
 }
 
-// Both fields are coloured by the root of their share of the greatest value.
-function colourBar(context, replay, frames, field, big) {
-  const { width } = context.canvas, long = 220 * big, x = width - long - 44 * big, y = 34 * big;
+// The scale of colours, below the picture. Both fields are coloured by the root of their share of the greatest value.
+function showColours(replay, frames, field) {
   const top = field === "shift" ? shiftTop(replay, frames) * replay.length : replay.top;
   const unit = field === "shift" ? replay.lengthUnit : replay.speedUnit;
-  context.fillStyle = "rgba(255,255,255,.85)";
-  context.fillRect(x - 12 * big, 6 * big, long + 50 * big, 62 * big);
-  for (let k = 0; k < bins; k++) {
-    context.fillStyle = shades[k];
-    context.fillRect(x + k * long / bins, y, long / bins + 1, 12 * big);
-  }
-  context.fillStyle = "#1c2430";
-  context.textAlign = "center";
-  context.fillText(`${field === "shift" ? "displacement" : "speed"} [${unit}]`, x + long / 2, y - 9 * big);
-  for (const share of [0, 0.25, 1]) {
-    context.fillText(share === 0 ? "0" : (share === 1 ? "≥ " : "") + shown(share * top, 2), x + Math.sqrt(share) * long, y + 28 * big);
-  }
+  const strip = element("span", { className: "strip-of-colours" });
+  strip.style.background = `linear-gradient(to right, ${shades.filter((_, k) => k % 7 === 0).join()})`;
+  const marks = [0, 0.25, 1].map(share => {
+    const mark = element("span", {}, share === 0 ? "0" : (share === 1 ? "≥ " : "") + shown(share * top, 2));
+    mark.style.left = `${100 * Math.sqrt(share)}%`;
+    return mark;
+  });
+  byId("colours").replaceChildren(element("span", {}, withUnit(field === "shift" ? "displacement within the body" : "speed", unit)),
+    element("span", { className: "bar-of-colours" }, strip, ...marks));
 }
 
 function lengthBar(context, replay, scale, big, height) {
