@@ -163,10 +163,12 @@ Painting paint(const Show& show, const Layout& layout, Font& font, const std::ve
   const int text = sheet.text;
   std::vector<const Survey*> surveys;
   for (const Tile& tile : tiles) surveys.push_back(&tile.subject->survey);
-  const Brush brush{show, common_scale(show, surveys), text, sheet.stroke};
+  const Quantity* quantity = coloured_quantity(show);
+  const FrameMesh& mesh = tiles[0].subject->mesh;
+  const double worth = quantity ? mesh.units.worth(unit_of(*quantity, mesh)) : 1;
+  const Brush brush{show, common_scale(show, surveys, worth), text, sheet.stroke};
 
   Painting painting;
-  const Quantity* quantity = coloured_quantity(show);
   painting.material_coloured = quantity && show.material == quantity->name;
   painting.springs_coloured = quantity && !painting.material_coloured;
   if (quantity)

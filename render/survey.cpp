@@ -90,7 +90,7 @@ double Scale::operator()(double value) const {
   return root ? std::sqrt(part) : part;
 }
 
-Scale common_scale(const Show& show, const std::vector<const Survey*>& surveys) {
+Scale common_scale(const Show& show, const std::vector<const Survey*>& surveys, double worth) {
   Scale scale;
   const Quantity* quantity = coloured_quantity(show);
   if (!quantity) return scale;
@@ -107,10 +107,11 @@ Scale common_scale(const Show& show, const std::vector<const Survey*>& surveys) 
   } else
     low = 0;
   if (high == low) high = low + 1;  // all is at rest
-  scale.high = !std::isnan(show.high) ? show.high : quantity->is_signed && !std::isnan(show.low) ? -show.low : high;
-  scale.low = !std::isnan(show.low) ? show.low : quantity->is_signed && !std::isnan(show.high) ? -show.high : low;
+  const double wanted_low = show.low / worth, wanted_high = show.high / worth;
+  scale.high = !std::isnan(show.high) ? wanted_high : quantity->is_signed && !std::isnan(show.low) ? -wanted_low : high;
+  scale.low = !std::isnan(show.low) ? wanted_low : quantity->is_signed && !std::isnan(show.high) ? -wanted_high : low;
   if (!(scale.high > scale.low))
-    throw FieldError("low", fmt::format("lies above all values, of which the greatest is {:.4g}", high));
+    throw FieldError("low", fmt::format("lies above all values, of which the greatest is {:.4g}", high * worth));
   scale.root =
       show.scale == "sqrt" || (show.scale == "auto" && !quantity->is_signed && quantity->name.starts_with("energy"));
   return scale;

@@ -43,6 +43,7 @@ struct Scale {
 };
 
 /// The limits of all surveyed sequences together, or those that the script gave.
-Scale common_scale(const Show& show, const std::vector<const Survey*>& surveys);
+/// `worth`: of one unit of the engine in the user's, of whom the ends low and high are.
+Scale common_scale(const Show& show, const std::vector<const Survey*>& surveys, double worth);
 
 }  // namespace ricochet::render

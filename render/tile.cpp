@@ -44,7 +44,8 @@ View view_of(const Show& show, const Tile& tile, const std::vector<Tile>& tiles,
                      std::max(1.0, box.height - 2 * margin) / extent.y()),
             box};
   }
-  double width = !std::isnan(show.width) ? show.width : show.camera == "follow" ? 5.0 : 2.5;
+  const Units& units = tile.subject->mesh.units;
+  double width = !std::isnan(show.width) ? show.width / units.worth("R") : show.camera == "follow" ? 5.0 : 2.5;
   if (std::isnan(show.width) && show.camera == "follow")  // all of the body, also in a flat picture
     width = std::max(width, 2.3 * radius_of(tile.subject->mesh) * std::max(1.0, box.width / box.height));
   return {show.camera == "contact" ? contact_place(tile.subject->mesh, *tile.frame)

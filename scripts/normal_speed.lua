@@ -7,7 +7,8 @@ local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 
 local p = ricochet.parameters(figures.parameters {
-  psi1 = false, standard_error = false, seeds = false, roughness = false, accuracy = false, step = false, method = false,
+  psi1 = false, standard_error = false, seeds = false, roughness = false, accuracy = false, step = false,
+  method = false,
   speed     = { { 0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6 }, unit = "c", min = 1e-4, max = 1.5, doc = "impact speeds" },
   samples   = { 20, int = true, min = 1, doc = "lattices per speed" },
   nodes     = { 1600, int = true, min = 40, doc = "of the disk" },

@@ -36,7 +36,8 @@ ricochet.refined = core.wrap(function(scene, factor)
   return require("ricochet.refine").refined(scene, factor, 0)
 end)
 
---- range(n): 1 ... n; range(first, last [, step]).
+--- range(n): 1 ... n; range(first, last [, step]). A last value that rounding alone puts beyond is among them:
+--- range(0.1, 0.3, 0.1) holds 0.3.
 ricochet.range = core.wrap(function(first, last, step)
   if last == nil then first, last = 1, first end
   step = step or 1
@@ -48,7 +49,10 @@ ricochet.range = core.wrap(function(first, last, step)
   end
   if (last - first) / step > 1e7 then core.fail "would hold more than 1e7 values" end
   local list = {}
-  for value = first, last, step do list[#list + 1] = value end
+  local steps = (last - first) / step
+  local whole = math.floor(steps + 1e-9)
+  for k = 0, whole do list[k + 1] = first + k * step end
+  if whole > 0 and math.abs(steps - whole) < 1e-9 then list[whole + 1] = last end
   return list
 end)
 

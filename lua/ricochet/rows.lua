@@ -186,8 +186,11 @@ function Summary:__tostring()
     for _, column in ipairs(self.of) do
       local s = line[column]
       local small = s.mean ~= 0 and math.abs(s.mean) < 0.01  -- four places would show next to nothing
-      cells[#cells + 1] = s.count == 0 and "-" or (small and "%.4g +- %s (%s)" or "%.4f +- %s (%s)"):format(s.mean,
+      local cell = s.count == 0 and "-" or (small and "%.4g +- %s (%s)" or "%.4f +- %s (%s)"):format(s.mean,
         shown(s.se), shown(s.sd))
+      -- The others have no such number: what is left may be no fair choice.
+      if s.count < line.count then cell = ("%s of %d"):format(cell, s.count) end
+      cells[#cells + 1] = cell
     end
     cells[#cells + 1], cells[#cells + 2] = tostring(line.count), tostring(line.failed)
     lines[#lines + 1] = cells

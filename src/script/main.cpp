@@ -48,7 +48,7 @@ void run_in(Session& session) {
 void run(RunOptions options, const std::string& script, const std::vector<std::string>& arguments) {
   refuse_odd_arguments(arguments);
   if (options.out.empty()) throw Error("--out needs a folder", Exit::usage);
-  if (options.resume + options.force + options.fresh > 1)
+  if (options.force && (options.resume || options.fresh))
     throw Error("--resume continues earlier results, --force replaces them and --new leaves them; give one of them",
                 Exit::usage);
   Session session(std::move(options), script, arguments);

@@ -62,6 +62,12 @@ std::map<double, Mean> means_at(const Table& table, const NumberColumn& at, cons
   return means;
 }
 
+std::string shown_name(const NumberColumn& column) {
+  std::string name = column.field.name;
+  if (name.starts_with("over_")) name = name.substr(5);
+  return name == "psi1" ? "Ψ₁" : name;
+}
+
 // What the means at several values of a parameter say of it.
 std::string dependence(const Table& table, const NumberColumn& e) {
   const NumberColumn* at = asked(table);
@@ -70,9 +76,7 @@ std::string dependence(const Table& table, const NumberColumn& e) {
   if (means.size() < 2) return "";
   const auto lower = [](const auto& a, const auto& b) { return a.second.mean < b.second.mean; };
   const auto [low, high] = std::minmax_element(means.begin(), means.end(), lower);
-  std::string name = at->field.name;
-  if (name.starts_with("over_")) name = name.substr(5);
-  if (name == "psi1") name = "Ψ₁";
+  const std::string name = shown_name(*at);
   if (high->second.mean - low->second.mean < 2 * std::hypot(low->second.se(), high->second.se()))
     return fmt::format(
         " Whether e changes with {} these impacts cannot tell: its highest and lowest mean, {} and {}, are within 2 "
@@ -116,6 +120,13 @@ std::string report_sentence(const Table& table) {
         "{}: the coefficient of restitution is e = {:.3g}. One impact has no error bar; another lattice or mesh "
         "may give another value.",
         head, mean.mean);
+  // Means over other parameters than lattices mean little, and their spread is no error.
+  if (const NumberColumn* at = asked(table))
+    return fmt::format(
+        "{}. The coefficient of restitution e lies between {:.3g} and {:.3g}.{}", head, low, high,
+        mean.count < many_impacts
+            ? fmt::format(" So few impacts show how large e is, and hardly how it changes with {}.", shown_name(*at))
+            : of_many(table, *e, mean, above));
   if (mean.count < many_impacts)
     return fmt::format(
         "{}. The coefficient of restitution e lies between {:.3g} and {:.3g}, its mean is {} (standard "

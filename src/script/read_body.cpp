@@ -311,6 +311,8 @@ Body read_body(lua_State* L) {
     made.anchored = anchored_rim;
     for (std::size_t i = made.anchored.size(); i < plan->points.size(); ++i)
       made.anchored.push_back(anchored.truth_at(plan->points[i], "anchored"));
+    if (std::count(made.anchored.begin(), made.anchored.end(), true) == 0)
+      throw FieldError("anchored", "is true of no node, so that nothing is held; correct it, or leave it out");
     if (std::count(made.anchored.begin(), made.anchored.end(), false) == 0 && !made.rigid())
       throw FieldError("anchored", "holds every node; nothing could move: give interior = \"rigid\" instead");
   }

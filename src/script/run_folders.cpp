@@ -33,11 +33,21 @@ fs::path next_free(const fs::path& folder) {
 
 }  // namespace
 
+fs::path RunFolders::last_tried(const fs::path& folder) {
+  fs::path last = folder;
+  for (int k = 2;; ++k) {
+    const fs::path next = folder.string() + fmt::format("-{}", k);
+    if (!holds_work(next)) return last;
+    last = next;
+  }
+}
+
 fs::path RunFolders::named(const std::string& name) const {
   const fs::path folder = fs::path(options_.out) / name;
   if (!options_.fresh) return folder;
   const auto known = named_.find(name);
-  return known != named_.end() ? known->second : named_[name] = next_free(folder);
+  return known != named_.end() ? known->second
+                               : named_[name] = options_.resume ? last_tried(folder) : next_free(folder);
 }
 
 void RunFolders::refuse_earlier(const fs::path& folder) const {

@@ -18,7 +18,8 @@ class RunFolders {
  public:
   explicit RunFolders(const RunOptions& options) : options_(options) {}
 
-  /// The folder of a name: OUT/<name>; with --new the first of OUT/<name>, <name>-2, <name>-3 ... that holds nothing.
+  /// The folder of a name: OUT/<name>; with --new the first of OUT/<name>, <name>-2, <name>-3 ... that holds nothing;
+  /// with --new --resume the last that holds something.
   std::filesystem::path named(const std::string& name) const;
 
   /// Refuses a folder that holds what earlier runs made, unless --resume or --force is given. Throws FileError.
@@ -44,6 +45,8 @@ class RunFolders {
   bool something_stored() const;
 
  private:
+  static std::filesystem::path last_tried(const std::filesystem::path& folder);
+
   struct Made {
     std::set<std::string> before, now;  ///< paths below the folder, of earlier runs and of this one
   };

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "impact/batch.hpp"
 #include "impact/launch/launch.hpp"
@@ -179,6 +180,7 @@ int scene_run(lua_State* L) {
   Session& session = session_of(L);
   Scene scene = object.scene;
   Outcome outcome;
+  const auto began = std::chrono::steady_clock::now();
   try {
     outcome = run_one(session, scene);
   } catch (const FieldError& error) {
@@ -194,8 +196,10 @@ int scene_run(lua_State* L) {
                     method.name, scene.units.shown(outcome.step, "R/c", 4), outcome.theta, outcome.theta_most,
                     method.stability_limit, scene.units.shown(outcome.theta / outcome.step, "c/R", 4),
                     scale_text({scene}) + doubts_text({row_of(scene, outcome, 0)})));
-  const Row row = row_of(scene, outcome, 0);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
+  const Row row = row_of(scene, outcome, taken.count());
   if (!session.options.check) {
+    if (session.options.quiet) warn_of_doubts(session, {row});
     session.count(row);
     if (session.singles.size() < Session::most_singles) session.singles.emplace_back(scene, row);
     warn_of_limit(session, {scene}, {row},

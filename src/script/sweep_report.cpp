@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <sstream>
 
 #include "impact/estimate.hpp"
 #include "impact/outcome.hpp"
@@ -133,6 +134,11 @@ std::string doubts_text(const std::vector<Row>& rows) {
       text += fmt::format("  {}: in {} of {} impacts {}\n", doubt.column, count, rows.size(), doubt.meaning);
   }
   return text;
+}
+
+void warn_of_doubts(Session& session, const std::vector<Row>& rows) {
+  std::istringstream lines(doubts_text(rows));
+  for (std::string line; std::getline(lines, line);) session.warn(line.substr(line.find_first_not_of(' ')));
 }
 
 RunProgress::RunProgress(bool quiet, bool terminal, double time_limit, const Units& units)

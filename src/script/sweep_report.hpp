@@ -34,6 +34,8 @@ std::string scale_text(const std::vector<Scene>& scenes);
 /// How many rows hold numbers that mean less than they say: over_yield, folded, penetration above 0.01 R; a line each,
 /// empty if none does.
 std::string doubts_text(const std::vector<Row>& rows);
+/// The same as warnings: where --quiet keeps back what a run says of itself.
+void warn_of_doubts(Session& session, const std::vector<Row>& rows);
 
 /// Of one impact that runs: on a terminal one line, anew every second, elsewhere a line after 10, 20, 40 ... seconds,
 /// nothing with --quiet.

@@ -134,8 +134,9 @@ void Store::stop_early() {
 }
 
 std::string Store::left_behind() const {
-  return fmt::format("{} of {} impacts are stored in {}; --resume goes on from there{}", count_, rows_.size(),
-                     folder_.string(), replaces() ? ", and the earlier results stay until all are there" : "");
+  return fmt::format("{} of {} impacts are stored in {}; {}--resume goes on from there{}", count_, rows_.size(),
+                     folder_.string(), session_.options.fresh ? "--new " : "",
+                     replaces() ? ", and the earlier results stay until all are there" : "");
 }
 
 void Store::assemble() {

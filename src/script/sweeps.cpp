@@ -201,6 +201,7 @@ void tell_end(Session& session, const Request& sweep, const Store& store, const 
   for (const Row& row : rows) session.count(row);
   session.inform(text);
   warn_of_limit(session, sweep.scenes, rows, sweep.scene_name());
+  if (session.options.quiet) warn_of_doubts(session, rows);
 }
 
 std::vector<Row> run(Session& session, Request& sweep) {

@@ -130,7 +130,8 @@ TEST_CASE("a sweep by error has the same bits on one thread, in one lane, and re
   // An earlier run that stopped sooner: what it has is taken up, and the rest follows.
   const std::string sooner = by_error("standard_error = 0.2", "psi1 = at.psi1", ", accuracy = 1e-2");
   CHECK(here.script(sooner, "--quiet --force").status == 0);
-  CHECK(read_table(here.path / "out/s/results.h5").rows() < std::count(whole.begin(), whole.end(), ';') / 2);
+  CHECK(read_table(here.path / "out/s/results.h5").rows() <
+        static_cast<std::size_t>(std::count(whole.begin(), whole.end(), ';')) / 2);
   CHECK(bits_of(here.script(script, "--quiet --resume")) == whole);
 }
 

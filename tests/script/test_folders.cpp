@@ -154,3 +154,19 @@ TEST_CASE("plots of a version that kept no list are told before the impacts, not
   }
   CHECK(here.run("s.lua samples=2 --quiet --new").status == 0);
 }
+
+TEST_CASE("what --new began is gone on with by --new --resume, as the message says") {
+  const Workplace here;
+  REQUIRE(here.script(small_sweep, "samples=1 --quiet").status == 0);
+  const Ended ended =
+      here.shell("'" RICOCHET_PROGRAM
+                 "' run s.lua samples=400 --quiet --new & pid=$!; for k in $(seq 600); do ls out/s-2/parts/* "
+                 ">/dev/null 2>&1 && break; sleep 0.05; done; kill -INT $pid; wait $pid");
+  CHECK(ended.status == 130);
+  CHECK_THAT(ended.err, Catch::Matchers::Contains("are stored in out/s-2; --new --resume goes on from there"));
+  const Ended resumed = here.run("s.lua samples=400 --new --resume");
+  CHECK(resumed.status == 0);
+  CHECK_THAT(resumed.out, Catch::Matchers::Contains("out/s-2/results.h5"));
+  CHECK_FALSE(fs::exists(here.path / "out/s-3"));
+  CHECK(here.run("s.lua samples=1 --quiet --new --force").status == 2);
+}

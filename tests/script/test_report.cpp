@@ -84,8 +84,10 @@ TEST_CASE("the sentence of a report has four forms, and never says more than the
       report_sentence(results({0, 1}, {0.75, -1})),
       Contains("1 of 2 impacts finished: the coefficient of restitution is e = 0.75") && Contains("no error bar"));
   CHECK_THAT(report_sentence(results({0, 0, 1, 1}, {0.7, 0.8, 0.7, 0.8})),
-             Contains("4 of 4 impacts finished. ") && Contains("between 0.7 and 0.8, its mean is 0.75 ± 0.029") &&
-                 !Contains("highest"));
+             Contains("4 of 4 impacts finished. ") && Contains("between 0.7 and 0.8. So few impacts") &&
+                 !Contains("±") && !Contains("highest"));
+  CHECK_THAT(report_sentence(results(repeated({0}, 4), {0.7, 0.8, 0.7, 0.8})),
+             Contains("between 0.7 and 0.8, its mean is 0.75 ± 0.029"));
   const std::vector<double> psi1 = repeated({0, 0, 1, 1}, 5);
   CHECK_THAT(report_sentence(results(psi1, repeated({0.7, 0.71, 0.9, 0.91}, 5))),
              Contains("20 of 20") && Contains("highest at Ψ₁ = 1 (0.905 ±") && Contains("lowest at Ψ₁ = 0 (0.705 ±"));

@@ -178,3 +178,32 @@ ricochet.accuracy { scene = ricochet.scene { units = "SI", projectile = steel, t
   CHECK_THAT(ended.out, Catch::Matchers::Contains("- +- -") && Catch::Matchers::Contains("step [s]"));
   CHECK_THAT(here.read("out/s/accuracy.csv"), Catch::Matchers::StartsWith("method,step [s],"));
 }
+
+TEST_CASE("a range holds its last value whatever rounding says, and counts as it did") {
+  const Ended ended = script_with_module(
+      "for _, r in ipairs { { 0.1, 0.3, 0.1 }, { 0.01, 0.2, 0.01 }, { 0, 1, 0.1 }, { 3, 1, -1 }, { 1, 2, 0.3 }, { 2, 1 "
+      "} } do\n"
+      "  local list = ricochet.range(table.unpack(r))\n  print(#list, list[#list])\nend\n");
+  CHECK_THAT(ended.out, Catch::Matchers::StartsWith("3\t0.3\n20\t0.2\n11\t1\n3\t1\n4\t1.9\n0\tnil\n"));
+}
+
+TEST_CASE("what a result lacks is told: doubts under --quiet, means of a part of the rows, nothing held") {
+  const Workplace here;
+  const std::string begin = "local ricochet = require 'ricochet'\n";
+  const Ended held = here.script(begin +
+                                 "ricochet.rectangle { width = 2, height = 1, nodes = 100, anchored = function(x, y) "
+                                 "return x > 5 end }\n");
+  CHECK(held.status == 1);
+  CHECK_THAT(held.first_line(), Catch::Matchers::Contains("'anchored': is true of no node"));
+  const std::string folds =
+      "local rows = ricochet.sweep { name = 's', over = { v = { 0.4 } }, scene = function(at) return ricochet.scene { "
+      "projectile = ricochet.disk { nodes = 200, placement = 'uniform' }, target = ricochet.plane {}, launch = { speed "
+      "= "
+      "at.v } } end }:run()\nprint(rows[1].folded > 0, rows[1].wall_seconds > 0)\nlocal row = ricochet.scene { "
+      "projectile "
+      "= ricochet.disk { nodes = 60 }, target = ricochet.plane {} }:run()\nprint(row.wall_seconds > 0)\n";
+  const Ended quiet = here.script(begin + folds, "--quiet --force");
+  INFO(quiet.out << quiet.err);
+  CHECK(quiet.out == "true\ttrue\ntrue\n");
+  CHECK_THAT(quiet.err, Catch::Matchers::Contains("warning: folded: in 1 of 1 impacts springs folded"));
+}
