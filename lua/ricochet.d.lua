@@ -778,8 +778,8 @@ function ricochet.animate(t) end
 ---@field plot? "none"|"vn"|"vt"|"omega"|"height"|"force_n"|"force_t"|"vibration" a plot that grows with time, of every moment while a run is drawn, of its frames if a recording is; vn: normal velocity of the projectile [c]; vt: tangential velocity of the projectile [c]; omega: spin of the projectile [c/R]; height: height of the projectile's centre [R]; force_n: normal force of contact on the projectile [m0 c^2/R]; force_t: tangential force of contact on the projectile [m0 c^2/R]; vibration: energy of the vibration of both bodies [m0 c^2] (default none)
 ---@field colours? "auto"|"ylgnbu"|"puor"|"cividis" of the colour bar; auto: ylgnbu, or puor for a quantity of both signs (default auto)
 ---@field scale? "auto"|"linear"|"sqrt" of the colour bar; auto: sqrt for energies, else linear (default auto)
----@field low? number lower end of the colour bar; from the whole sequence unless given
----@field high? number upper end of the colour bar; from the whole sequence unless given: all but the strongest thousandth
+---@field low? number lower end of the colour bar, in the unit told there; from the whole sequence unless given
+---@field high? number upper end of the colour bar, in the unit told there; from the whole sequence unless given: all but the strongest thousandth
 ---@field camera? "fit"|"follow"|"contact" fit: all of the sequence; follow: the projectile in the middle; contact: the place of impact, close. Rims stand apart by the range of the repulsion, also where they press hardest (default fit)
 ---@field width? number width of what the cameras follow and contact see; unless given 5, or more where the projectile needs it, and 2.5 [R]
 ---@field smoothing? "lines"|"multisample"|"supersample" lines: strokes are smooth by themselves; multisample: four samples at every edge; supersample: four times the pixels, slow (default lines)
