@@ -22,6 +22,8 @@ ricochet.series = core.wrap(require("ricochet.series").series)
 ricochet.waves = core.wrap(require("ricochet.waves").waves)
 require "ricochet.bounces"
 ricochet.plot = core.wrap(require("ricochet.plot").plot)
+ricochet.histogram = core.wrap(require("ricochet.histogram").histogram)
+ricochet.heat_map = core.wrap(require("ricochet.heat_map").heat_map)
 ricochet.accuracy = core.wrap(require("ricochet.accuracy").accuracy)
 ricochet.relevance = core.wrap(require("ricochet.effects").relevance)
 ricochet.plan = core.wrap(require("ricochet.plan").plan)

@@ -493,4 +493,5 @@ local function plot(given)
   script:draw()
 end
 
-return { plot = plot }
+-- What other pictures of rows share.
+return { plot = plot, wrapped = wrapped, label = label, groups = series_of, roomy = roomy, log_tics = log_tics }

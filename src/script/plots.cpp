@@ -1,4 +1,4 @@
-// ricochet.plot (lua/ricochet/plot.lua), and gnuplot, which draws it.
+// ricochet.plot, histogram and heat_map (in lua/ricochet, each in a file of its name), and gnuplot, which draws them.
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -36,6 +36,61 @@ int gnuplot(lua_State* L) {
     throw FileError(fmt::format("gnuplot has not drawn {}; is the gnuplot in PATH the real one?", picture.string()));
   session.inform(fmt::format("plot: {}\n", picture.string()));
   return 0;
+}
+
+// What every plot has beside what it draws.
+std::vector<Field> fields_of_the_file(std::string added) {
+  return {{"name", "string", "", "file name without extension"},
+          {"title", "string", "", "above the plot", any_number, "", true},
+          {"caption", "string", "", "below the plot: parameters; " + std::move(added) + ", is added", any_number, "",
+           true}};
+}
+
+Function histogram_function() {
+  std::vector<Field> fields{
+      {"rows", "rows", "", "rows of a sweep; those that finished count"},
+      {"of", "string", "", "column whose values are counted", any_number, "e"},
+      {"by", "string or strings", "", "column, or columns, for each of whose values there is a panel", any_number, "",
+       true},
+      {"bins",
+       "integer",
+       "",
+       "how many, from the least value to the greatest; unless given they are 2 IQR/n^(1/3) wide, IQR the range of "
+       "the middle half of n values [Freedman & Diaconis 1981], in all panels the median of theirs, and those of e "
+       "meet at 1",
+       {1, 200},
+       "",
+       true}};
+  for (Field& field : fields_of_the_file("how many impacts finished and failed, and how wide bins are"))
+    fields.push_back(std::move(field));
+  return {.name = "histogram",
+          .doc =
+              "Counts the values of a column, one panel for each value of `by`, with the mean and its standard error, "
+              "and where e = 1 is; as NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.",
+          .fields = std::move(fields),
+          .returns = "nothing",
+          .example = "ricochet.histogram { rows = rows, by = \"psi1\", name = \"spread\" }"};
+}
+
+Function heat_map_function() {
+  std::vector<Field> fields{
+      {"rows", "rows", "", "rows of a sweep over at least the two columns"},
+      {"x", "string", "", "column along x"},
+      {"y", "string", "", "column along y"},
+      {"of", "string", "", "column whose mean colours the cells", any_number, "e"},
+      {"log", "string", "", "axes with a logarithmic scale", any_number, "none", false, {"none", "x", "y", "xy"}}};
+  for (Field& field :
+       fields_of_the_file("how many impacts finished and failed, over what is averaged, and the greatest "
+                          "standard error"))
+    fields.push_back(std::move(field));
+  return {.name = "heat_map",
+          .doc =
+              "Draws the mean of a column over two others as coloured cells that meet halfway between the values, "
+              "with numbers where all fit; cells without a finished row are hatched. As NAME.svg and NAME.png, "
+              "and leaves the gnuplot script NAME.gp beside them.",
+          .fields = std::move(fields),
+          .returns = "nothing",
+          .example = "ricochet.heat_map { rows = rows, x = \"speed\", y = \"psi1\", of = \"e\", name = \"map\" }"};
 }
 
 }  // namespace
@@ -85,7 +140,9 @@ Group plot_functions() {
                   true},
                  {"yrange", "table", "", "column = { from, to }", any_number, "{}"}},
             .returns = "nothing",
-            .example = "ricochet.plot { rows = rows, x = \"psi1\", y = { \"e\", \"mu\" }, name = \"angles\" }"}},
+            .example = "ricochet.plot { rows = rows, x = \"psi1\", y = { \"e\", \"mu\" }, name = \"angles\" }"},
+           histogram_function(),
+           heat_map_function()},
       .natives = {{"gnuplot", guarded<gnuplot>}}};
 }
 

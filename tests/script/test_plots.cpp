@@ -103,3 +103,65 @@ TEST_CASE("a summary groups by several columns and says over what it averages") 
   CHECK_THAT(ended.out,
              Contains("6\t1\t0.1\t2\n") && Contains("gap  speed") && Contains("averaged over sample (2 values)\n"));
 }
+
+TEST_CASE("a histogram counts the values of a column in bins of Freedman & Diaconis, or in so many, and says so") {
+  // 12 values 1 ... 12: the middle half spans 5.5, and 2 * 5.5 / 12^(1/3) = 4.805; bins begin at multiples of it.
+  const std::string own = "for i, row in ipairs(rows) do row.own = i end\n";
+  const std::string ruled = gnuplot_of(own + "ricochet.histogram { rows = rows, of = 'own', name = 'p' }");
+  CHECK_THAT(ruled, Contains("set boxwidth 4.61") && Contains("bins of 4.8 (by the rule of Freedman & Diaconis)") &&
+                        Contains("'n = 12, 0 failed; mean 6.5 ± 1.0'"));
+  const auto counts = [](const std::string& drawn) {
+    std::istringstream block(drawn.substr(drawn.find("$panel1 << END\n") + 15));
+    std::vector<int> list;
+    for (std::string middle, count; block >> middle && middle != "END" && block >> count;)
+      list.push_back(std::stoi(count));
+    return list;
+  };
+  CHECK(counts(ruled) == std::vector{4, 5, 3});
+  const std::string three = gnuplot_of(own + "ricochet.histogram { rows = rows, of = 'own', bins = 3, name = 'p' }");
+  CHECK(counts(three) == std::vector{4, 4, 4});
+  CHECK_THAT(three, Contains("bins of 3.67 (3 bins)"));
+}
+
+TEST_CASE("a histogram has a panel for each value of another column, with its mean, and e = 1 where it can be") {
+  const std::string drawn = gnuplot_of(
+      "for i, row in ipairs(rows) do row.e = 0.9 + 0.02 * i end\n"
+      "ricochet.histogram { rows = rows, by = 'gap', name = 'p' }");
+  CHECK_THAT(drawn, Contains("'gap = 1:  n = 4, 0 failed; mean") && Contains("'gap = 40:  n = 4, 0 failed; mean") &&
+                        Contains("title 'e = 1'") && Contains("$panel3 using 1:2 with boxes") &&
+                        Contains("the median of the panels"));
+  const std::string none = gnuplot_of("ricochet.histogram { rows = rows, name = 'p' }", "0.1");
+  CHECK_THAT(none, Contains("'n = 0, 12 failed'") && Contains("'no finished row'"));
+}
+
+TEST_CASE("a heat map has a mean in each cell, hatches those without a finished row, and says what it averages over") {
+  const std::string drawn = gnuplot_of(
+      "for i, row in ipairs(rows) do row.own = row.gap + (row.sample == 1 and 1 or -1) end\n"
+      "ricochet.heat_map { rows = rows, x = 'speed', y = 'gap', of = 'own', log = 'xy', name = 'p' }",
+      "at.gap == 2 and at.speed == 0.1 and 0.1 or nil");
+  const std::size_t at = drawn.find("$cells << END\n"), missing = drawn.find("$missing << END\n");
+  REQUIRE((at != std::string::npos && missing != std::string::npos));
+  const auto lines = [&](std::size_t from) {
+    const std::string block = drawn.substr(from, drawn.find("\nEND", from) - from);
+    return std::count(block.begin(), block.end(), '\n');
+  };
+  CHECK(lines(at) == 5);
+  CHECK(lines(missing) == 1);
+  CHECK_THAT(drawn, Contains("title 'no finished row'") && Contains("set cbrange [1:40]") &&
+                        Contains("12 impacts, 2 failed; mean of 2 a cell, averaged over sample (2 values); greatest") &&
+                        Contains("standard\u00A0error\u00A01'") && Contains("set xlabel 'speed (log)' enhanced") &&
+                        Contains("set ylabel 'gap [R] (log)' enhanced"));
+}
+
+TEST_CASE("histograms and heat maps say what is wrong with a column") {
+  const Workplace here;
+  const auto told = [&](const std::string& call) { return here.script(swept(call), "--quiet --force").err; };
+  CHECK_THAT(told("ricochet.histogram { rows = rows, of = 'ee', name = 'p' }"),
+             Contains("histogram: 'of': the rows have no column 'ee'"));
+  CHECK_THAT(told("ricochet.histogram { rows = rows, of = 'status', name = 'p' }"),
+             Contains("histogram: 'of': column 'status' holds no numbers"));
+  CHECK_THAT(told("ricochet.heat_map { rows = rows, x = 'gap', y = 'gap', name = 'p' }"),
+             Contains("heat_map: 'y': 'x' and 'y' are both 'gap'"));
+  CHECK_THAT(told("ricochet.heat_map { rows = rows, x = 'status', y = 'gap', name = 'p' }"),
+             Contains("heat_map: 'x'") && Contains("must be a column of numbers"));
+}

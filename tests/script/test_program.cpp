@@ -253,6 +253,7 @@ TEST_CASE("scripts and examples of the project run short") {
                                     "examples/05_shapes.lua nodes=80",
                                     "examples/06_elements.lua nodes=80 h_min=0.1",
                                     "examples/07_bounces.lua frames=3 until_=20 film=none",
+                                    "examples/08_maps.lua nodes=60 samples=2",
                                     "scripts/elasticity.lua samples=1 height=3",
                                     "scripts/benchmark.lua nodes=60 samples=1 psi1=0,1 growth=300,600",
                                     "scripts/soft_wall.lua --check samples=1",
