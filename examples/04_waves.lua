@@ -18,8 +18,9 @@ local scene = ricochet.scene {
   effects = p.absorb and { ricochet.absorbing { width = 1.2, rate = 4 } } or nil,
 }
 local show = { title = "Elastic waves below an impact", material = "speed", springs = "none", scale = "sqrt",
-  high = 0.4 * p.speed, plot = "force_n" }
+  high = 0.4 * p.speed, plot = "force_n", fronts = true }
 local row = ricochet.animate { scene = scene, frames = p.frames, duration = 9, show = show }
 print(("e = %.3f: the rest of the energy left as waves and vibration"):format(row.e))
 ricochet.contact_sheet { scene = scene, times = { 1.5, 2.5, 3.5, 4.5 }, columns = 2, out = "moments",
-  size = { 800, 450 }, show = { material = "speed", springs = "none", scale = "sqrt", high = 0.4 * p.speed } }
+  size = { 800, 450 }, show = { material = "speed", springs = "none", scale = "sqrt", high = 0.4 * p.speed,
+    fronts = true } }

@@ -107,6 +107,11 @@ Members fields_of_the_scene() {
       {flag("velocity", "velocity of the projectile's centre of mass, as an arrow, with its scale"), &Show::velocity},
       {flag("spin", "the projectile's turn since the start: a radius that turns with it"), &Show::spin},
       {flag("trail", "the path of the projectile's centre"), &Show::trail},
+      {flag("fronts",
+            "in the target, how far P waves (solid), S waves (dashed) and, along its surface, Rayleigh waves (marks) "
+            "have come since the first touch, by the moduli that its interior and placement usually have, which of "
+            "lattices are good to 2 %"),
+       &Show::fronts},
       {flag("ghost", "outlines of the bodies as if they were rigid"), &Show::ghost},
       {{"magnify", "number", "", "factor of the deformation, the difference from a rigid motion", {0, 1e6}, "1"},
        &Show::magnify},
@@ -121,7 +126,8 @@ Members fields_of_the_texts() {
       {flag("clock", "time and Psi1"), &Show::clock},
       {flag("ledger",
             "where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, "
-            "vibration (of the projectile), target, contact, and effects: what they have taken, and what their "
+            "vibration (of the projectile), target, contact, and the scene's effects by name: what they have taken, "
+            "and what their "
             "potentials "
             "(gravity) hold, counted from the least of the sequence, so that energy that stays fills all of the bar"),
        &Show::ledger},

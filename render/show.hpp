@@ -14,7 +14,8 @@ struct Show {
   static constexpr double automatic = std::numeric_limits<double>::quiet_NaN();
   std::string title;
   std::string material = "energy_density", springs = "plain";
-  bool rims = true, anchors = true, forces = false, velocity = false, spin = false, trail = false, ghost = false;
+  bool rims = true, anchors = true, forces = false, velocity = false, spin = false, trail = false, ghost = false,
+       fronts = false;
   double magnify = 1;
   bool colour_bar = true, clock = true, ledger = false;
   std::string plot = "none";

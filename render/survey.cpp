@@ -40,6 +40,19 @@ void Survey::see_surfaces(const FrameMesh& mesh, const Points& places) {
       }
 }
 
+namespace {
+
+void check_waves(const FrameMesh& mesh) {
+  if (mesh.bodies.size() < 2 || std::isnan(mesh.bodies[1].wave_speeds[0]))
+    throw FieldError(
+        "fronts",
+        "needs a target whose waves have one speed: it must not be rigid or prestressed, nor its stiffness "
+        "or density differ from place to place; a recording by an older version does not hold it");
+  if (std::isnan(mesh.first_touch)) throw FieldError("fronts", "needs bodies that touch, and these never do");
+}
+
+}  // namespace
+
 void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, const Frame& frame) {
   const Points places = shown_places(show, mesh, frame);
   see_surfaces(mesh, places);
@@ -47,6 +60,10 @@ void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, 
     const bool material = show.material == quantity->name;
     std::vector<double> values =
         material ? fields.of_material(quantity->name, frame) : fields.of_springs(quantity->name, frame);
+    if (material && mesh.bodies.size() > 1)
+      for (int i = 0; i < mesh.bodies[1].nodes; ++i)
+        if (const double v = std::abs(values[static_cast<std::size_t>(mesh.bodies[1].first + i)]); std::isfinite(v))
+          target_most = std::max(target_most, v);
     std::erase_if(values, [](double v) { return !std::isfinite(v); });
     if (!values.empty()) {
       // The one spring in a thousand that is strongest does not pale all others.
@@ -70,6 +87,13 @@ void Survey::see(const Show& show, const FrameMesh& mesh, const Fields& fields, 
     most_total = std::max(most_total, sum + parts.back());
     most_energy = std::max(sum, most_total - owed);
     effects = effects || std::abs(parts.back()) > 1e-4 * most_energy;
+  }
+  if (show.fronts) {
+    check_waves(mesh);
+    if (const double missed = std::abs(frame.time - mesh.first_touch); missed < touch_missed_) {
+      touch_missed_ = missed;
+      touch = contact_place(mesh, frame);
+    }
   }
   if (show.forces)
     for (int i = 0; i < mesh.bodies.front().nodes; ++i)

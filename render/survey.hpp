@@ -13,10 +13,12 @@ struct Survey {
   Vec2 low = Vec2::Constant(1e300), high = Vec2::Constant(-1e300);  ///< of all that is shown [R]
   double value_low = 0, value_high = 0;    ///< of the coloured quantity, but for the outermost thousandth
   double value_most = 0, value_least = 0;  ///< of all of it
-  double most_total = 0;                   ///< greatest sum of the ledger's parts
-  double most_energy = 0;                  ///< that, with what effects owe at most
-  double owed = 0;                         ///< the least of its last part, if below 0
-  bool effects = false;                    ///< whether its last part ever counts
+  double target_most = 0;     ///< greatest value in the target, of a quantity of the material, without its sign
+  double most_total = 0;      ///< greatest sum of the ledger's parts
+  double most_energy = 0;     ///< that, with what effects owe at most
+  double owed = 0;            ///< the least of its last part, if below 0
+  bool effects = false;       ///< whether its last part ever counts
+  Vec2 touch = Vec2::Zero();  ///< where the bodies first touched, as the frame nearest to it has it [R]
   double most_force = 0, most_speed = 0;
   Points trail;               ///< [frame] the projectile's centre
   std::vector<double> times;  ///< [frame]
@@ -27,6 +29,7 @@ struct Survey {
   void see_between(double time, double value) { curve.emplace_back(time, value); }
 
  private:
+  double touch_missed_ = 1e300;  // by that frame [R/c]
   void see_surfaces(const FrameMesh& mesh, const Points& places);
 };
 

@@ -1,5 +1,7 @@
 #include "render/tile.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -312,6 +314,19 @@ void draw_scales(Canvas& canvas, const Brush& brush, const Tile& tile, const Vie
   }
 }
 
+// In the upper right corner: how far the target goes on a scale that scenes share, where it may be all pale.
+void draw_greatest(Canvas& canvas, const Brush& brush, const Tile& tile, const View& view) {
+  const Quantity* quantity = coloured_quantity(brush.show);
+  const double most = tile.subject->survey.target_most, size = brush.text;
+  if (!quantity || !brush.compares || !(most > 0)) return;
+  const FrameMesh& mesh = tile.subject->mesh;
+  const std::string unit = unit_of(*quantity, mesh);
+  const double worth = mesh.units.worth(unit.c_str()), rounded = std::stod(fmt::format("{:.2g}", most * worth)) / worth;
+  const std::string text = "target: up to " + with_unit(rounded, unit.c_str(), mesh);
+  canvas.text_within(view.box.width, {view.box.x + view.box.width - 0.5 * size, view.box.y + size}, text, brush.text,
+                     black, Align::right);
+}
+
 }  // namespace
 
 Panel draw_tile(const Brush& brush, Font& font, const Tile& tile, const View& view, const Box& cut,
@@ -347,9 +362,11 @@ Panel draw_tile(const Brush& brush, Font& font, const Tile& tile, const View& vi
         above.polyline(rigid, brush.unit, ghost_colour, chain.closed);
       }
     }
+  if (show.fronts) draw_fronts(above, brush, tile, pixels, view, cut);
   if (show.forces) draw_forces(above, brush, tile, pixels);
   if (show.velocity || show.spin || show.trail) draw_projectile_marks(above, brush, tile, view);
   draw_scales(above, brush, tile, view);
+  draw_greatest(above, brush, tile, view);
   panel.above = above.take();
   return panel;
 }

@@ -21,12 +21,16 @@ struct View {
 struct Brush {
   const Show& show;
   Scale scale;
-  int text;     ///< size [pixels]
-  double unit;  ///< width of a thin stroke [pixels]
+  int text;               ///< size [pixels]
+  double unit;            ///< width of a thin stroke [pixels]
+  bool compares = false;  ///< tell how far a scene goes on the scale that it shares with others
 };
 
 /// What the show's camera sees of a tile in this box, with a margin. [pixels]
 View view_of(const Show& show, const Tile& tile, const std::vector<Tile>& tiles, const Box& box, double margin);
+/// Arcs and marks of the waves of the first touch, in the target (fronts.cpp). `pixels`: where its nodes are drawn.
+void draw_fronts(Canvas& canvas, const Brush& brush, const Tile& tile, const Points& pixels, const View& view,
+                 const Box& cut);
 Panel draw_tile(const Brush& brush, Font& font, const Tile& tile, const View& view, const Box& cut,
                 const std::vector<Colour>& colours);
 

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include "core/units.hpp"
@@ -19,11 +21,14 @@ struct MeshChain {
 
 /// A body's part of a mesh.
 struct BodyMesh {
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   int first = 0, nodes = 0;         ///< its nodes: first ... first + nodes - 1
   std::vector<double> law;          ///< numbers of its springs' law, as material/spring_law.hpp lists them
   std::vector<MeshChain> surface;   ///< a plane is an open chain of two held nodes, far apart
   std::vector<double> solid_law{};  ///< numbers of its elements' law, as material/solid_law.hpp lists them
   bool axisymmetric = false;        ///< a body of revolution about x = 0, by the half of its section at x >= 0
+  /// Of P, S and Rayleigh waves; NaN if the body has none of its own. [c]
+  std::array<double, 3> wave_speeds{unknown, unknown, unknown};
 };
 
 /// What stays the same over a sequence. Nodes are those of the bodies, one after another; vectors by node lie flat:
@@ -33,6 +38,8 @@ struct FrameMesh {
   Units units;                              ///< of the user, in which pictures write numbers
   std::vector<BodyMesh> bodies;             ///< by index: the projectile first
   double psi1 = 0;                          ///< tangent of the incident angle, NaN if there is none
+  double first_touch = BodyMesh::unknown;   ///< when projectile and target first touched [R/c]
+  std::vector<std::string> effects{};       ///< what acts beside the bodies, by name
   std::vector<double> rest;                 ///< [dim node + k] [R]
   std::vector<double> mass;                 ///< [node] [m0]
   std::vector<bool> anchored;               ///< [node]

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "body/wave_speeds.hpp"
 #include "core/error.hpp"
 #include "core/turn.hpp"
 #include "impact/axes.hpp"
@@ -194,11 +195,20 @@ FrameMesh frame_mesh(const Scene& scene, const Solids& solids) {
   const Vec2 velocity = scene.launch.velocity();
   const bool slanted = normal(velocity) < 0 && !solids[role::projectile]->axisymmetric;
   mesh.psi1 = slanted ? tangential(velocity) / -normal(velocity) : not_given;
+  for (const Effect& effect : scene.effects) mesh.effects.push_back(name_of(effect));
   const auto bodies = scene.bodies();
   for (std::size_t b = 0; b < solids.size(); ++b) {
     const Plane* plane = std::get_if<Plane>(&solids[b]->surface);
     add_body(mesh, *solids[b], plane ? plane_ends(*plane, scene) : solids[b]->points, bodies[b]->numbers.stiffness);
+    const WaveSpeeds speeds = wave_speeds(*bodies[b], *solids[b]);
+    mesh.bodies.back().wave_speeds = {speeds.pressure, speeds.shear, speeds.surface};
   }
+  return mesh;
+}
+
+FrameMesh frame_mesh(const Scene& scene, const Solids& solids, const Course& course) {
+  FrameMesh mesh = frame_mesh(scene, solids);
+  mesh.first_touch = course.touched;
   return mesh;
 }
 
@@ -217,6 +227,7 @@ Course follow_course(const Solids& solids, const Scene& scene, const std::atomic
   double most = 0;
   bool touched = false;
   const auto look = [&](const Snapshot& shot) {
+    course.touched = shot.first_touch;
     if (shot.energy.contact > most) {
       most = shot.energy.contact;
       course.tightest = shot.time;

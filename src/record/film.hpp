@@ -13,19 +13,23 @@
 
 namespace ricochet {
 
-/// All bodies of a scene as one mesh.
-FrameMesh frame_mesh(const Scene& scene, const Solids& solids);
-
-/// One body alone, in no scene.
-FrameMesh body_mesh(const Solid& solid, double stiffness);
-
 /// What one has to know of an impact to choose the times of its frames. Times since the rims came within reach. [R/c]
 struct Course {
   Outcome outcome;
   double step = 0;
   double first_touch = 0, last_touch = 0;  ///< within 0.1
+  double touched = Outcome::undefined;     ///< when they first touched, to a step; NaN if they never did
   double tightest = 0;                     ///< when contact holds the most energy
 };
+
+/// All bodies of a scene as one mesh.
+FrameMesh frame_mesh(const Scene& scene, const Solids& solids);
+
+/// The same with what was learned of its course.
+FrameMesh frame_mesh(const Scene& scene, const Solids& solids, const Course& course);
+
+/// One body alone, in no scene.
+FrameMesh body_mesh(const Solid& solid, double stiffness);
 
 /// Runs a scene once without frames. Throws FieldError "scene" if the projectile passes by.
 Course follow_course(const Solids& solids, const Scene& scene, const std::atomic<bool>& stop);

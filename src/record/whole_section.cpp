@@ -102,6 +102,8 @@ FrameMesh whole_section(const FrameMesh& halves) {
   whole.dim = halves.dim;
   whole.units = halves.units;
   whole.psi1 = halves.psi1;
+  whole.first_touch = halves.first_touch;
+  whole.effects = halves.effects;
   whole.rest = both(halves, halves.rest);
   for (const BodyMesh& half : halves.bodies) add_body(whole, halves, half);
   return whole;

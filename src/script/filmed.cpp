@@ -137,7 +137,7 @@ std::vector<double> equal_times(double from, double until, int count, double ste
 
 Source source_of(const FilmedScene& filmed, std::vector<double> times) {
   Source source;
-  const FrameMesh mesh = frame_mesh(filmed.scene, filmed.solids);
+  const FrameMesh mesh = frame_mesh(filmed.scene, filmed.solids, filmed.course);
   source.subject = std::make_shared<render::Subject>(whole_section(mesh));
   source.subject->title = filmed.title;
   source.hash = filmed.scene.hash();

@@ -23,7 +23,7 @@ const FrameTimes record_times{.frames = 120, .from = 0};
 const FileName trajectory_name{"trajectory"}, lammps_name{"impact"};
 
 Trajectory trajectory_of(const FilmedScene& filmed, const std::vector<double>& times) {
-  Trajectory trajectory(frame_mesh(filmed.scene, filmed.solids));
+  Trajectory trajectory(frame_mesh(filmed.scene, filmed.solids, filmed.course));
   if (!film_scene(filmed.solids, filmed.scene, times, stop_requested,
                   [&](Frame frame) { trajectory.add(std::move(frame)); }))
     throw Error("interrupted", Exit::interrupted);

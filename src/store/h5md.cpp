@@ -64,9 +64,9 @@ std::string energy_doc(const std::string& name) {
 
 // Ragged lists, one after another. A body: its first node, how many, how many numbers the law of its springs has,
 // these. A law of solids: its body, how many numbers, these. A chain: its body, 1 if it is closed, how many nodes,
-// these.
+// these. Three speeds of waves of each body.
 void write_bodies(const hdf5::Handle& own, const FrameMesh& mesh) {
-  std::vector<double> bodies, chains, solid_laws, axisymmetric;
+  std::vector<double> bodies, chains, solid_laws, axisymmetric, wave_speeds;
   for (std::size_t b = 0; b < mesh.bodies.size(); ++b) {
     const BodyMesh& body = mesh.bodies[b];
     bodies.insert(bodies.end(), {static_cast<double>(body.first), static_cast<double>(body.nodes),
@@ -76,6 +76,7 @@ void write_bodies(const hdf5::Handle& own, const FrameMesh& mesh) {
       solid_laws.insert(solid_laws.end(), {static_cast<double>(b), static_cast<double>(body.solid_law.size())});
       solid_laws.insert(solid_laws.end(), body.solid_law.begin(), body.solid_law.end());
     }
+    wave_speeds.insert(wave_speeds.end(), body.wave_speeds.begin(), body.wave_speeds.end());
     if (body.axisymmetric) axisymmetric.push_back(static_cast<double>(b));
     for (const MeshChain& chain : body.surface) {
       chains.insert(chains.end(),
@@ -87,6 +88,7 @@ void write_bodies(const hdf5::Handle& own, const FrameMesh& mesh) {
   hdf5::numbers(own, "chains", chains);
   if (!solid_laws.empty()) hdf5::numbers(own, "solid_laws", solid_laws);
   if (!axisymmetric.empty()) hdf5::numbers(own, "axisymmetric", axisymmetric);
+  hdf5::numbers(own, "wave_speeds", wave_speeds);
 }
 
 // What the places do not tell of springs or elements with a past: as many numbers in every frame, or none.
@@ -103,6 +105,8 @@ void write_past(const hdf5::Handle& own, const std::vector<Frame>& frames, const
 void write_drawing(const hdf5::Handle& file, const FrameMesh& mesh, const std::vector<Frame>& frames) {
   const hdf5::Handle own = hdf5::group(file, "ricochet");
   hdf5::numbers(own, "launch", std::vector<double>{mesh.psi1});
+  hdf5::numbers(own, "first_touch", std::vector<double>{mesh.first_touch});
+  if (!mesh.effects.empty()) hdf5::texts(own, "effects", mesh.effects);
   write_bodies(own, mesh);
   std::vector<double> anchored;
   for (const bool held : mesh.anchored) anchored.push_back(held);

@@ -77,6 +77,11 @@ std::vector<BodyMesh> read_bodies(const hdf5::Handle& own, std::size_t nodes) {
   if (H5Lexists(own, "axisymmetric", H5P_DEFAULT) > 0)
     for (Ragged list(hdf5::read_numbers(own, "axisymmetric"), "the axisymmetric bodies"); !list.ended();)
       bodies[list.whole(bodies.size() - 1)].axisymmetric = true;
+  if (H5Lexists(own, "wave_speeds", H5P_DEFAULT) > 0) {
+    const std::vector<double> speeds = hdf5::read_numbers(own, "wave_speeds");
+    must_be(speeds.size() == 3 * bodies.size(), "the speeds of waves");
+    for (std::size_t k = 0; k < speeds.size(); ++k) bodies[k / 3].wave_speeds[k % 3] = speeds[k];
+  }
   for (Ragged list(hdf5::read_numbers(own, "chains"), "the chains"); !list.ended();) {
     BodyMesh& body = bodies[list.whole(bodies.size() - 1)];
     MeshChain chain{{}, list.whole(1) == 1};
@@ -97,6 +102,12 @@ FrameMesh read_mesh(const hdf5::Handle& file) {
   const std::vector<double> launch = hdf5::read_numbers(own, "launch");
   must_be(launch.size() == 1, "the launch");
   mesh.psi1 = launch[0];
+  if (H5Lexists(own, "first_touch", H5P_DEFAULT) > 0) {
+    const std::vector<double> touch = hdf5::read_numbers(own, "first_touch");
+    must_be(touch.size() == 1, "the first touch");
+    mesh.first_touch = touch[0];
+  }
+  if (H5Lexists(own, "effects", H5P_DEFAULT) > 0) mesh.effects = hdf5::read_texts(own, "effects");
   const std::vector<int> dim = indices(own, "dimension", 4);
   must_be(dim.size() == 1 && dim[0] >= 2, "the dimension");
   mesh.dim = dim[0];

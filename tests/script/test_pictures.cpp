@@ -61,11 +61,11 @@ TEST_CASE("frames have equal bytes over two runs and over threads, with every la
 TEST_CASE("ricochet render draws a recorded impact to the same bytes as animate drew it while it ran") {
   const Workplace here;
   REQUIRE(here.script(drawing("ricochet.animate { scene = scene(), frames = 5, from = 0, size = { 320, 180 }, show = { "
-                              "material = 'von_mises', ledger = true, trail = true } }\n"
+                              "material = 'von_mises', ledger = true, trail = true, fronts = true } }\n"
                               "ricochet.record { scene = scene(), frames = 5 }"))
               .status == 0);
-  const Ended ended =
-      here.shell("ricochet render out/s/trajectory.h5 --size 320x180 material=von_mises ledger=true trail=true");
+  const Ended ended = here.shell(
+      "ricochet render out/s/trajectory.h5 --size 320x180 material=von_mises ledger=true trail=true fronts=true");
   INFO(ended.err);
   REQUIRE(ended.status == 0);
   CHECK(all_bytes(here, "out/s/frames") == all_bytes(here, "out/s/trajectory_frames"));
@@ -254,6 +254,12 @@ TEST_CASE("mistakes in pictures are found at their own line, before anything run
       {"ricochet.animate { scene = scene(),\n  show = { springs = 'tension' } }",
        "error: s.lua:5: animate: 'springs': 'tension' colours the springs and 'energy_density' the material, and there "
        "is one colour bar; make one of them plain or none"},
+      {"ricochet.still { scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.plane "
+       "{}, "
+       "launch = { speed = 0.1 } },\n  show = { fronts = true } }",
+       "error: s.lua:4: still: 'fronts': needs a target whose waves have one speed: it must not be rigid or "
+       "prestressed, "
+       "nor its stiffness or density differ from place to place; a recording by an older version does not hold it"},
       {"ricochet.animate { frames = 3 }",
        "error: s.lua:4: animate: 'scene': is missing: what is to be drawn (or scenes, for several)"},
       {"ricochet.animate { scenes = { scene(), 3 } }",
