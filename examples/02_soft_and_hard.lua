@@ -23,7 +23,8 @@ end
 
 local scenes, titles = { scene(p.soft), scene(p.hard) },
   { ("wall %g times as stiff"):format(p.soft), ("wall %g times as stiff"):format(p.hard) }
-local show = { material = "speed", velocity = true, trail = true, ledger = true, title = "One disk, two walls" }
+local show = { material = "speed", scale = "sqrt", velocity = true, trail = true, ledger = true,
+  title = "One disk, two walls" }
 local rows = ricochet.animate { scenes = scenes, titles = titles, frames = p.frames, duration = 14, show = show,
   out = "frames", film = p.film ~= "" and p.film or nil }
 for i, row in ipairs(rows) do
@@ -31,4 +32,4 @@ for i, row in ipairs(rows) do
     row.indentation))
 end
 ricochet.contact_sheet { scenes = scenes, titles = { "soft", "hard" }, moments = 3, out = "moments",
-  size = { 800, 400 }, show = { material = "speed" } }
+  size = { 800, 400 }, show = { material = "speed", scale = "sqrt" } }

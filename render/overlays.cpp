@@ -122,16 +122,25 @@ void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scal
 
 namespace {
 
-constexpr std::array<const char*, 7> part_names{"normal", "tangential", "spin",   "vibration",
-                                                "target", "contact",    "effects"};
+// What the ledger's parts are called; the last is what effects hold or have taken, if that ever counts, by their names.
+std::vector<std::string> part_names(const Subject& subject) {
+  std::vector<std::string> names{"normal", "tangential", "spin", "vibration", "target", "contact"};
+  if (!subject.survey.effects) return names;
+  std::string effects;
+  for (const std::string& effect : subject.mesh.effects) effects += (effects.empty() ? "" : ", ") + effect;
+  std::replace(effects.begin(), effects.end(), '_', ' ');
+  names.push_back(effects.empty() ? "effects" : effects);
+  return names;
+}
 
 // Where each name of the ledger's parts stands, in rows of this width: x and row.
-std::vector<std::pair<double, int>> legend_of(Canvas& canvas, double width, int size, std::size_t count) {
+std::vector<std::pair<double, int>> legend_of(Canvas& canvas, double width, int size,
+                                              const std::vector<std::string>& names) {
   std::vector<std::pair<double, int>> places;
   double x = 0;
   int row = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double taken = 1.0 * size + canvas.text_width(part_names[k], size);
+  for (const std::string& name : names) {
+    const double taken = 1.0 * size + canvas.text_width(name, size);
     if (x > 0 && x + taken > width) {
       x = 0;
       ++row;
@@ -144,8 +153,8 @@ std::vector<std::pair<double, int>> legend_of(Canvas& canvas, double width, int 
 
 }  // namespace
 
-double ledger_height(Canvas& canvas, double width, int size, bool effects) {
-  const int rows = legend_of(canvas, width, size, effects ? 7 : 6).back().second;
+double ledger_height(Canvas& canvas, double width, int size, const Subject& subject) {
+  const int rows = legend_of(canvas, width, size, part_names(subject)).back().second;
   return (2.9 + 1.2 * rows) * size;
 }
 
@@ -155,7 +164,8 @@ void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile) {
   // A potential has no zero of its own: counted from its least, all energy that stays fills all of the bar.
   parts[6] -= survey.owed;
   const double most = survey.most_energy;
-  const auto places = legend_of(canvas, box.width, size, survey.effects ? 7 : 6);
+  const std::vector<std::string> names = part_names(*tile.subject);
+  const auto places = legend_of(canvas, box.width, size, names);
   const double bar = std::round(0.9 * size), y = box.y + (1.45 + 1.2 * places.back().second) * size,
                thin = std::max(1.0, size / 18.0);
   canvas.rectangle({box.x, y}, {box.width, bar}, {240, 240, 242, 255});
@@ -168,7 +178,7 @@ void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile) {
     const double left = box.x + places[k].first, top = box.y + (0.35 + 1.2 * places[k].second) * size;
     canvas.rectangle({left, std::round(top)}, {std::round(0.7 * size), std::round(0.7 * size)}, colour);
     canvas.text_within(std::max(1.0, box.x + box.width - left - 1.0 * size), {left + 1.0 * size, top + 0.7 * size},
-                       part_names[k], size, black);
+                       names[k], size, black);
   }
   canvas.polyline({{box.x, y}, {box.x + box.width, y}, {box.x + box.width, y + bar}, {box.x, y + bar}}, thin, grey,
                   true);

@@ -185,10 +185,11 @@ Painting paint(const Show& show, const Layout& layout, Font& font, const std::ve
 
   const Box all{0, top, layout.width - bar.width, layout.height - top};
   const bool captions = std::any_of(tiles.begin(), tiles.end(), [](const Tile& tile) { return !tile.caption.empty(); });
-  const bool effects =
-      std::any_of(surveys.begin(), surveys.end(), [](const Survey* survey) { return survey->effects; });
-  const Strips strips{captions ? sheet.line : 0,
-                      show.ledger ? ledger_height(over, all.width / sheet.columns - 4 * sheet.pad, text, effects) : 0,
+  double ledger = 0;
+  for (const Tile& tile : tiles)
+    if (show.ledger)
+      ledger = std::max(ledger, ledger_height(over, all.width / sheet.columns - 4 * sheet.pad, text, *tile.subject));
+  const Strips strips{captions ? sheet.line : 0, ledger,
                       plotted_quantity(show) ? std::max(7.5 * text, 0.26 * all.height / sheet.rows) : 0};
   for (std::size_t k = 0; k < tiles.size(); ++k) {
     const Tile& tile = tiles[k];
@@ -196,8 +197,13 @@ Painting paint(const Show& show, const Layout& layout, Font& font, const std::ve
     check_room(sheet, cell, strips, tiles.size() == 1);
     const Box scene{cell.x, cell.y + strips.caption, cell.width, std::max(1.0, strips.left_of(cell.height))};
     const View view = view_of(show, tile, tiles, scene, show.anchors ? text : sheet.pad);
+    // Where scenes share a scale each tells once how far it goes.
+    const auto same = [&](const Tile& other) { return other.subject == tile.subject; };
+    Brush own = brush;
+    own.compares = std::find_if(tiles.begin(), tiles.end(), same) - tiles.begin() == static_cast<std::ptrdiff_t>(k) &&
+                   !std::all_of(tiles.begin(), tiles.end(), same);
     // Bodies under a camera that sees a part are cut at the border of their cell; others fit anyway.
-    painting.panels.push_back(draw_tile(brush, font, tile, view, scene, painting.colours));
+    painting.panels.push_back(draw_tile(own, font, tile, view, scene, painting.colours));
     draw_strips(over, sheet, cell, strips, tile);
   }
   painting.over = over.take();

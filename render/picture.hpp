@@ -59,7 +59,7 @@ std::vector<BarMark> bar_marks(const Scale& scale, double factor, bool tall);
 void draw_colour_bar(Canvas& canvas, const Box& box, int size, const Scale& scale, const std::vector<Colour>& colours,
                      const std::vector<BarMark>& marks);
 /// Of a ledger of this width, its legend in as many rows as it needs. [pixels]
-double ledger_height(Canvas& canvas, double width, int size, bool effects);
+double ledger_height(Canvas& canvas, double width, int size, const Subject& subject);
 void draw_ledger(Canvas& canvas, const Box& box, int size, const Tile& tile);
 void draw_plot(Canvas& canvas, const Box& box, int size, const Tile& tile, const Quantity& quantity);
 /// The power of ten that an axis up to `most` is best given in; 0 for numbers of common size.

@@ -482,3 +482,65 @@ TEST_CASE("impossible sizes and contradictions are refused") {
   CHECK(refused([](Show& s) { s.width = 2; }) == "width");
   CHECK(refused([](Show&) {}) == "nothing");
 }
+
+TEST_CASE("fronts of waves are arcs in the target about the first touch, as far as their speeds have brought them") {
+  FrameMesh mesh = small_mesh();
+  mesh.bodies[1].wave_speeds = {0.6, 0.3, 1.5};
+  mesh.first_touch = 1;
+  Frame frame = frame_of(mesh);  // the rims' nearest places are at (0, 0.1), half a gap above the wall
+  frame.time = 2;
+  Show show = bare();
+  const Image without = drawn(show, mesh, frame);
+  show.fronts = true;
+  const Image with = drawn(show, mesh, frame);
+  const auto dark = [](const Image& image, int x0, int x1, int y0, int y1) {
+    return dark_pixels(image, x0, y0, x1, y1) > 0;
+  };
+  // The wall is 4 R wide in some 390 pixels, its surface near y = 165: 0.6 R are 58 pixels to either side of x = 200.
+  const auto row = [&](const Image& image, double x) {
+    const int at = 200 + static_cast<int>(std::lround(x * 97));
+    return dark(image, at - 4, at + 4, 172, 178);
+  };
+  CHECK(row(with, 0.59));
+  CHECK(row(with, -0.59));
+  CHECK(!row(without, 0.59));
+  CHECK(!row(with, 0.9));
+  CHECK(!row(with, 0.42));
+  frame.time = 0.5;  // before the touch
+  CHECK(drawn(show, mesh, frame).rgba == without.rgba);
+  mesh.bodies[1].wave_speeds[0] = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_WITH(drawn(show, mesh, frame), Catch::Matchers::Contains("needs a target whose waves have one speed"));
+}
+
+TEST_CASE("the ledger names the effects that hold energy or have taken some") {
+  FrameMesh mesh = small_mesh();
+  Show show = bare();
+  show.ledger = true;
+  Frame frame = frame_of(mesh);
+  frame.energy[7] = 1.5;
+  const Image unnamed = drawn(show, mesh, frame, 640, 360);
+  mesh.effects = {"moving_anchor", "damping"};
+  CHECK(drawn(show, mesh, frame, 640, 360).rgba != unnamed.rgba);
+  mesh.effects = {"effects"};
+  CHECK(drawn(show, mesh, frame, 640, 360).rgba == unnamed.rgba);
+}
+
+TEST_CASE("of scenes that share a scale each tells how far its target goes on it") {
+  const FrameMesh mesh = small_mesh();
+  Show show = bare("speed");
+  Subject one(mesh), other(mesh);
+  Frame frame = frame_of(mesh);
+  frame.velocity.back() = 0.1f;  // of a node of the wall
+  one.see(show, frame);
+  other.see(show, frame);
+  CHECK(one.survey.target_most == static_cast<double>(0.1f));
+  Context context(800, 300);
+  Font font;
+  const auto corner = [&](const Subject& second) {  // upper right of the right half
+    const Image image =
+        context.draw(paint(show, {800, 300, 2}, font, {{&one, &frame, 0, ""}, {&second, &frame, 0, ""}}, ""), font);
+    return dark_pixels(image, 660, 0, 800, 16);
+  };
+  CHECK(corner(other) > 20);
+  CHECK(corner(one) == 0);
+}
