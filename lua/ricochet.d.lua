@@ -741,6 +741,31 @@ function ricochet.waves(t) end
 ---@param t ricochet.plot_fields
 function ricochet.plot(t) end
 
+---@class ricochet.histogram_fields
+---@field rows ricochet.rows rows of a sweep; those that finished count
+---@field of? string column whose values are counted (default e)
+---@field by? string|string[] column, or columns, for each of whose values there is a panel
+---@field bins? integer how many, from the least value to the greatest; unless given they are 2 IQR/n^(1/3) wide, IQR the range of the middle half of n values [Freedman & Diaconis 1981], in all panels the median of theirs, and those of e meet at 1
+---@field name string file name without extension
+---@field title? string above the plot
+---@field caption? string below the plot: parameters; how many impacts finished and failed, and how wide bins are, is added
+--- Counts the values of a column, one panel for each value of `by`, with the mean and its standard error, and where e = 1 is; as NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.
+---@param t ricochet.histogram_fields
+function ricochet.histogram(t) end
+
+---@class ricochet.heat_map_fields
+---@field rows ricochet.rows rows of a sweep over at least the two columns
+---@field x string column along x
+---@field y string column along y
+---@field of? string column whose mean colours the cells (default e)
+---@field log? "none"|"x"|"y"|"xy" axes with a logarithmic scale (default none)
+---@field name string file name without extension
+---@field title? string above the plot
+---@field caption? string below the plot: parameters; how many impacts finished and failed, over what is averaged, and the greatest standard error, is added
+--- Draws the mean of a column over two others as coloured cells that meet halfway between the values, with numbers where all fit; cells without a finished row are hatched. As NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.
+---@param t ricochet.heat_map_fields
+function ricochet.heat_map(t) end
+
 ---@class ricochet.animate_fields
 ---@field scene? ricochet.scene what happens
 ---@field scenes? ricochet.scene[] several instead, side by side, with common colours and times
@@ -770,11 +795,12 @@ function ricochet.animate(t) end
 ---@field velocity? boolean velocity of the projectile's centre of mass, as an arrow, with its scale (default false)
 ---@field spin? boolean the projectile's turn since the start: a radius that turns with it (default false)
 ---@field trail? boolean the path of the projectile's centre (default false)
+---@field fronts? boolean in the target, how far P waves (solid), S waves (dashed) and, along its surface, Rayleigh waves (marks) have come since the first touch, by the moduli that its interior and placement usually have, which of lattices are good to 2 % (default false)
 ---@field ghost? boolean outlines of the bodies as if they were rigid (default false)
 ---@field magnify? number factor of the deformation, the difference from a rigid motion (default 1)
 ---@field colour_bar? boolean what the colours mean, with unit; a tip at an end says that values lie beyond it (default true)
 ---@field clock? boolean time and Psi1 (default true)
----@field ledger? boolean where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, vibration (of the projectile), target, contact, and effects: what they have taken, and what their potentials (gravity) hold, counted from the least of the sequence, so that energy that stays fills all of the bar (default false)
+---@field ledger? boolean where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, vibration (of the projectile), target, contact, and the scene's effects by name: what they have taken, and what their potentials (gravity) hold, counted from the least of the sequence, so that energy that stays fills all of the bar (default false)
 ---@field plot? "none"|"vn"|"vt"|"omega"|"height"|"force_n"|"force_t"|"vibration" a plot that grows with time, of every moment while a run is drawn, of its frames if a recording is; vn: normal velocity of the projectile [c]; vt: tangential velocity of the projectile [c]; omega: spin of the projectile [c/R]; height: height of the projectile's centre [R]; force_n: normal force of contact on the projectile [m0 c^2/R]; force_t: tangential force of contact on the projectile [m0 c^2/R]; vibration: energy of the vibration of both bodies [m0 c^2] (default none)
 ---@field colours? "auto"|"ylgnbu"|"puor"|"cividis" of the colour bar; auto: ylgnbu, or puor for a quantity of both signs (default auto)
 ---@field scale? "auto"|"linear"|"sqrt" of the colour bar; auto: sqrt for energies, else linear (default auto)

@@ -134,7 +134,7 @@ local function draw(t, panels, bins)
   local bins_text = bins.rule ~= "" and ("; bins of %.3g (%s)"):format(bins.width, bins.rule) or ""
   local over = rows_module.averaged(t.rows, t.by or {})
   if over ~= "" then over = "; over " .. over end
-  for _, line in ipairs(plot.wrapped(("%d impacts, %d failed%s%s"):format(finished, failed, over, bins_text), 100)) do
+  for _, line in ipairs(plot.wrapped(("%d impacts, %d failed%s%s"):format(finished, failed, bins_text, over), 100)) do
     below[#below + 1] = line
   end
   script:panels {

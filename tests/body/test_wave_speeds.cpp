@@ -16,10 +16,7 @@ TEST_CASE("Rayleigh waves at Poisson's ratio 1/4 have c_R^2 = (2 - 2/sqrt(3)) c_
 }
 
 TEST_CASE("elements have the wave speeds of their moduli in the plane, and of space in a body of revolution") {
-  Body body{Points{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, numbers(200, 1e4, 0, 1), {}, {}};
-  body.numbers.interior = "elements";
-  body.numbers.stiffness = 1e4;
-  body.numbers.nu = 0.3;
+  Body body{Points{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, element_numbers(200, 1e4, 0.3), {}, {}};
   body.numbers.density = 250;
   const double E = 1e4, nu = 0.3, density = 250;
   const WaveSpeeds stress = wave_speeds(body, *build_solid(body));

@@ -487,25 +487,27 @@ TEST_CASE("fronts of waves are arcs in the target about the first touch, as far 
   FrameMesh mesh = small_mesh();
   mesh.bodies[1].wave_speeds = {0.6, 0.3, 1.5};
   mesh.first_touch = 1;
-  Frame frame = frame_of(mesh);  // the rims' nearest places are at (0, 0.1), half a gap above the wall
+  Frame frame = frame_of(mesh);
   frame.time = 2;
   Show show = bare();
   const Image without = drawn(show, mesh, frame);
   show.fronts = true;
   const Image with = drawn(show, mesh, frame);
-  const auto dark = [](const Image& image, int x0, int x1, int y0, int y1) {
-    return dark_pixels(image, x0, y0, x1, y1) > 0;
+  // The wall is 4 R wide in 400 pixels less a pad of 7 on either side, and (0, 0.1) is in the middle.
+  Subject subject(mesh);
+  subject.see(show, frame);
+  const double scale = 386.0 / 4;
+  const Vec2 touch = Vec2(200, 150) + scale * Vec2(subject.survey.touch.x(), 0.1 - subject.survey.touch.y());
+  const auto dark = [&](const Image& image, double share) {  // of the P waves' way, in the row of pixels y = 176
+    const double x = touch.x() + share * std::sqrt(std::pow(0.6 * scale, 2) - std::pow(176 - touch.y(), 2));
+    return dark_pixels(image, static_cast<int>(x) - 2, 175, static_cast<int>(x) + 3, 177) > 0;
   };
-  // The wall is 4 R wide in some 390 pixels, its surface near y = 165: 0.6 R are 58 pixels to either side of x = 200.
-  const auto row = [&](const Image& image, double x) {
-    const int at = 200 + static_cast<int>(std::lround(x * 97));
-    return dark(image, at - 4, at + 4, 172, 178);
-  };
-  CHECK(row(with, 0.59));
-  CHECK(row(with, -0.59));
-  CHECK(!row(without, 0.59));
-  CHECK(!row(with, 0.9));
-  CHECK(!row(with, 0.42));
+  for (const double side : {-1.0, 1.0}) {
+    CHECK(dark(with, side));
+    CHECK(!dark(without, side));
+    CHECK(!dark(with, 0.85 * side));
+    CHECK(!dark(with, 1.15 * side));
+  }
   frame.time = 0.5;  // before the touch
   CHECK(drawn(show, mesh, frame).rgba == without.rgba);
   mesh.bodies[1].wave_speeds[0] = std::numeric_limits<double>::quiet_NaN();

@@ -257,7 +257,7 @@ TEST_CASE("mistakes in pictures are found at their own line, before anything run
       {"ricochet.still { scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.plane "
        "{}, "
        "launch = { speed = 0.1 } },\n  show = { fronts = true } }",
-       "error: s.lua:4: still: 'fronts': needs a target whose waves have one speed: it must not be rigid or "
+       "error: s.lua:5: still: 'fronts': needs a target whose waves have one speed: it must not be rigid or "
        "prestressed, "
        "nor its stiffness or density differ from place to place; a recording by an older version does not hold it"},
       {"ricochet.animate { frames = 3 }",
