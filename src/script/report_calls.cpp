@@ -113,7 +113,7 @@ void record_row(lua_State* L, const Swept& swept, std::vector<FilmedScene>& scen
     FrameTimes wanted;
     wanted.frames = frames;
     wanted.from = 0;
-    Trajectory trajectory(frame_mesh(filmed.scene, filmed.solids));
+    Trajectory trajectory(frame_mesh(filmed.scene, filmed.solids, filmed.course));
     if (!film_scene(filmed.solids, filmed.scene, times_of(scenes, wanted), stop_requested,
                     [&](Frame frame) { trajectory.add(std::move(frame)); }))
       throw Error("interrupted", Exit::interrupted);
