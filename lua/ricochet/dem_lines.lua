@@ -32,11 +32,16 @@ local function missed(change, where)
   return change == change and ("%s it is %+.4f off"):format(where, change) or where .. " nothing was measured"
 end
 
+-- One impact alone has no error.
+local function with_error(value, se)
+  return se == se and ("%.4f +- %.4f"):format(value, se) or ("%.4f, by one impact, without an error"):format(value)
+end
+
 -- What every file says at its head, a line each.
 local function head(study)
   local c, f = study.constant, study.friction
   local list = {
-    ("e is constant here: %.4f +- %.4f, taken at a normal speed of %s m/s."):format(c.e, c.e_se, number(c.v)),
+    ("e is constant here: %s, taken at a normal speed of %s m/s."):format(with_error(c.e, c.e_se), number(c.v)),
     missed(c.third, "At a third of that speed") .. "; " .. missed(c.triple, "at three times that speed") .. ".",
   }
   if f.reason then
@@ -104,7 +109,8 @@ end
 local function csv(study)
   local list = { "v [m/s],e,e_se,impacts" }
   for _, point in ipairs(study.e) do
-    list[#list + 1] = ("%.9g,%.9g,%.3g,%d"):format(point.v, point.e, point.e_se, point.count)
+    local se = point.e_se == point.e_se and ("%.3g"):format(point.e_se) or ""
+    list[#list + 1] = ("%.9g,%.9g,%s,%d"):format(point.v, point.e, se, point.count)
   end
   return commented(study, "#") .. table.concat(list, "\n") .. "\n"
 end
@@ -149,7 +155,10 @@ end
 --- What is printed.
 function dem_lines.summary(study)
   local list = { ("%12s %10s %10s %8s"):format("v [m/s]", "e", "se", "impacts") }
-  for _, p in ipairs(study.e) do list[#list + 1] = ("%12.4g %10.4f %10.2g %8d"):format(p.v, p.e, p.e_se, p.count) end
+  for _, p in ipairs(study.e) do
+    local se = p.e_se == p.e_se and ("%.2g"):format(p.e_se) or "-"
+    list[#list + 1] = ("%12.4g %10.4f %10s %8d"):format(p.v, p.e, se, p.count)
+  end
   for _, line in ipairs(head(study)) do list[#list + 1] = line end
   return table.concat(list, "\n")
 end

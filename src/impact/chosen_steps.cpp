@@ -107,7 +107,8 @@ void tell_start(const Integration& asked, std::size_t tried, std::size_t members
                            asked_text(asked), tried, members, std::max(share, least_impacts)));
 }
 
-void tell_choice(const Integration& asked, const Choice& choice, const Places& tried, const Telling& telling) {
+void tell_choice(const Integration& asked, const Choice& choice, const Places& tried, const Units& units,
+                 const Telling& telling) {
   for (const LeftOut& scene : choice.left_out)
     telling.line(fmt::format(
         "  left out: {}: {}", telling.name(tried[scene.scene]),
@@ -115,10 +116,10 @@ void tell_choice(const Integration& asked, const Choice& choice, const Places& t
             ? scene.reason
             : fmt::format("{} still changes by {:.2g} at the shortest steps tried", asked.accuracy_of, scene.error)));
   telling.line(
-      fmt::format("{}: {} with theta {:.3g} (a step of {:.3g} R/c), {} error {:.2g} ({} trial runs of {} scene{}, the "
+      fmt::format("{}: {} with theta {:.3g} (a step of {}), {} error {:.2g} ({} trial runs of {} scene{}, the "
                   "work of {:.3g} spring "
                   "evaluations)",
-                  asked_text(asked), choice.method, choice.theta, choice.step,
+                  asked_text(asked), choice.method, choice.theta, units.shown(choice.step, "R/c"),
                   choice.found == Found::extrapolated ? "extrapolated" : "estimated", choice.error, choice.trials,
                   tried.size(), tried.size() == 1 ? "" : "s", choice.evaluations));
   if (choice.found == Found::extrapolated) telling.line("  the trials' share was used up before this step was tried");
@@ -186,7 +187,7 @@ KindsChoice try_kind(std::vector<Scene>& scenes, const Places& members, int thre
   } catch (const FieldError& error) {
     throw SceneError(error, members.front());
   }
-  tell_choice(asked, choice, places, telling);
+  tell_choice(asked, choice, places, scenes[members.front()].units, telling);
   take(scenes, members, places, choice);
   tell_contact(scenes, members, places, tried, choice, threads, stop, telling);
   return {choice.method, choice.theta, choice.longest, choice.error, scenes[members.front()].error_contact};

@@ -171,8 +171,16 @@ std::string help_on(const std::string& name) {
     const std::size_t width = list.size() - (list.rfind('\n') + 1);
     list += (list.empty() ? "" : width + f.name.size() > 110 ? ",\n" : ", ") + f.name;
   }
+  for (const auto& [field, value] : Outcome::fields()) {
+    if (field.name == name)
+      return fmt::format("{}{}: {} (a column of rows)", name, field.unit.empty() ? "" : " [" + field.unit + "]",
+                         field.doc);
+    names.push_back(field.name);
+  }
   if (!name.empty()) throw Error(fmt::format("there is no '{}' in the reference{}", name, did_you_mean(name, names)));
-  return "help \"NAME\" tells all of one of these; ricochet reference prints the whole page.\n" + list;
+  return "help \"NAME\" tells all of one of these, or of a column of rows; ricochet reference prints the whole "
+         "page.\n" +
+         list;
 }
 
 std::string editor_stubs() {

@@ -90,7 +90,7 @@ TEST_CASE("an impact that came near to its method's limit is told, with a step t
                            Catch::Matchers::Contains("sample = 1: the frequency bound rose until") &&
                            Catch::Matchers::Contains("% of the longest stable one") &&
                            Catch::Matchers::Contains("(3 impacts came that near); give theta = 1."));
-  CHECK(here.script(text, "samples=1 --quiet --force").err.empty());
+  CHECK(here.script(text, "samples=1 --quiet --force").err.find("longest stable one") == std::string::npos);
 }
 
 TEST_CASE("the summary is the mean, deviation and error of finished rows") {

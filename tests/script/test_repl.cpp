@@ -150,8 +150,9 @@ TEST_CASE("rows, bodies, scenes and summaries are shown, in the repl and by prin
 
 TEST_CASE("help lists the reference and tells of one function") {
   const Workplace here;
-  const Ended ended = typed(here, "help\nhelp 'disk'\nhelp 'ricochet.theory.hertz'\nhelp 'dsik'\n");
-  CHECK_THAT(ended.out, Catch::Matchers::Contains("theory.hertz") && Catch::Matchers::Contains("disk: ") &&
+  const Ended ended = typed(here, "help\nhelp contact_time\nhelp 'disk'\nhelp 'ricochet.theory.hertz'\nhelp 'dsik'\n");
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("theory.hertz") &&
+                            Catch::Matchers::Contains("contact_time [R/c]: ") && Catch::Matchers::Contains("disk: ") &&
                             Catch::Matchers::Contains("  nodes          ") && Catch::Matchers::Contains("gives "));
   CHECK_THAT(ended.err, Catch::Matchers::Contains("there is no 'dsik' in the reference (did you mean 'disk'?)"));
 }
