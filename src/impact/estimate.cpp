@@ -48,6 +48,15 @@ Elastic elastic_of(const Body& body) {
           std::find(body.anchored.begin(), body.anchored.end(), true) != body.anchored.end()};
 }
 
+// As the projectile arrives, if it falls all the height that was given; a free target that falls alike sees no fall.
+Vec2 arriving_velocity(const Scene& scene) {
+  const Vec2 launched = scene.launch.velocity();
+  const bool alike = !elastic_of(*scene.target).held && fall_of(scene.effects, 1, 2) != Vec3::Zero();
+  const double fall = alike ? 0 : -normal(fall_of(scene.effects, 0, 2));
+  if (!(fall > 0 && scene.launch.height > 0)) return launched;
+  return {tangential(launched), -std::hypot(normal(launched), std::sqrt(2 * fall * scene.launch.height))};
+}
+
 /// Where the smooth outlines first touch: the projectile is moved there, the target lies where it is at rest.
 struct Touch {
   Points projectile;
@@ -223,7 +232,7 @@ constexpr double fastest_modes = 0.05;
 
 // What does not need a law of the contact.
 void add_doubts_of_bodies(const Scene& scene, Estimate& e) {
-  const double speed = e.normal_speed > 0 ? e.normal_speed : scene.launch.velocity().norm();
+  const double speed = e.normal_speed > 0 ? e.normal_speed : arriving_velocity(scene).norm();
   for (const Body* body : scene.bodies()) {
     if (body->rigid() || !body->numbers.of_modes()) continue;
     const double share = speed / elastic_of(*body).wave_speed();
@@ -300,7 +309,7 @@ Estimate by_law(const Scene& scene) {
   const Side other = side_of(*scene.target, scene.target->outline, touch->at);
   const Vec2 normal =
       std::isinf(one.outline.radius) || one.outline.corner ? other.outline.normal : Vec2(-one.outline.normal);
-  e.normal_speed = -scene.launch.velocity().dot(normal);
+  e.normal_speed = -arriving_velocity(scene).dot(normal);
   const bool revolved = scene.projectile->numbers.axisymmetric();
   if (revolved && tangential(touch->at) != 0)
     return without_law(e, "the bodies touch along a ring, and the law is of a touch on their axis");

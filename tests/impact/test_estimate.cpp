@@ -122,3 +122,14 @@ TEST_CASE("estimate: yielding begins at 1.67 times the yield stress", "[estimate
   CHECK(with_yield(pressure / 1.66) == 0);
   CHECK(with_yield(pressure / 1.68) == 1);
 }
+
+TEST_CASE("an estimate counts the fall from a height under gravity, as the impact does") {
+  Scene fallen = scene_of(round_body(1, 1e4), plane(), 0.001);
+  fallen.launch.height = 1;
+  fallen.effects = {Gravity{1e-3}};
+  const Scene thrown = scene_of(round_body(1, 1e4), plane(), std::hypot(0.001, std::sqrt(2e-3)));
+  CHECK_THAT(estimate(fallen).normal_speed, WithinRel(estimate(thrown).normal_speed, 1e-12));
+  CHECK_THAT(estimate(fallen).impact.time, WithinRel(estimate(thrown).impact.time, 1e-12));
+  fallen.launch.speed = 0;
+  CHECK(estimate(fallen).no_law.empty());
+}
