@@ -1,5 +1,5 @@
 #!/bin/sh
-# bheisler/criterion.rs#422, ploteria/ploteria#22, NetsBlox/NetsBlox#2727: a quote in a title ends gnuplot's string.
+# ploteria/ploteria#22, bheisler/criterion.rs#422: a quote in a title ends gnuplot's string. NetsBlox/NetsBlox#2727: no plot with one.
 # SiegeLord/RustGnuplot#92: a backquote in one runs a program.
 # Here at 0a2d1a7: a label that begins with an apostrophe could not be plotted (doubled quotes). Now: it can.
 cat >plot.lua <<'LUA'

@@ -1,5 +1,6 @@
 #!/bin/sh
-# lammps/lammps#4572: bonds of bpm/spring break in compression as well as in tension.
+# kaipartmann/Peridynamics.jl#142: a bond that is judged by abs(strain) breaks in compression too, which is wrong.
+# lammps/lammps#4572: bonds of bpm/spring do.
 # Here at 0a2d1a7 and now: springs break when they are stretched alone: a hard press, breaks none at 0.2.
 cat >s.lua <<'LUA'
 local ricochet = require "ricochet"

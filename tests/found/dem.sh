@@ -1,5 +1,5 @@
 #!/bin/sh
-# lammps/lammps#4068, google-deepmind/mujoco#2080: which damping gives the e that was asked for?
+# google-deepmind/mujoco#2080, lammps/lammps#4068: which damping gives the e that was asked for?
 # Here at 0a2d1a7: no answer. Now: ricochet.dem writes lines of LAMMPS's, with the number that makes it 0.9.
 ricochet reference | grep -q "ricochet.dem" || exit 1
 echo 'require("ricochet").dem { rows = {} }' >d.lua

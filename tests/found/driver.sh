@@ -1,5 +1,5 @@
 #!/bin/sh
-# isl-org/Open3D#7066, microsoft/wslg#1045: drawing without a display ends with a segmentation fault under WSL.
+# commaai/openpilot#28696, microsoft/wslg#1045: drawing ends with a segmentation fault under WSL. isl-org/Open3D#7066: offscreen too.
 # Here at 0a2d1a7: GALLIUM_DRIVER=d3d12, which WSL exports, crashed OSMesa. Now: the same pixels as without it.
 cat >pic.lua <<'LUA'
 local ricochet = require "ricochet"

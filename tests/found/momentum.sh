@@ -1,4 +1,5 @@
 #!/bin/sh
+# kaplayjs/kaplay#958: a moving body bounces off another as if that one stood still, and momentum is not kept.
 # projectchrono/chrono#104: momentum of two bodies grows with the step. hannorein/rebound#323: a head-on hit leaves its axis.
 # Here at 0a2d1a7 and now: momentum is kept to rounding, a mirror-symmetric hit stays on its axis to rounding.
 cat >m.lua <<'LUA'

@@ -1,5 +1,6 @@
 #!/bin/sh
-# google-deepmind/mujoco#716, openai/mujoco-py#34: on a machine without a display drawing needs variables that one must know.
+# jurgisp/memory-maze#3, google-deepmind/mujoco#716: on a machine without a display drawing needs variables that one must know.
+# openai/mujoco-py#34: it needs an X server.
 # Here at 0a2d1a7 and now: none are needed; a library that is missing is told with its package (gbionics/jaxsim#420: OSMesa goes).
 cat >pic.lua <<'LUA'
 local ricochet = require "ricochet"

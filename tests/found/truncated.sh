@@ -1,5 +1,6 @@
 #!/bin/sh
-# h5py/h5py#879, h5py/h5py#1807: after a crash a file is truncated, and says so by its internals (eof, sblock->base_addr).
+# nanoporetech/bonito#157, h5py/h5py#879: a truncated file ends what reads it, and says so by its internals (eof, sblock->base_addr).
+# h5py/h5py#1807: a crash leaves one.
 # Here at 0a2d1a7 and now: one sentence with the remedy, and --resume does not take damaged rows.
 ricochet run sweep.lua --quiet || exit 1
 head -c 3000 out/sweep/results.h5 >cut && mv cut out/sweep/results.h5

@@ -1,5 +1,6 @@
 #!/bin/sh
-# liabru/matter-js#5, schteppe/cannon.js#202, dimforge/rapier#984: what is fast passes through what is thin.
+# liabru/matter-js#189, liabru/matter-js#5, schteppe/cannon.js#202: what is fast passes through what is thin.
+# dimforge/rapier#984: two that are fast pass through one another.
 # Here at 0a2d1a7 and now: a step that would let it is refused, or the row says "tunnelled"; never "finished" beyond the wall.
 cat >t.lua <<'LUA'
 local ricochet = require "ricochet"
