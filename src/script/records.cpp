@@ -1,5 +1,7 @@
 // ricochet.record, ricochet.lammps: impacts as files for other programs.
 
+#include "script/records.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -30,6 +32,24 @@ Trajectory trajectory_of(const FilmedScene& filmed, const std::vector<double>& t
   return trajectory;
 }
 
+}  // namespace
+
+void store_recording(lua_State* L, const std::vector<FilmedScene>& scenes, const fs::path& path,
+                     const FrameTimes& wanted) {
+  Session& session = session_of(L);
+  const FilmedScene& filmed = scenes[0];
+  at_scene(session, call_site(L), filmed, [&] {
+    const Trajectory trajectory = trajectory_of(filmed, times_of(scenes, wanted));
+    Provenance provenance = session.provenance();
+    provenance["scene"] = filmed.scene.text();
+    provenance["scene_hash"] = filmed.scene.hash();
+    write_everywhere(fs::path(path).replace_extension(), trajectory, provenance);
+    session.inform(fmt::format("{} frames in {}\n", trajectory.frames().size(), path.string()));
+  });
+}
+
+namespace {
+
 int record(lua_State* L) {
   check_table(L, 1, function_named("record"));
   Session& session = session_of(L);
@@ -40,15 +60,7 @@ int record(lua_State* L) {
   const fs::path path = claimed_files(L, "out", name, trajectory_sinks());
   const FrameTimes wanted = members_of_call(L, record_times, filmed.scene.units);
   follow(L, scenes);
-  const CallSite call = call_site(L);
-  at_scene(session, call, filmed, [&] {
-    const Trajectory trajectory = trajectory_of(filmed, times_of(scenes, wanted));
-    Provenance provenance = session.provenance();
-    provenance["scene"] = filmed.scene.text();
-    provenance["scene_hash"] = filmed.scene.hash();
-    write_everywhere(fs::path(path).replace_extension(), trajectory, provenance);
-    session.inform(fmt::format("{} frames in {}\n", trajectory.frames().size(), path.string()));
-  });
+  store_recording(L, scenes, path, wanted);
   return push_filmed_rows(L, scenes);
 }
 

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "record/film.hpp"
 #include "script/fields.hpp"
 #include "script/filmed.hpp"
 #include "script/objects.hpp"
+#include "script/records.hpp"
 #include "script/replays.hpp"
 #include "script/run_files.hpp"
-#include "store/files.hpp"
 #include "store/run_names.hpp"
 #include "store/sinks.hpp"
 
@@ -104,25 +103,10 @@ FilmedScene filmed_row(lua_State* L, const Swept& swept, const std::string& hash
 
 // Writes NAME_HASH.h5 and its companions.
 void record_row(lua_State* L, const Swept& swept, std::vector<FilmedScene>& scenes, int frames) {
-  Session& session = session_of(L);
-  const FilmedScene& filmed = scenes[0];
-  const std::string name = fmt::format("{}_{}", swept.name, filmed.scene.hash().substr(0, 8));
+  const std::string name = fmt::format("{}_{}", swept.name, scenes[0].scene.hash().substr(0, 8));
   const fs::path path = claimed_files(L, "rows", name, trajectory_sinks());
   follow(L, scenes);
-  at_scene(session, call_site(L), filmed, [&] {
-    FrameTimes wanted;
-    wanted.frames = frames;
-    wanted.from = 0;
-    Trajectory trajectory(frame_mesh(filmed.scene, filmed.solids, filmed.course));
-    if (!film_scene(filmed.solids, filmed.scene, times_of(scenes, wanted), stop_requested,
-                    [&](Frame frame) { trajectory.add(std::move(frame)); }))
-      throw Error("interrupted", Exit::interrupted);
-    Provenance provenance = session.provenance();
-    provenance["scene"] = filmed.scene.text();
-    provenance["scene_hash"] = filmed.scene.hash();
-    write_everywhere(fs::path(path).replace_extension(), trajectory, provenance);
-    session.inform(fmt::format("{} frames in {}\n", trajectory.frames().size(), path.string()));
-  });
+  store_recording(L, scenes, path, {.frames = frames, .from = 0});
 }
 
 // record_rows(name, hashes or how, frames): records rows of a sweep that has run; a list of what their impacts gave.
