@@ -13,6 +13,7 @@
 #include "contact/line_contact.hpp"
 #include "contact/point_contact.hpp"
 #include "impact/axes.hpp"
+#include "impact/launch/launch.hpp"
 #include "shape/curvature.hpp"
 #include "shape/outline.hpp"
 #include "shape/placed_surface.hpp"
@@ -48,14 +49,7 @@ Elastic elastic_of(const Body& body) {
           std::find(body.anchored.begin(), body.anchored.end(), true) != body.anchored.end()};
 }
 
-// As the projectile arrives, if it falls all the height that was given; a free target that falls alike sees no fall.
-Vec2 arriving_velocity(const Scene& scene) {
-  const Vec2 launched = scene.launch.velocity();
-  const bool alike = !elastic_of(*scene.target).held && fall_of(scene.effects, 1, 2) != Vec3::Zero();
-  const double fall = alike ? 0 : -normal(fall_of(scene.effects, 0, 2));
-  if (!(fall > 0 && scene.launch.height > 0)) return launched;
-  return {tangential(launched), -std::hypot(normal(launched), std::sqrt(2 * fall * scene.launch.height))};
-}
+Vec2 arriving_velocity(const Scene& scene) { return arriving_velocity(scene, elastic_of(*scene.target).held); }
 
 /// Where the smooth outlines first touch: the projectile is moved there, the target lies where it is at rest.
 struct Touch {

@@ -133,3 +133,13 @@ TEST_CASE("an estimate counts the fall from a height under gravity, as the impac
   fallen.launch.speed = 0;
   CHECK(estimate(fallen).no_law.empty());
 }
+
+TEST_CASE("an estimate counts the target's own motion: two bodies that meet half way, or one that runs away") {
+  Scene meet = scene_of(round_body(1, 1e4), round_body(1, 1e4), 0.02);
+  auto target = std::make_shared<Body>(*meet.target);
+  target->velocity = {0, 0.03};
+  meet.target = target;
+  CHECK_THAT(estimate(meet).normal_speed, WithinRel(0.05, 1e-12));
+  target->velocity = {0, -0.01};
+  CHECK_THAT(estimate(meet).normal_speed, WithinRel(0.01, 1e-12));
+}

@@ -29,17 +29,22 @@ Start bodies_at_launch(const Scene& scene, const Solids& solids) {
 }
 
 // Gravity acts from a height that was given on. A free target that falls alike sees no fall.
-Vec3 fall_from_height(const Scene& scene, const Solids& solids) {
-  const int count = static_cast<int>(solids.size());
+Vec3 fall_from_height(const Scene& scene, bool target_is_held) {
+  constexpr int count = 2;
   if (std::isnan(scene.launch.height)) return Vec3::Zero();
-  const bool alike = !solids[1]->anchored() && fall_of(scene.effects, 1, count) != Vec3::Zero();
+  const bool alike = !target_is_held && fall_of(scene.effects, 1, count) != Vec3::Zero();
   return alike ? Vec3(Vec3::Zero()) : fall_of(scene.effects, 0, count);
 }
 
-// The projectile as it arrives, if it falls all the height that was given.
+// Velocity along y after a fall from all the height that was given.
+double fallen(const Scene& scene, double launched, double acceleration) {
+  const double height = scene.launch.height;
+  return acceleration < 0 && height > 0 ? -std::hypot(launched, std::sqrt(-2 * acceleration * height)) : launched;
+}
+
+// The projectile as it arrives.
 Placement arriving(const Scene& scene, Placement launched) {
-  const double fall = -launched.acceleration.y(), height = scene.launch.height;
-  if (fall > 0 && height > 0) launched.velocity.y() = -std::hypot(launched.velocity.y(), std::sqrt(2 * fall * height));
+  launched.velocity.y() = fallen(scene, launched.velocity.y(), launched.acceleration.y());
   return launched;
 }
 
@@ -133,7 +138,7 @@ Start launch(const Scene& described, const Solids& solids) {
   Start start = bodies_at_launch(scene, solids);
   const Solid &projectile = *solids[0], &target = *solids[1];
   const Flight flight(projectile, target, displacement_at_start(scene.effects), start.bodies[1].spin.z());
-  start.bodies[0].acceleration = fall_from_height(scene, solids);
+  start.bodies[0].acceleration = fall_from_height(scene, solids[1]->anchored());
   check_motion(scene, start.bodies[0]);
   check_small_turns(solids, start);
   const Placement arrives = arriving(scene, seen_by_target(start));
@@ -167,6 +172,11 @@ Start launch(const Scene& described, const Solids& solids) {
   if (fall != 0) start.fell = (placement->velocity.y() - thrown) / fall;
   settle(start, *placement);
   return start;
+}
+
+Vec2 arriving_velocity(const Scene& scene, bool target_is_held) {
+  const Vec2 seen = scene.launch.velocity() - scene.target->velocity;
+  return {tangential(seen), fallen(scene, normal(seen), normal(fall_from_height(scene, target_is_held)))};
 }
 
 Vec3 free_fall(const Scene& scene, const Solids& solids, std::size_t body) {

@@ -12,6 +12,9 @@ namespace ricochet {
 /// contact.
 Start launch(const Scene& scene, const Solids& solids);
 
+/// The projectile's velocity as it arrives at the target, seen from there: after the fall from a given height.
+Vec2 arriving_velocity(const Scene& scene, bool target_is_held);
+
 /// The acceleration of a body's free flight in the run: gravity's; none of a held body. [c^2/R]
 Vec3 free_fall(const Scene& scene, const Solids& solids, std::size_t body);
 
