@@ -31,11 +31,6 @@ bool refused(const char* path) {
   return true;
 }
 
-int opened(const char* path, int flags, std::va_list rest) {
-  const mode_t mode = flags & (O_CREAT | O_TMPFILE) ? va_arg(rest, mode_t) : 0;
-  return refused(path) ? -1 : static_cast<int>(syscall(SYS_openat, AT_FDCWD, path, flags, mode));
-}
-
 template <typename Call>
 Call next(const char* name) {
   return reinterpret_cast<Call>(dlsym(RTLD_NEXT, name));
@@ -61,18 +56,12 @@ int flock(int descriptor, int operation) noexcept {
 int open(const char* path, int flags, ...) {
   std::va_list rest;
   va_start(rest, flags);
-  const int descriptor = opened(path, flags, rest);
+  const mode_t mode = flags & (O_CREAT | O_TMPFILE) ? va_arg(rest, mode_t) : 0;
   va_end(rest);
-  return descriptor;
+  return refused(path) ? -1 : static_cast<int>(syscall(SYS_openat, AT_FDCWD, path, flags, mode));
 }
 
-int open64(const char* path, int flags, ...) {
-  std::va_list rest;
-  va_start(rest, flags);
-  const int descriptor = opened(path, flags, rest);
-  va_end(rest);
-  return descriptor;
-}
+int open64(const char* path, int flags, ...) __attribute__((alias("open")));  // offsets have 64 bits
 
 std::FILE* fopen(const char* path, const char* mode) {
   return refused(path) ? nullptr : next<std::FILE* (*)(const char*, const char*)>("fopen")(path, mode);
