@@ -168,7 +168,7 @@ local function run(sweep, t)
   local goes_on = true
   while goes_on do
     local points, scenes = asked(sweep, states)
-    sorted(core.run_sweep(sweep.name, names, points, scenes, "round"), states)
+    sorted(core.run_sweep(sweep.name, names, points, scenes, "round", sweep.units), states)
     goes_on, rounds = false, rounds + 1
     for _, state in ipairs(states) do
       if not state.done then
@@ -178,7 +178,7 @@ local function run(sweep, t)
     end
   end
   local points, scenes = asked(sweep, states)
-  local rows = core.run_sweep(sweep.name, names, points, scenes, "last")
+  local rows = core.run_sweep(sweep.name, names, points, scenes, "last", sweep.units)
   tell(sweep, t, states, rounds)
   keep(sweep, states)
   return rows

@@ -130,7 +130,7 @@ end)
 methods.run = core.wrap(function(self)
   local sweep = contents(self) or core.fail "is a method of a sweep: write sweep:run(), with a colon"
   if sweep.by_error then
-    local own = { name = sweep.name, names = sweep.names, points = sweep.points }
+    local own = { name = sweep.name, names = sweep.names, points = sweep.points, units = sweep.units }
     local names = { table.unpack(sweep.names) }
     names[#names + 1] = "sample"
     local given = { scene = sweep.scene, names = names }
@@ -141,7 +141,7 @@ methods.run = core.wrap(function(self)
   for i, point in ipairs(sweep.points) do
     scenes[i] = scene_at(sweep, point)
   end
-  local rows = rows_of(core.run_sweep(sweep.name, sweep.names, sweep.points, scenes), sweep)
+  local rows = rows_of(core.run_sweep(sweep.name, sweep.names, sweep.points, scenes, "whole", sweep.units), sweep)
   sweep.rows = rows
   return rows
 end)

@@ -1,5 +1,14 @@
 "use strict";
 // Puts the page together.
+
+// "height = 0.02 m"; of the two sides from which a lattice was struck the second alone is named.
+function placeText(column, row) {
+  const value = column.values[row];
+  if (column.name === "pair") return "";
+  if (column.name === "mirrored") return value === "true" ? "from the other side" : "";
+  return `${symbolOf(column.name)} = ${shown(value)}${column.unit ? " " + pretty(column.unit) : ""}`;
+}
+
 function addReplays(section, replays) {
   section.replays = new Map();
   const hashes = section.columns.scene_hash;
@@ -11,7 +20,7 @@ function addReplays(section, replays) {
     Object.assign(replay, { section, row });
     const at = Object.values(section.columns).filter(c => c.parameter);
     const vary = at.filter(c => new Set(c.values).size > 1);
-    replay.title = (vary.length ? vary : at).map(c => `${symbolOf(c.name)} = ${shown(c.values[row])}`).join(", ") || `impact ${row + 1}`;
+    replay.title = (vary.length ? vary : at).map(c => placeText(c, row)).filter(text => text).join(", ") || `impact ${row + 1}`;
     replay.place_name = [`sweep=${section.index}`, ...vary.map(c => `${plainName(c.name)}=${c.values[row]}`)].join("&");
     section.replays.set(row, replay);
   }
@@ -76,6 +85,8 @@ function showHeader() {
   for (const section of sections) {
     const done = finishedRows(section).length, name = sections.length > 1 ? `${section.name}: ` : "";
     byId("chips").append(element("li", { className: section.rows && done === section.rows ? "ok" : "bad" }, `${name}${done} of ${section.rows} finished`));
+    const pressed = section.columns.over_yield ? section.columns.over_yield.values.filter(v => v > 0).length : 0;
+    if (pressed) byId("chips").append(element("li", { className: "bad" }, `${name}${pressed} pressed beyond what yields`));
     const closure = greatest(section.columns.energy_closure);
     if (closure >= 0) byId("chips").append(element("li", { className: closure < 1e-2 ? "ok" : "bad" }, `${name}energy balances to ${shown(closure, 2)}`));
   }

@@ -4,7 +4,7 @@ const energyParts = [["projectile_translation", "flight of the projectile"], ["p
   ["projectile_vibration", "its vibration"], ["target_translation", "flight of the target"],
   ["target_rotation", "the target's spin"], ["target_vibration", "the target's vibration"],
   ["contact_energy", "pressed contact"], ["effects_energy", "taken by effects (friction, loss, gravity)"]];
-const player = { replay: null, frames: null, at: 0, playing: false, last: 0, paint: null, charts: [], drawn: 0, spent: 0 };
+const player = { replay: null, frames: null, at: 0, playing: false, last: 0, paint: null, charts: [] };
 const cachedFrames = new Map();
 
 const timesOf = replay => replay.series.time;
@@ -41,10 +41,8 @@ function whatHappens(k) {
 }
 
 function refresh(light) {
-  const { replay, frames, paint } = player, began = performance.now();
+  const { replay, frames, paint } = player;
   drawMoment(byId("view"), paint, replay, frames, player.at, { magnify: +byId("magnify").value, field: byId("field").value });
-  player.spent += performance.now() - began;
-  player.drawn++;
   const times = timesOf(replay), time = timeNow(), text = `t = ${shown(time, 4)} ${replay.unit.time}`;
   byId("seek").value = Math.round(1000 * (time - times[0]) / (times.at(-1) - times[0]));
   byId("seek").setAttribute("aria-valuetext", text);
@@ -95,13 +93,14 @@ function chart(box, lines, unit, label) {
   box.textContent = "";
   box.classList.add("draggable");
   const { replay } = player, colours = palette().concat("#888", "#555");
-  const axis = { stroke: ink(), grid: { stroke: gridInk() }, ticks: { stroke: gridInk() } };
+  const times = timesOf(replay), along = powerOf(times), up = powerOf(lines.flatMap(line => replay.series[line[0]]));
   const dashes = [[], [], [6, 4], [2, 3], [8, 3, 2, 3], [], [2, 2], [6, 2]];
   const made = new uPlot({ width: box.clientWidth, height: 210, legend: { live: false },
     cursor: { y: false, drag: { setScale: false, x: false, y: false } }, scales: { x: { time: false } },
-    axes: [{ ...axis, label: withUnit("time", replay.unit.time), labelSize: 20 }, { ...axis, label: withUnit(label, unit), labelSize: 20, size: 56 }],
+    axes: [axisOf(along, { label: withUnit("time", scaledUnit(replay.unit.time, along)), labelSize: 20 }),
+      axisOf(up, { label: withUnit(label, scaledUnit(unit, up)), labelSize: 20, size: axisWidth })],
     series: [{}, ...lines.map((line, i) => ({ label: line[1], stroke: colours[i], width: 2, dash: dashes[i], points: { show: false } }))],
-    hooks: { setSize: [() => placeLines()] } }, [timesOf(replay), ...lines.map(line => replay.series[line[0]])], box);
+    hooks: { setSize: [() => placeLines()] } }, [times, ...lines.map(line => replay.series[line[0]])], box);
   made.nowLine = made.over.appendChild(element("div", { className: "nowline" }));
   made.root.querySelector("canvas").setAttribute("role", "img");
   made.root.querySelector("canvas").setAttribute("aria-label", `${label} against time: ${lines.map(line => line[1]).join(", ")}`);
@@ -181,7 +180,7 @@ async function choose(replay, time) {
   refresh();
 }
 
-function startPlayer(replays, want) {
+function startPlayer(replays) {
   byId("stage").hidden = false;
   byId("scene-box").hidden = false;
   for (const id of ["under", "view"]) Object.assign(byId(id), { width: 960, height: 548 });
@@ -203,7 +202,6 @@ function startPlayer(replays, want) {
     refresh();
   };
   addEventListener("keydown", onKey);
-  return want;
 }
 
 function onKey(event) {

@@ -3,11 +3,22 @@
 const sections = [];
 const mostDots = 4000;
 
-const isSample = name => /(sample|seed)$/.test(name);
+// What tells lattices of one kind apart, as sweep_table.hpp has it.
+const isSample = name => /(sample|seed)$|^(mirrored|pair)$/.test(name);
 const finishedRows = section => {
   const status = section.columns.status;
   return Array.from({ length: section.rows }, (_, i) => i).filter(i => !status || status.values[i] === "finished");
 };
+
+// Statistics of a column over some rows. A lattice that was struck from both sides (equal `pair`) is one unit, its mean.
+function statisticsOf(section, quantity, rows) {
+  const column = section.columns[quantity], { pair } = section.columns, units = new Map();
+  for (const i of rows) {
+    const value = column ? column.values[i] : null, key = pair ? pair.values[i] : i;
+    if (value != null) units.set(key, [...(units.get(key) || []), value]);
+  }
+  return statistics([...units.values()].map(values => values.reduce((sum, v) => sum + v, 0) / values.length));
+}
 
 // Parameters of the sweep that vary and count no samples; numbers first.
 function parametersOf(section) {
@@ -41,17 +52,17 @@ function groupsOf(section) {
 }
 
 const describeRow = (section, i) => {
-  const at = Object.values(section.columns).filter(c => c.parameter).map(c => `${symbolOf(c.name)} = ${shown(c.values[i])}`).join(", ");
+  const at = Object.values(section.columns).filter(c => c.parameter).map(c => placeText(c, i)).filter(text => text).join(", ");
   const gave = section.quantities.map(q => `${symbolOf(q)} = ${shown(section.columns[q].values[i])}`).join(", ");
   return `${at || `impact ${i + 1}`}\n${gave}${section.replays.has(i) ? "\nclick: plays this impact" : ""}`;
 };
 
 // The series of uPlot: x rising, then dots, means and lines.
 function dataOf(section, quantity) {
-  const values = section.columns[quantity].values, tables = [], series = [{}], colours = palette();
+  const tables = [], series = [{}], colours = palette();
   section.groups.forEach((group, g) => {
     const colour = colours[g % colours.length], name = section.by ? `, ${symbolOf(section.by.name)} = ${shown(group.key)}` : "";
-    const stats = group.points.map(p => statistics(p.rows.map(i => values[i])));
+    const stats = group.points.map(p => statisticsOf(section, quantity, p.rows));
     tables.push([group.points.map(p => p.x), stats.map(s => s.mean)]);
     series.push({ label: `mean ± standard error${name}`, stroke: colour, paths: () => null, group: g, stats, points: { show: true, size: 8, fill: colour, width: 1 } });
   });
@@ -145,7 +156,7 @@ function drawPlot(section, quantity) {
   const box = section.boxes[quantity], column = section.columns[quantity], { tables, series } = dataOf(section, quantity);
   box.textContent = "";
   const marks = { series, dots: dotsOf(section, quantity) }, log = section.show.log;
-  const axis = { stroke: ink(), grid: { stroke: gridInk() }, ticks: { stroke: gridInk() } };
+  const { x } = section, along = powerOf(x.values), name = names[plainName(x.name)] || symbolOf(x.name);
   const range = (u, low, high) => {
     const y = marks.dots.map(d => d.y), l = y.length ? Math.min(...y) : 0, h = y.length ? Math.max(...y) : 1;
     const from = low == null ? l : Math.min(low, l), to = high == null ? h : Math.max(high, h);
@@ -158,7 +169,7 @@ function drawPlot(section, quantity) {
     cursor: { drag: { x: true, y: true, uni: 20 }, points: { show: false } },
     scales: { x: { time: false, range: (_, a, b) => { const pad = 0.05 * (b - a) || 1; return section.zoom ? [a, b] : [a - pad, b + pad]; } },
       y: canLog ? { distr: 3, range } : { range: (u, a, b) => u.zoomed ? [a, b] : range(u, a, b) } },
-    axes: [{ ...axis, label: labelOf(section.x), labelSize: 22 }, { ...axis, size: 56 }],
+    axes: [axisOf(along, { label: withUnit(name, scaledUnit(x.unit, along)), labelSize: 22 }), axisOf(0, { size: axisWidth })],
     hooks: { draw: [u => drawMarks(u, section, quantity, marks)], setSelect: [u => { u.zoomed = u.select.width > 0; section.zoom = u.zoomed; }] } }, tables, box);
   u.over.addEventListener("dblclick", () => { u.zoomed = section.zoom = false; });
   u.over.addEventListener("mousemove", event => {

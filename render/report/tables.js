@@ -13,7 +13,7 @@ function meansTable(section) {
   const body = element("tbody");
   for (const group of section.groups) {
     for (const point of group.points.slice(0, 500)) {
-      const stats = section.quantities.map(q => statistics(point.rows.map(i => section.columns[q].values[i])));
+      const stats = section.quantities.map(q => statisticsOf(section, q, point.rows));
       body.append(element("tr", {}, element("th", { scope: "row" }, shown(point.x)), section.by ? cell(shown(group.key)) : null,
         cell(String(point.rows.length)), ...stats.flatMap(s => [cell(plusMinus(s)), cell(shown(s.sd, 3))])));
     }
@@ -88,6 +88,15 @@ function saveCsv(section) {
 
 const greatest = column => column ? column.values.reduce((most, v) => v != null && Math.abs(v) > most ? Math.abs(v) : most, -Infinity) : -Infinity;
 
+// How far a place of a replay may be off, over R: half of the coarsest grid.
+const placesTo = section => Math.max(...[...section.replays.values()].map(replay => replay.grid)) / 2;
+
+// R in the unit of the rows, by the indentation's: 1 on paper, unknown without a replay in SI.
+const lengthOfR = section => {
+  const replay = [...section.replays.values()][0];
+  return replay ? replay.length : section.columns.units && section.columns.units.values[0] === "SI" ? Infinity : 1;
+};
+
 // The four parts of the error, each with what is known of it, and what did not finish and why.
 function trustLines(section) {
   const { columns } = section, done = finishedRows(section), lines = [];
@@ -98,14 +107,17 @@ function trustLines(section) {
   part("Time step", columns.error_step, "no estimate; the script chose the step and asked for no accuracy");
   part("Softness of the contact", columns.error_contact, "no estimate in these results");
   lines.push("Lattice or mesh: not estimated here; a run with twice the nodes would tell.");
-  const errors = section.groups.flatMap(g => g.points.map(p => statistics(p.rows.map(i => columns.e ? columns.e.values[i] : null)).se)).filter(s => s != null);
+  const errors = section.groups.flatMap(g => g.points.map(p => statisticsOf(section, "e", p.rows).se)).filter(s => s != null);
   lines.push(errors.length ? `Chance of the random lattices: standard errors of the mean e are up to ${shown(Math.max(...errors), 2)}; they are the bars of the plots.`
     : "Chance of the random lattices: one impact a point, so there is no error bar.");
   const closure = greatest(columns.energy_closure);
   if (closure >= 0) lines.push(`Energy: before and after agree to ${shown(closure, 2)} (relative) or better.`);
   const count = (name, test) => columns[name] ? columns[name].values.filter(test).length : null;
   const certified = count("certified", v => v === 1), folded = count("folded", v => v > 0);
-  if (certified != null) lines.push(`${certified} of ${section.rows} are certified: no node can have crossed the other body's rim.`);
+  const overYield = count("over_yield", v => v > 0), deep = count("penetration", v => v > 0.01 * lengthOfR(section));
+  if (certified) lines.push(`In ${certified} of ${section.rows} impacts it is certain that no node crossed the other body's rim${certified < section.rows ? "; the others were watched for it" : ""}.`);
+  if (overYield) lines.push(`In ${overYield} impacts the estimated pressure passes what starts to yield, and nothing yields here: their e is too high.`);
+  if (deep) lines.push(`In ${deep} impacts a node stood deeper than 0.01 R inside the other body: the contact is too soft for them.`);
   if (folded) lines.push(`${folded} impacts folded triangles of a body: their numbers mean less than they say.`);
   if (done.length < section.rows) {
     const reasons = new Map();
@@ -119,7 +131,7 @@ function trustLines(section) {
   }
   if (section.mainOnly) lines.push("So many rows are kept here in single precision and with their main columns only; results.h5 has all.");
   if (section.rows > mostDots) lines.push(`Plots show ${mostDots} of the single impacts, spread evenly; means are of all.`);
-  if (section.replays.size) lines.push("Replays: places to 0.0005 R; between stored moments they are interpolated.");
+  if (section.replays.size) lines.push(`Replays: places to ${shown(placesTo(section), 2)} R; between stored moments they are interpolated.`);
   return lines;
 }
 

@@ -15,6 +15,32 @@ function shown(value, digits = 4) {
   return text.replaceAll("-", "−");
 }
 
+// A power of ten that makes numbers of an axis readable, a multiple of 3; 0 for those that are.
+function powerOf(values) {
+  const most = values.reduce((top, v) => Number.isFinite(v) ? Math.max(top, Math.abs(v)) : top, 0);
+  const power = most > 0 ? Math.floor(Math.log10(most)) : 0;
+  return power < -2 || power > 4 ? 3 * Math.floor(power / 3) : 0;
+}
+const raised = power => [..."" + power].map(c => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("");
+// "10⁻⁶ s"
+const scaledUnit = (unit, power) => power ? `10${raised(power)} ${unit || ""}`.trim() : unit;
+
+// An axis of uPlot whose neighbouring marks are told apart, in units of 10^power.
+function axisOf(power, properties) {
+  const decimals = step => {
+    let count = 0;
+    while (count < 12 && Math.abs(Math.round(step * 10 ** count) - step * 10 ** count) > 1e-6) count++;
+    return count;
+  };
+  const values = (u, splits) => {
+    const known = splits.filter(v => v != null), step = Math.abs(known[1] - known[0]) / 10 ** power || 1;
+    const even = known.every((v, i) => i === 0 || Math.abs((v - known[i - 1]) / 10 ** power - step) < 1e-6 * step);
+    return splits.map(v => v == null ? "" : even ? (v / 10 ** power).toFixed(decimals(step)).replace("-", "−") : shown(v / 10 ** power, 3));
+  };
+  return { stroke: ink(), grid: { stroke: gridInk() }, ticks: { stroke: gridInk() }, values, ...properties };
+}
+const axisWidth = (u, marks) => Math.max(56, 20 + 7.5 * Math.max(0, ...(marks || []).map(mark => mark.length)));
+
 const isDark = () => matchMedia("(prefers-color-scheme: dark)").matches && !document.documentElement.classList.contains("print");
 const ink = () => isDark() ? "#e6eaf0" : "#1c2430";
 const gridInk = () => isDark() ? "#2e3641" : "#e6eaee";
@@ -48,7 +74,7 @@ function statistics(values) {
   return { count, mean, sd, se: sd / Math.sqrt(count) };
 }
 
-const plusMinus = s => s.mean == null ? "–" : s.se == null ? `${shown(s.mean)}` : `${shown(s.mean)} ± ${shown(s.se, 2)}`;
+const plusMinus = s => s.mean == null ? "–" : s.se == null ? `${shown(s.mean, 6)}` : `${shown(s.mean)} ± ${shown(s.se, 2)}`;
 
 function showTip(text, event) {
   const tip = byId("tip");

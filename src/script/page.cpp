@@ -9,6 +9,7 @@
 #include "script/page_sentence.hpp"
 #include "script/page_sources.hpp"
 #include "script/page_text.hpp"
+#include "script/sweep_table.hpp"
 #include "store/packed.hpp"
 
 namespace ricochet {
@@ -51,8 +52,9 @@ std::string values_json(const std::vector<std::string>& values) {
 
 // Those that a table of very many rows keeps.
 bool is_main(const Field& field) {
-  static const std::set<std::string> names{"e", "mu", "beta", "energy_closure", "certified", "status"};
-  return field.doc == "parameter of the sweep" || names.count(field.name) > 0;
+  static const std::set<std::string> names{"e",      "mu",     "beta",       "energy_closure", "certified",
+                                           "status", "folded", "over_yield", "penetration"};
+  return sweep_table::is_parameter(field) || names.count(field.name) > 0;
 }
 
 template <class Column>
@@ -160,12 +162,14 @@ std::string html_of(const Page& page) {
   std::vector<std::string> told;
   for (const PageSection& section : page.sections) told.push_back(section.told);
   const std::string script = html_text(script_of(page));
-  const std::size_t others = code.size() + script.size() + data_json(page, told).size() + 50'000;
+  std::string data = data_json(page, told);
+  const std::vector<std::string> told_by_sections = told;
+  const std::size_t others = code.size() + script.size() + data.size() + 50'000;
   const std::string replays = replay_elements(page, told, most_page_bytes > others ? most_page_bytes - others : 0);
+  if (told != told_by_sections) data = data_json(page, told);
   std::string html = page_html;
   put_in(html, "<!--CODE-->", code);
-  put_in(html, "<!--DATA-->",
-         "<script type=\"application/json\" id=\"data\">" + data_json(page, told) + "</script>\n" + replays);
+  put_in(html, "<!--DATA-->", "<script type=\"application/json\" id=\"data\">" + data + "</script>\n" + replays);
   put_in(html, "<!--SCRIPT-->", script);
   put_in(html, "<!--LEAD-->", lead);
   put_in(html, "<!--HEADING-->", html_text(page.title));

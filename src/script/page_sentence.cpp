@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "script/sweep_table.hpp"
+
 namespace ricochet {
 
 namespace {
@@ -28,16 +30,20 @@ struct Mean {
   std::string text() const { return fmt::format("{:.3g} ± {:.2g}", mean, se()); }
 };
 
-bool finished(const Table& table, std::size_t row) {
-  const TextColumn* status = table.text("status");
-  return !status || status->values[row] == "finished";
+// "0.99987 and 0.99998": as few digits as tell two numbers apart.
+std::string both(double low, double high) {
+  for (int digits = 3; digits <= 9; ++digits) {
+    const std::string one = fmt::format("{:.{}g}", low, digits), other = fmt::format("{:.{}g}", high, digits);
+    if (one != other || low == high) return one + " and " + other;
+  }
+  return fmt::format("{:.10g} and {:.10g}", low, high);
 }
 
 // The parameter that is asked about: the first numeric one with two values or more that counts no samples.
 const NumberColumn* asked(const Table& table) {
   for (const NumberColumn& column : table.numbers) {
     const std::string& name = column.field.name;
-    if (column.field.doc != "parameter of the sweep" || name.ends_with("sample") || name.ends_with("seed")) continue;
+    if (!sweep_table::is_parameter(column.field) || sweep_table::counts_samples(name)) continue;
     const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
     if (low != column.values.end() && *low < *high) return &column;
   }
@@ -56,8 +62,7 @@ std::string why_none(const Table& table) {
 
 std::map<double, Mean> means_at(const Table& table, const NumberColumn& at, const NumberColumn& e) {
   std::map<double, Mean> means;
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    if (finished(table, row) && !std::isnan(e.values[row])) means[at.values[row]].add(e.values[row]);
+  for (const sweep_table::Unit& unit : sweep_table::units(table, e)) means[at.values[unit.row]].add(unit.value);
   std::erase_if(means, [](const auto& one) { return one.second.count < 2; });
   return means;
 }
@@ -99,7 +104,7 @@ std::string of_many(const Table& table, const NumberColumn& e, const Mean& mean,
 
 std::string report_sentence(const Table& table) {
   std::size_t done = 0;
-  for (std::size_t row = 0; row < table.rows(); ++row) done += finished(table, row);
+  for (std::size_t row = 0; row < table.rows(); ++row) done += sweep_table::has_finished(table, row);
   if (done == 0) return why_none(table);
   Mean mean;
   double low = HUGE_VAL, high = -HUGE_VAL;
@@ -107,12 +112,13 @@ std::string report_sentence(const Table& table) {
   const NumberColumn* e = table.number("e");
   for (std::size_t row = 0; e && row < table.rows(); ++row) {
     const double value = e->values[row];
-    if (!finished(table, row) || std::isnan(value)) continue;
-    mean.add(value);
+    if (!sweep_table::has_finished(table, row) || std::isnan(value)) continue;
     low = std::min(low, value);
     high = std::max(high, value);
     above += value > 1;
   }
+  if (e)
+    for (const sweep_table::Unit& unit : sweep_table::units(table, *e)) mean.add(unit.value);
   const std::string head = fmt::format("{} of {} finished", done, counted(table.rows()));
   if (mean.count == 0) return head + "; none has a coefficient of restitution e.";
   if (mean.count == 1)
@@ -123,15 +129,15 @@ std::string report_sentence(const Table& table) {
   // Means over other parameters than lattices mean little, and their spread is no error.
   if (const NumberColumn* at = asked(table))
     return fmt::format(
-        "{}. The coefficient of restitution e lies between {:.3g} and {:.3g}.{}", head, low, high,
+        "{}. The coefficient of restitution e lies between {}.{}", head, both(low, high),
         mean.count < many_impacts
             ? fmt::format(" So few impacts show how large e is, and hardly how it changes with {}.", shown_name(*at))
             : of_many(table, *e, mean, above));
   if (mean.count < many_impacts)
     return fmt::format(
-        "{}. The coefficient of restitution e lies between {:.3g} and {:.3g}, its mean is {} (standard "
+        "{}. The coefficient of restitution e lies between {}, its mean is {} (standard "
         "error). So few impacts show how large e is, and hardly what it depends on.",
-        head, low, high, mean.text());
+        head, both(low, high), mean.text());
   return fmt::format("{}. The mean coefficient of restitution is e = {} (standard error).{}", head, mean.text(),
                      of_many(table, *e, mean, above));
 }

@@ -8,34 +8,31 @@
 #include <set>
 
 #include "impact/batch.hpp"
+#include "impact/launch/launch.hpp"
 #include "record/film.hpp"
 #include "record/whole_section.hpp"
 #include "sandbox/sandbox.hpp"
 #include "script/filmed.hpp"
 #include "script/page_text.hpp"
+#include "script/sweep_table.hpp"
 #include "store/packed.hpp"
 
 namespace ricochet {
 
 namespace {
 
-bool is_parameter(const Field& field) { return field.doc == "parameter of the sweep"; }
-
-bool is_sample(const Field& field) { return field.name.ends_with("sample") || field.name.ends_with("seed"); }
+bool marks_point(const Field& field) {
+  return sweep_table::is_parameter(field) && !sweep_table::counts_samples(field.name);
+}
 
 // The point of the sweep that a row stands at, whatever its sample.
 std::string point_of(const Table& table, std::size_t row) {
   std::string point;
   for (const NumberColumn& column : table.numbers)
-    if (is_parameter(column.field) && !is_sample(column.field)) point += fmt::format("{} ", column.values[row]);
+    if (marks_point(column.field)) point += fmt::format("{} ", column.values[row]);
   for (const TextColumn& column : table.texts)
-    if (is_parameter(column.field) && !is_sample(column.field)) point += column.values[row] + "\n";
+    if (marks_point(column.field)) point += column.values[row] + "\n";
   return point;
-}
-
-bool has_finished(const Table& table, std::size_t row) {
-  const TextColumn* status = table.text("status");
-  return !status || status->values[row] == "finished";
 }
 
 double e_of(const Table& table, std::size_t row) {
@@ -53,7 +50,7 @@ std::vector<std::size_t> by_e(const Table& table, std::vector<std::size_t> rows)
 std::vector<std::size_t> finished_rows(const Table& table) {
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < table.rows(); ++row)
-    if (has_finished(table, row)) rows.push_back(row);
+    if (sweep_table::has_finished(table, row)) rows.push_back(row);
   return rows;
 }
 
@@ -147,7 +144,7 @@ std::string described(const Body& body, const Units& units) {
                      units.shown(wide, "R"), units.shown((high - low)[1], "R"), inside);
 }
 
-std::string collided(const Scene& scene, const FrameMesh& mesh) {
+std::string collided(const Scene& scene, const Solids& solids, const FrameMesh& mesh) {
   std::string text;
   for (std::size_t b = 0; b < scene.bodies().size(); ++b) {
     const Body& body = *scene.bodies()[b];
@@ -155,8 +152,8 @@ std::string collided(const Scene& scene, const FrameMesh& mesh) {
     text += fmt::format("{}{}: {}{}", b ? "; " : "", b ? "target" : "Projectile", described(body, scene.units),
                         body.plane ? "" : fmt::format(" ({} nodes are drawn)", nodes));
   }
-  const Vec2 velocity = scene.launch.velocity();
-  return text + fmt::format(". It comes at {} along the normal and {} along the surface.",
+  const Vec2 velocity = arriving_velocity(scene, solids[1]->anchored());
+  return text + fmt::format(". They meet at {} along the normal and {} along the surface.",
                             scene.units.shown(std::abs(velocity[1]), "c"),
                             scene.units.shown(std::abs(velocity[0]), "c"));
 }
@@ -210,7 +207,7 @@ std::string replay_json(const Scene& scene, const Viewing& viewing) {
       "\"colour\":\"{}\"}}",
       scene.hash(), mesh.nodes(), samples.size(), replay.grid, replay.levels, replay.top * units.worth("c"),
       json_text(units.name("c")), units.worth("R"), json_text(units.name("R")), scene.method().name,
-      json_text(collided(scene, mesh)), bodies_json(mesh), series_json(samples, units), json_text(scene.text()),
+      json_text(collided(scene, solids, mesh)), bodies_json(mesh), series_json(samples, units), json_text(scene.text()),
       base64(replay.triangles), base64(replay.place), base64(replay.colour));
 }
 

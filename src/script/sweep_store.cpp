@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "impact/outcome.hpp"
+#include "script/sweep_table.hpp"
 #include "store/files.hpp"
 #include "store/run_names.hpp"
 #include "store/sinks.hpp"
@@ -158,8 +159,8 @@ void Store::assemble() {
 void Store::add_parameter(Table& table, std::size_t p, const std::vector<std::size_t>& scenes) const {
   const std::string& name = parameters_.names[p];
   // An outcome of the same name is what the impact had; the parameter is what the sweep asked for: keep both.
-  const Field field{table.number(name) || table.text(name) ? "over_" + name : name, "number", "",
-                    "parameter of the sweep"};
+  const Field field{table.number(name) || table.text(name) ? "over_" + name : name, "number", parameters_.units[p],
+                    sweep_table::parameter};
   if (!parameters_.texts[p].empty()) {
     table.texts.insert(table.texts.begin(), {field, {}});
     for (const std::size_t i : scenes) table.texts.front().values.push_back(parameters_.texts[p][i]);

@@ -15,7 +15,7 @@ namespace ricochet {
 
 /// The sweep's own parameters, by name; numbers are NaN and texts empty where the other kind was given.
 struct Parameters {
-  std::vector<std::string> names;
+  std::vector<std::string> names, units;        // [parameter]; the user's word for the unit, or none
   std::vector<std::vector<double>> numbers;     // [parameter][scene]
   std::vector<std::vector<std::string>> texts;  // [parameter][scene]; empty if the parameter is numeric
 

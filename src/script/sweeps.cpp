@@ -87,7 +87,7 @@ SweepUse run_and_store(Session& session, Store& store, const Request& sweep, con
 }
 
 // Each name's values at all points: of numbers, or of texts.
-Parameters read_parameters(lua_State* L, int names, int points) {
+Parameters read_parameters(lua_State* L, int names, int points, int units) {
   Parameters p;
   each_element(L, names, [&](lua_Integer) { p.names.push_back(lua_tostring(L, -1)); });
   p.numbers.resize(p.names.size());
@@ -101,6 +101,11 @@ Parameters read_parameters(lua_State* L, int names, int points) {
         p.texts[k].push_back(type == LUA_TBOOLEAN ? (lua_toboolean(L, -1) ? "true" : "false") : lua_tostring(L, -1));
       lua_pop(L, 1);
     });
+  p.units.resize(p.names.size());
+  for (std::size_t k = 0; lua_istable(L, units) && k < p.names.size(); ++k) {
+    if (lua_getfield(L, units, p.names[k].c_str()) == LUA_TSTRING) p.units[k] = lua_tostring(L, -1);
+    lua_pop(L, 1);
+  }
   return p;
 }
 
@@ -250,8 +255,8 @@ Stage stage_named(const std::string& name, bool first) {
   return name == "last" ? Stage::last : Stage::whole;
 }
 
-// run_sweep(name, names, points, scenes, stage): the rows, in the order of the scenes. Of a sweep in rounds, `stage` is
-// "round" or "last", and the scenes are all so far.
+// run_sweep(name, names, points, scenes, stage, units): the rows, in the order of the scenes. Of a sweep in rounds,
+// `stage` is "round" or "last", and the scenes are all so far. `units` of parameters, by name.
 int run_sweep_from_lua(lua_State* L) {
   Session& session = session_of(L);
   const std::string name = luaL_checkstring(L, 1);
@@ -262,7 +267,7 @@ int run_sweep_from_lua(lua_State* L) {
         L,
         fmt::format("a sweep called '{}' has run already and its results would be replaced; give this one another name",
                     name));
-  Request sweep{name, read_parameters(L, 2, 3), scenes_at(L, 4), stage_named(stage, first)};
+  Request sweep{name, read_parameters(L, 2, 3, 6), scenes_at(L, 4), stage_named(stage, first)};
   if (stage == "round") session.rounds[name];
   std::vector<Row> rows;
   try {

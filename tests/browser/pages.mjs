@@ -209,6 +209,18 @@ async function looksRight(page, name) {
   await page.emulateMedia({ media: "screen" });
 }
 
+// Numbers of SI, tiny and huge: every mark of an axis differs from the next, units are told, and so is yielding.
+async function readsInMetres(page) {
+  const axes = await page.evaluate(`[...report.player.charts, ...Object.values(report.sections[0].plots)].flatMap(u => u.axes.map(a => [a.label || "", a._values]))`);
+  for (const [label, marks] of axes) check(marks.every((m, i) => i === 0 || m !== marks[i - 1]), `metres: marks of ${label || "an outcome"} differ: ${marks.join(" ")}`);
+  const labels = axes.map(([label]) => label).join();
+  check(labels.includes("time [10⁻⁶ s]") && labels.includes("height [m]"), `metres: axes tell their units: ${labels}`);
+  const height = +/height = ([\d.]+) m$/.exec(await page.locator("#which").textContent())[1];
+  const speed = +/meet at ([\d.]+) m\/s along the normal/.exec(await page.locator("#collided").textContent())[1];
+  check(Math.abs(speed / Math.sqrt(2 * 9.81 * height) - 1) < 5e-3, `metres: after a fall of ${height} m they meet at ${speed} m/s`);
+  check((await page.locator("#chips").textContent()).includes("3 pressed beyond what yields"), "metres: yielding is told at the top");
+}
+
 // The four forms of a sweep, kinds of bodies, and odd scripts: each opens without a word.
 async function otherRuns() {
   const sweep = (name, count, body) => `local ricochet = require "ricochet"
@@ -222,6 +234,10 @@ ricochet.sweep { name = "${name}", over = { sample = ricochet.range(${count}) },
     ["elements", sweep("elements", 1, scene('ricochet.disk { nodes = 300, interior = "elements", E = 1e4, nu = 0.3 }', "ricochet.plane {}", "{ speed = 0.1 }")), /1 of 1/, 1],
     ["modes", sweep("modes", 1, scene('ricochet.disk { nodes = 200, interior = "modes", E = 1e4, nu = 0.3 }', "ricochet.plane {}", "{ speed = 0.05 }")), /1 of 1/, 1],
     ["axis", sweep("axis", 1, scene('ricochet.sphere { E = 1e4, nu = 0.3, h_min = 0.1, h_max = 0.2 }', "ricochet.plane {}", "{ speed = 0.05 }")), /1 of 1/, 1],
+    ["metres", `local ricochet = require "ricochet"
+ricochet.sweep { name = "metres", over = { height = { 0.02, 0.05, 0.1 } }, units = { height = "m" }, scene = function(at)
+  return ricochet.scene { units = "SI", projectile = ricochet.sphere { radius = 0.005, material = ricochet.materials.steel, h_min = 1e-4, h_max = 1e-3 },
+    target = ricochet.plane {}, launch = { speed = 0, height = at.height }, effects = { ricochet.gravity { g = 9.81 } } } end }:run()\n`, /3 of 3/, 1],
     ["odd", `-- </script><script>window.hit = 1</script> <!-- "\n${sweep("odd", 2, plain)}-- </script><img src=x onerror="window.hit=1"> <!--\n-- ä\xff\n` + `-- ${"x".repeat(100)}\n`.repeat(10000), /2 of 2/, 1],
   ];
   for (const [name, text, sentence, replays] of cases) {
@@ -230,6 +246,7 @@ ricochet.sweep { name = "${name}", over = { sample = ricochet.range(${count}) },
     check(sentence.test(await page.locator(".lead").textContent()), `${name}: ${(await page.locator(".lead").textContent()).trim().slice(0, 90)}`);
     check(await page.evaluate("document.querySelectorAll('script.replay').length") >= replays, `${name}: has its replays`);
     check(await page.evaluate("window.hit === undefined"), `${name}: nothing of the script is executed`);
+    if (name === "metres") await readsInMetres(page);
     if (name === "odd") check((await page.locator("#script").textContent()).includes('</script><img src=x onerror="window.hit=1"> <!--'), "odd: the script is shown as it is");
     if (pictures) await page.screenshot({ path: join(pictures, `case-${name}.png`) });
     await page.context().close();

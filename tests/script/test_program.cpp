@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "effect/catalogue.hpp"
 #include "impact/scene.hpp"
@@ -75,6 +76,26 @@ TEST_CASE("a scene that asks for an accuracy says what was chosen, and its rows 
   const Table table = read_table(here.path / "out/s/results.h5");
   for (const double estimate : table.number("error_step")->values) CHECK((estimate > 0 && estimate <= 1e-5));
   CHECK(here.script(text, "samples=2 --quiet --resume").status == 0);  // the same steps again, so the same scenes
+}
+
+TEST_CASE("the page of the examples shows what they print") {
+  const Workplace here;
+  const fs::path examples = fs::path(RICOCHET_SOURCE) / "examples";
+  std::ifstream file(examples / "README.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  for (const char* run : {"01_drop.lua", "02_soft_and_hard.lua frames=2"}) {
+    const Ended ended = here.run("'" + examples.string() + "'/" + run + " --no-report");
+    INFO(ended.out);
+    CHECK(ended.status == 0);
+    std::istringstream lines(ended.out);
+    int told = 0;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.find("e = ") == std::string::npos && !line.starts_with("accuracy 0.001 of e: multirate")) continue;
+      ++told;
+      CHECK_THAT(page, Catch::Matchers::Contains(line + "\n"));
+    }
+    CHECK(told > 0);
+  }
 }
 
 TEST_CASE("an impact that came near to its method's limit is told, with a step that does not") {

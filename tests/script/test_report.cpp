@@ -97,6 +97,14 @@ TEST_CASE("the sentence of a report has four forms, and never says more than the
              Contains("Whether the mean is below or above 1 these impacts cannot tell"));
 }
 
+TEST_CASE("a lattice struck from both sides is one unit of a report's errors") {
+  Table table = results(repeated({0}, 8), {0.9, 0.5, 0.8, 0.6, 0.9, 0.5, 0.8, 0.6});
+  const std::string apart = report_sentence(table);
+  table.numbers.push_back({{"pair", "number", "", "parameter of the sweep"}, {1, 1, 2, 2, 3, 3, 4, 4}});
+  CHECK_THAT(apart, Contains("its mean is 0.7 ± 0.06 "));
+  CHECK_THAT(report_sentence(table), Contains("its mean is 0.7 ± 0 ") || Contains("its mean is 0.7 ± 1e-"));
+}
+
 TEST_CASE("text of others is shown as it is and executed never") {
   CHECK(html_text("a<b>&\"</script><!--") == "a&lt;b&gt;&amp;&quot;&lt;/script&gt;&lt;!--");
   CHECK(json_text("</script>\"\\\n<!--") == "\"\\u003c/script>\\\"\\\\\\n\\u003c!--\"");
