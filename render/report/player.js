@@ -1,8 +1,8 @@
 "use strict";
 // Plays a replay: its clock runs in simulated time. Beside it the ledger of energy, force and overlap, linked with it.
 const energyParts = [["projectile_translation", "flight of the projectile"], ["projectile_rotation", "its spin"],
-  ["projectile_vibration", "its vibration"], ["target_translation", "flight of the target"],
-  ["target_rotation", "the target's spin"], ["target_vibration", "the target's vibration"],
+  ["projectile_vibration", "its deformation and vibration"], ["target_translation", "flight of the target"],
+  ["target_rotation", "the target's spin"], ["target_vibration", "the target's deformation and vibration"],
   ["contact_energy", "pressed contact"], ["effects_energy", "taken by effects (friction, loss, gravity)"]];
 const player = { replay: null, frames: null, at: 0, playing: false, last: 0, paint: null, charts: [] };
 const cachedFrames = new Map();
@@ -37,7 +37,7 @@ function whatHappens(k) {
   const force = contact.touching[k] ? ` Contact pushes it with ${shown(series.force_n[k], 3)} ${pretty(unit.force_n)}.` : "";
   const spin = Math.abs(series.omega[k] || 0) > 1e-6 ? `, spins at ${shown(series.omega[k], 3)} ${unit.omega}` : "";
   return `${phase}. The projectile ${way} at ${shown(Math.abs(series.vn[k]), 3)} ${unit.vn} along the normal` +
-    `, slides at ${shown(series.vt[k], 3)} ${unit.vt}${spin}; vibrations hold ${Math.round(100 * vibration / total)} % of the energy.${force}`;
+    `, slides at ${shown(series.vt[k], 3)} ${unit.vt}${spin}; deformation and vibration hold ${Math.round(100 * vibration / total)} % of the energy.${force}`;
 }
 
 function refresh(light) {

@@ -142,7 +142,7 @@ void warn_of_doubts(Session& session, const std::vector<Row>& rows) {
 }
 
 RunProgress::RunProgress(bool quiet, bool terminal, double time_limit, const Units& units)
-    : quiet_(quiet), terminal_(terminal), time_limit_(time_limit), units_(units), next_(terminal ? 1 : 10) {}
+    : quiet_(quiet), terminal_(terminal), time_limit_(time_limit), next_(terminal ? 1 : 10), units_(units) {}
 
 RunProgress::~RunProgress() {
   if (told_ && terminal_) say("\r\033[K");

@@ -50,7 +50,8 @@ TEST_CASE("plots have no warnings in any language") {
 TEST_CASE("a limit on open files is told as one, not as a missing program") {
   const Workplace here;
   here.write("s.lua", plot);
-  for (int files = 4; files < 12; ++files) {
+  const int least = machine_can_be_broken ? 4 : 6;  // sanitizers open a pipe to look at an address
+  for (int files = least; files < 12; ++files) {
     const Ended ended =
         here.shell("ulimit -n " + std::to_string(files) + "; exec '" RICOCHET_PROGRAM "' run s.lua --force");
     INFO(files << ": " << ended.status << ended.err);

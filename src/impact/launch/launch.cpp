@@ -7,6 +7,7 @@
 
 #include "body/interior.hpp"
 #include "core/error.hpp"
+#include "impact/axes.hpp"
 #include "impact/launch/aim.hpp"
 #include "impact/launch/checks.hpp"
 #include "impact/launch/contact_rule.hpp"
