@@ -1,33 +1,28 @@
 -- How many samples of a point a wanted standard error takes, in rounds.
 local sampling = {}
 
---- No point stops with fewer units (lattices, struck once or from both sides): an error by fewer is hardly known.
-sampling.least = 8
+--- No point stops with fewer units (lattices, struck once or from both sides): of fewer the deviation is small by
+--- chance too often, and a stop picks just these. From 16 on it would gain no more.
+sampling.least = 12
 -- By how many times the number of units a round may grow: a deviation by a few is rough.
 local most_growth = 3
--- What a stop by chance takes from the coverage of an interval, this gives back: the greatest that costs a tenth at 40.
-local by_few = 4
--- Pairs are worth it from here on: the gain that a pilot shows is rough.
-local least_gain = 1.1
+-- Units to spare in a round, so that the next is not one of two or three; a stop asks for none of them.
+local spare = 2
+-- Pairs are taken from here on: a pilot's gain is rough, and the stricter the choice, the more it picks pairs that scatter
+-- little by chance, whose intervals then miss the mean.
+local least_gain = 0.75
 
 --- The standard error that is wanted of a mean: an absolute one, or one relative to the mean, whichever is given.
 function sampling.wanted(t, mean)
   return t.standard_error or t.relative_error * math.abs(mean)
 end
 
---- Units that a deviation calls for: n > (sd/wanted)^2 (1 + by_few/n); of few, which a round may find small by chance
---- and stop, somewhat more.
-function sampling.needed(sd, wanted)
-  local plain = (sd / wanted) ^ 2
-  return math.max(sampling.least, math.ceil((plain + math.sqrt(plain ^ 2 + 4 * by_few * plain)) / 2))
-end
-
 --- How many units a point that has `count` of this deviation is to have after the next round; `count` once it is met,
 --- or `most` is.
 function sampling.goal(count, sd, wanted, most)
-  local needed = sampling.needed(sd, wanted)
-  if needed <= count then return count end
-  return math.min(needed, most_growth * count, most)
+  local needed = (sd / wanted) ^ 2
+  if needed <= count and count >= math.min(sampling.least, most) then return count end
+  return math.min(math.max(sampling.least, math.ceil(needed) + spare), most_growth * count, most)
 end
 
 --- By how many times fewer impacts pairs do than single ones for the same standard error: `pairs`, list of the two

@@ -76,12 +76,12 @@ local function normal() return math.sqrt(-2 * math.log(1 - math.random())) * mat
 }  // namespace
 
 TEST_CASE(
-    "a sweep by error meets it at every point with no fewer than eight lattices, struck from both sides as said") {
+    "a sweep by error meets it at every point with no fewer than twelve lattices, struck from both sides as said") {
   const Workplace here;
   const Ended ended = here.script(by_error("standard_error = 0.03") + R"lua(
 local summary = rows:summary { by = "psi1", of = { "e" } }
 for i, line in ipairs(summary) do
-  assert(line.e.se <= 0.03 and line.e.units >= 8 and line.count == line.e.count, line.e.se)
+  assert(line.e.se <= 0.03 and line.e.units >= 12 and line.count == line.e.count, line.e.se)
   local lattices, impacts = {}, 0
   for _, row in ipairs(rows:where { psi1 = line.psi1 }) do
     lattices[row.sample] = (lattices[row.sample] or 0) + row.e
@@ -105,7 +105,7 @@ local most, points = 0, 0
 for line in ricochet.file.read "s_samples.csv":gmatch "\n([^\n]+)" do
   local cells = {}
   for cell in line:gmatch "[^,]+" do cells[#cells + 1] = tonumber(cell) or 0 / 0 end
-  most, points = math.max(most, 8, math.ceil((cells[3] / cells[4]) ^ 2)), points + 1
+  most, points = math.max(most, 12, math.ceil((cells[3] / cells[4]) ^ 2)), points + 1
 end
 print(("told: %d samples of every point would have met it too: %d impacts"):format(most, most * points))
 )lua",
@@ -180,7 +180,9 @@ TEST_CASE("a point none of whose impacts finishes is told and not tried for ever
                             Contains("24 impacts in 1 rounds"));
 }
 
-TEST_CASE("intervals of a sweep by error hold the mean in 93 to 97 of 100 cases, whatever the law of the samples") {
+// README tells the figures. The one that sits lowest is skewed: where a sweep stops because the deviation is small by
+// chance, the mean is off to the same side.
+TEST_CASE("intervals of a sweep by error hold the mean in 92 to 97 of 100 cases, whatever the law of the samples") {
   const Ended ended = script_with_module(std::string(coverage) + R"lua(math.randomseed(11)
 local function gamma()
   local product = 1
@@ -189,19 +191,21 @@ local function gamma()
 end
 local laws = {
   normal = { function() return normal() end, 0, 1 }, skewed = { gamma, 4, 2 },
-  two_valued = { function() return math.random() < 0.5 and 1 or 0 end, 0.5, 0.5 },
+  two_valued = { function() return math.random() < 0.4 and 1 or 0 end, 0.4, math.sqrt(0.24) },
 }
 for name, law in pairs(laws) do
-  local share, impacts = coverage(law[1], law[2], law[3] / 10, 8)
-  print(name, share, impacts)
-  assert(share >= 0.93 and share <= 0.97, name .. ": " .. share)
+  for units, least in pairs { [25] = 0.90, [100] = 0.92 } do
+    local share, impacts = coverage(law[1], law[2], law[3] / math.sqrt(units), 8)
+    print(name, units, share, impacts)
+    assert(share >= least and share <= 0.97, name .. ": " .. share)
+  end
 end
 )lua");
   INFO(ended.out << ended.err);
   CHECK(ended.status == 0);
 }
 
-TEST_CASE("intervals of a sweep by error hold the mean of 300 real lattices in 93 to 97 of 100 cases, and pairs pay") {
+TEST_CASE("intervals of a sweep by error hold the mean of 300 real lattices in 92 to 97 of 100 cases, and pairs pay") {
   std::ifstream file(std::string(RICOCHET_SOURCE) + "/tests/script/lattices.csv");  // lattices.lua makes it
   const std::string table{std::istreambuf_iterator<char>(file), {}};
   REQUIRE(!table.empty());
@@ -216,18 +220,17 @@ local angles = 0
 for psi1, list in pairs(lattices) do
   angles = angles + 1
   assert(#list >= 298, psi1 .. ": " .. #list)
-  local values = {}
-  for _, pair in ipairs(list) do
-    values[#values + 1] = pair[1]
-    values[#values + 1] = pair[2]
+  local single, paired = {}, {}
+  for i, pair in ipairs(list) do
+    single[2 * i - 1], single[2 * i], paired[i] = pair[1], pair[2], (pair[1] + pair[2]) / 2
   end
-  local of = statistics.of(values)
+  local of, sd_of_pairs = statistics.of(single), statistics.of(paired).sd
   local function draw() return table.unpack(list[math.random(#list)]) end
-  -- Where lattices fold, some stray far, and a short pilot is often blind to them: one of 8 leaves 0.91 to 0.94.
-  local share, impacts = coverage(draw, of.mean, of.sd / 10, 24, true)
+  local share, impacts = coverage(draw, of.mean, sd_of_pairs / 10, 8, true)
   print(psi1, share, impacts)
-  assert(share >= 0.93 and share <= 0.97, psi1 .. ": " .. share)
-  assert(psi1 ~= "4" or impacts < 105, impacts)  -- of one side it takes 110
+  assert(share >= 0.92 and share <= 0.97, psi1 .. ": " .. share)
+  -- Of one side it takes so many:
+  assert(psi1 ~= "4" or impacts < 0.6 * 100 * (of.sd / sd_of_pairs) ^ 2, impacts)
 end
 assert(angles == 3)
 )lua");
