@@ -899,7 +899,7 @@ function ricochet.accuracy(t) end
 function ricochet.relevance(t) end
 
 ---@class ricochet.plan_fields
----@field sweep ricochet.sweep with one name in `over` that counts samples
+---@field sweep ricochet.sweep with one name in `over` that counts samples, or with samples = "by_error": each point then takes as many as what the other errors leave asks for
 ---@field standard_error number wanted at every point: root of the sum of the squares of the four errors
 ---@field of? string the outcome it is about (default e)
 ---@field samples? string the name in `over` that counts samples (default sample)

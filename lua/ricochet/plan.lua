@@ -5,6 +5,7 @@ local outcomes = require "ricochet.outcomes"
 local of_sizes = require "ricochet.plan_sizes"
 local pilot = require "ricochet.plan_pilot"
 local refine = require "ricochet.refine"
+local sampling = require "ricochet.sampling"
 local statistics = require "ricochet.statistics"
 local student = require "ricochet.student"
 local sweeps = require "ricochet.sweep"
@@ -56,6 +57,14 @@ end
 local function checked_sweep(t)
   local sweep = sweeps.contents(t.sweep) or core.fail("'sweep' must be a sweep (from ricochet.sweep)", "sweep")
   outcomes.check({ t.of }, "of")
+  if sweep.by_error then
+    if t.samples ~= "sample" then
+      core.fail("the sweep's samples = \"by_error\" counts them as 'sample'; leave 'samples' out", "samples")
+    end
+    sweep = copy(sweep)
+    sweep.names = { table.unpack(sweep.names) }
+    table.insert(sweep.names, t.samples)
+  end
   local known = false
   for _, name in ipairs(sweep.names) do known = known or name == t.samples end
   if not known then core.fail(("the sweep's 'over' has no '%s' to count samples by"):format(t.samples), "samples") end
@@ -106,20 +115,28 @@ local function budget_of_point(plan, name, k, step, softness)
   return p
 end
 
--- The samples that the worst point needs with `factor` times the nodes, and what is left of each error then.
-local function needed_samples(t, points, factor)
+-- What is left of each error with `factor` times the nodes, and the samples that the worst point needs then; those of a
+-- point on average where each takes its own, by_error, for one standard error of all.
+local function needed_samples(t, points, factor, by_error)
   local strayed = math.abs(factor ^ -0.5 - (t.continuum and 0 or 1))
   local step_error = pilot.step_share * t.standard_error
-  local samples, budget = 2, { sampling = 0, lattice = 0, step = step_error, softness = 0 }
-  for _, p in ipairs(points) do
-    local left = t.standard_error ^ 2 - step_error ^ 2 - (p.lattice * strayed) ^ 2 - p.softness_counts ^ 2
-    samples = left > 0 and math.max(samples, math.ceil(p.sd_cautious ^ 2 / left)) or math.huge
-    budget.sampling = math.max(budget.sampling, p.sd_cautious)
+  local budget = { sampling = 0, lattice = 0, step = step_error, softness = 0 }
+  local least, spread, left = math.huge, 0, {}
+  for k, p in ipairs(points) do
+    left[k] = math.max(0, t.standard_error ^ 2 - step_error ^ 2 - (p.lattice * strayed) ^ 2 - p.softness_counts ^ 2)
+    least, spread = math.min(least, left[k]), math.max(spread, p.sd_cautious)
     budget.lattice = math.max(budget.lattice, p.lattice * strayed)
     budget.softness = math.max(budget.softness, p.softness_counts)
   end
-  budget.sampling = budget.sampling / math.sqrt(samples)
-  return samples, budget
+  local samples, sum = 2, 0
+  for k, p in ipairs(points) do
+    local square = by_error and least or left[k]
+    local needed = square > 0 and math.ceil(p.sd_cautious ^ 2 / square) or math.huge
+    if by_error then needed = math.max(sampling.least, needed) end
+    samples, sum = math.max(samples, needed), sum + needed
+  end
+  budget.sampling = by_error and math.sqrt(least) or spread / math.sqrt(samples)
+  return samples, budget, by_error and sum / #points or samples
 end
 
 -- The method and step of every point, as the pilot chose them; those of the shortest step are shown, and taken by
@@ -139,11 +156,12 @@ end
 local function choose_cheapest(plan, t)
   local sizes = plan.sizes
   for _, factor in ipairs(#sizes > 1 and factors or { sizes[1].factor }) do
-    local samples, budget = needed_samples(t, plan.points, factor)
-    local seconds = samples * seconds_at(sizes, factor)
+    local samples, budget, of_a_point = needed_samples(t, plan.points, factor, plan.sweep.by_error)
+    local seconds = of_a_point * seconds_at(sizes, factor)
     local enough = #sizes == 1 or factor >= plan.least_factor
     if enough and samples <= most_samples and (not plan.samples or seconds < plan.predicted_seconds) then
       plan.samples, plan.nodes, plan.predicted_seconds, plan.budget = samples, factor, seconds, budget
+      plan.of_a_point = of_a_point
       choose_steps(plan, nearest_size(sizes, factor).rows)
     elseif not plan.samples then
       plan.budget = budget
@@ -227,6 +245,12 @@ local function plan(given)
   return setmetatable(shown, Plan)
 end
 
+-- The fields of a sweep by error, as the plan has them.
+local function by_the_plan(given, plan)
+  return { samples = "by_error", standard_error = plan.budget.sampling, of = plan.of, pilot = given.pilot,
+    most = math.max(given.most, given.pilot), mirrored = given.mirrored }
+end
+
 --- Runs the planned sweep; prints the predicted and the real time. Returns its rows.
 Plan.run = core.wrap(function(plan)
   local self = core.is(plan, Plan) and held[plan] or core.fail "is a method of a plan: write plan:run(), with a colon"
@@ -234,18 +258,20 @@ Plan.run = core.wrap(function(plan)
   local sweep, over, values = self.sweep, {}, {}
   for i = 1, self.samples do values[i] = i end
   for _, name in ipairs(sweep.names) do over[name] = sweep.over[name] end
-  over[self.sample] = values
+  local counted = sweep.by_error and by_the_plan(sweep.by_error, self) or {}
+  if not sweep.by_error then over[self.sample] = values end
   local choices = {}
   for _, choice in ipairs(self.choices) do choices[choice.name] = choice end
   text.keep(self)
-  local planned = sweeps.sweep { name = sweep.name, over = over, scene = function(at)
+  counted.name, counted.over, counted.units = sweep.name, over, sweep.units
+  function counted.scene(at)
     local scene = core.given(refine.refined(sweep.scene(at), self.nodes, 0))
     local chosen = choices[pilot.name_of(at, sweep.names, self.sample)] or self
     scene.method, scene.theta, scene.step, scene.accuracy = chosen.method, chosen.theta, nil, nil
     return core.with_chosen_step(core.functions.scene(scene), self.budget.step)
-  end }
+  end
   local began = core.clock()
-  local rows = planned:run()
+  local rows = sweeps.sweep(counted):run()
   local took = core.clock() - began
   -- The standard error that came of it, at the worst of the points.
   local by_point, worst = {}, { se = -1 }
@@ -255,12 +281,12 @@ Plan.run = core.wrap(function(plan)
     table.insert(by_point[name], row)
   end
   for name, list in pairs(by_point) do
-    local of = statistics.of_finished(list, self.of)
-    if of.count > 1 and of.se > worst.se then worst = { name = name, se = of.se, sd = of.sd } end
+    local of = statistics.of_units(list, self.of)
+    if of.units > 1 and of.se > worst.se then worst = { name = name, se = of.se, sd = of.sd } end
   end
   print(("predicted %.1f s, took %.1f s; largest standard error %.2g of %s at %s, wanted %g"):format(
     self.predicted_seconds, took, worst.se, self.of, worst.name, self.standard_error))
-  if worst.se > self.standard_error then
+  if not sweep.by_error and worst.se > self.standard_error then
     local enough = math.ceil((worst.sd / self.standard_error) ^ 2)
     print(("  more than the pilot of %d had shown: %d samples would do"):format(self.pilot, enough))
   end

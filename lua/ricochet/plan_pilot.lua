@@ -15,8 +15,9 @@ local function copy(t)
   return result
 end
 
---- The sweep's points without their sample, each once, and how many samples it has.
+--- The sweep's points without their sample, each once, and how many samples it has; of one by error those of its pilot.
 function pilot.points_of(sweep, sample)
+  if sweep.by_error then return sweep.points, sweep.by_error.pilot end
   local list, seen, samples = {}, {}, {}
   for _, point in ipairs(sweep.points) do
     local rest, key = copy(point), ""

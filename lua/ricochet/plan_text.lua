@@ -26,14 +26,21 @@ local function print_budget(plan)
     .. "is told apart from 0")
 end
 
+-- How many samples the plan takes.
+local function samples_of(plan)
+  if not plan.sweep.by_error then return ("%d samples a point"):format(plan.samples) end
+  return ("samples by error: %.3g a point on average, at most %d (fewer where pairs pay, which the pilot does not see)")
+    :format(plan.of_a_point, plan.samples)
+end
+
 local function print_cheapest(plan)
   local alike = true
   for _, choice in ipairs(plan.choices) do
     alike = alike and choice.method == plan.method and choice.theta == plan.theta
   end
-  print_line("cheapest: %s with theta %.3g%s, %.3g times the nodes, %d samples a point; predicted %.1f s on %s",
-    plan.method, plan.theta, alike and "" or " at the hardest point", plan.nodes, plan.samples, plan.predicted_seconds,
-    plan.machine)
+  print_line("cheapest: %s with theta %.3g%s, %.3g times the nodes, %s; predicted %.1f s on %s",
+    plan.method, plan.theta, alike and "" or " at the hardest point", plan.nodes, samples_of(plan),
+    plan.predicted_seconds, plan.machine)
   if not alike then
     for _, choice in ipairs(plan.choices) do
       print_line("  %s: %s with theta %.3g", choice.name, choice.method, choice.theta)
@@ -42,9 +49,10 @@ local function print_cheapest(plan)
   if #plan.sizes == 1 then
     print_line("  of the %s's own error one size tells nothing: the nodes stay as they are", plan.division)
   end
-  print_line("  leaves %.2g from samples (less nine times of ten), %.2g from the %s's size, "
-    .. "%.2g from the time step, %.2g from the contact's softness", plan.budget.sampling, plan.budget.lattice,
-    plan.division, plan.budget.step, plan.budget.softness)
+  print_line("  leaves %.2g from samples%s, %.2g from the %s's size, "
+    .. "%.2g from the time step, %.2g from the contact's softness", plan.budget.sampling,
+    plan.sweep.by_error and "" or " (less nine times of ten)", plan.budget.lattice, plan.division, plan.budget.step,
+    plan.budget.softness)
 end
 
 --- The budget of a plan and the cheapest way, or why there is none within `limits`: the greatest factor of the nodes,
@@ -74,6 +82,7 @@ function text.keep(plan)
   local lines = {
     request(plan), ("samples %d"):format(plan.samples), ("nodes %.17g"):format(plan.nodes),
     ("predicted_seconds %.3g"):format(plan.predicted_seconds),
+    ("sampling_error %.17g"):format(plan.budget.sampling),
   }
   for _, choice in ipairs(plan.choices) do
     lines[#lines + 1] = ("point %s: %s theta %.17g"):format(choice.name, choice.method, choice.theta)
@@ -91,19 +100,23 @@ function text.go_on_with_kept(plan)
     core.fail(("%s keeps the plan of the earlier run, for a %s; "
       .. "give --resume the same, or run anew with --force"):format(plan_file(plan.sweep), kept), "standard_error")
   end
-  local samples, nodes, seconds = kept_text:match "samples (%S+)\nnodes (%S+)\npredicted_seconds (%S+)\n"
+  local samples, nodes, seconds, of_samples =
+    kept_text:match "samples (%S+)\nnodes (%S+)\npredicted_seconds (%S+)\nsampling_error (%S+)\n"
   plan.samples, plan.nodes, plan.predicted_seconds = math.tointeger(samples), tonumber(nodes), tonumber(seconds)
+  plan.budget.sampling = tonumber(of_samples)
   plan.choices = {}
   for name, method, theta in kept_text:gmatch "\npoint ([^\n]-): (%S+) theta ([^\n]+)" do
     plan.choices[#plan.choices + 1] = { name = name, method = method, theta = tonumber(theta) }
   end
   local method, theta = kept_text:match "\nothers: (%S+) theta (%S+)"
   plan.method, plan.theta = method, tonumber(theta)
-  if not (plan.samples and plan.nodes and plan.predicted_seconds and plan.method and plan.theta) then
+  if not (plan.samples and plan.nodes and plan.predicted_seconds and plan.budget.sampling and plan.method and
+      plan.theta) then
     core.fail(("%s is damaged; restore it from a copy, or run anew with --force"):format(plan_file(plan.sweep)))
   end
-  print(("goes on with the plan of the earlier run: %.3g times the nodes, %d samples a point"):format(plan.nodes,
-    plan.samples))
+  local samples_text = plan.sweep.by_error and ("%.2g from samples"):format(plan.budget.sampling)
+    or ("%d samples a point"):format(plan.samples)
+  print(("goes on with the plan of the earlier run: %.3g times the nodes, %s"):format(plan.nodes, samples_text))
 end
 
 return text

@@ -135,7 +135,8 @@ methods.run = core.wrap(function(self)
     names[#names + 1] = "sample"
     local given = { scene = sweep.scene, names = names }
     function own.make(point) return scene_at(given, point) end
-    return rows_of(rounds.run(own, sweep.by_error), { names = names, units = sweep.units })
+    sweep.rows = rows_of(rounds.run(own, sweep.by_error), { names = names, units = sweep.units })
+    return sweep.rows
   end
   local scenes = {}
   for i, point in ipairs(sweep.points) do

@@ -230,7 +230,10 @@ Function plan_function() {
           "of it counts as error too. Of a contact that the program chose, its softness counts: the pilot runs again "
           "with one twice as hard, and twice the mean change counts if it is told apart from the scatter of the "
           "samples. The samples are planned with a deviation that nine pilots of ten do not underrate.",
-      .fields = {{"sweep", "sweep", "", "with one name in `over` that counts samples"},
+      .fields = {{"sweep", "sweep", "",
+                  "with one name in `over` that counts samples, or with samples = \"by_error\": each point then takes "
+                  "as many "
+                  "as what the other errors leave asks for"},
                  {"standard_error", "number", "",
                   "wanted at every point: root of the sum of the squares of the four errors", positive},
                  {"of", "string", "", "the outcome it is about", any_number, "e"},

@@ -92,6 +92,38 @@ for _, line in ipairs(rows:summary { by = "psi1", of = { "e" } }) do assert(line
   CHECK_THAT(again.out, Catch::Matchers::Contains("goes on with the plan of the earlier run"));
 }
 
+TEST_CASE("a plan of a sweep by error gives its samples what the other errors leave") {
+  const Workplace here;
+  const std::string text = R"(local ricochet = require "ricochet"
+local sweep = ricochet.sweep { name = "s", over = { psi1 = { 1, 6 } }, samples = "by_error", relative_error = 0.5,
+  scene = function(at) return ricochet.scene {
+    projectile = ricochet.disk { nodes = 60, roughness = 0.03, seed = at.sample },
+    target = ricochet.wall { width = 4, depth = 1.5, nodes = 150, stiffness = 400, roughness = 0.03, seed = at.sample },
+    launch = { psi1 = at.psi1 }, contact = { V0 = 150, xi = 300 } } end }
+local plan = ricochet.plan { sweep = sweep, standard_error = 0.06, sizes = { 1 } }
+local b = plan.budget
+assert(math.abs(b.sampling ^ 2 + b.step ^ 2 + b.lattice ^ 2 + b.softness ^ 2 - 0.06 ^ 2) < 1e-15, b.sampling)
+local rows = plan:run()
+for _, line in ipairs(rows:summary { by = "psi1", of = { "e" } }) do
+  assert(line.failed == 0 and line.e.units >= 12 and line.e.se <= b.sampling, line.e.se)
+end
+print("impacts: " .. #rows)
+)";
+  const Ended ended = here.script(text, "--quiet");
+  INFO(ended.out << ended.err);
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains("samples by error: "));
+  const Ended again = here.run("s.lua --quiet --resume");
+  INFO(again.out << again.err);
+  CHECK(again.status == 0);
+  CHECK_THAT(again.out, Catch::Matchers::Contains("goes on with the plan of the earlier run"));
+  CHECK(again.out.substr(again.out.find("impacts: ")) == ended.out.substr(ended.out.find("impacts: ")));
+  std::string counted = text;
+  counted.insert(counted.find("sizes ="), "samples = 'n', ");
+  CHECK_THAT(here.script(counted, "--quiet --force").first_line(),
+             Catch::Matchers::Contains("counts them as 'sample'"));
+}
+
 TEST_CASE("a plan for the continuum says when the lattice's size puts it out of reach") {
   const Workplace here;
   const Ended ended = here.script(
