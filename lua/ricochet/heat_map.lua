@@ -1,6 +1,7 @@
 -- ricochet.heat_map: the mean of a column over two others, as coloured cells.
 local core = require "ricochet.core"
 local gnuplot = require "ricochet.gnuplot"
+local axes = require "ricochet.axes"
 local plot = require "ricochet.plot"
 local rows_module = require "ricochet.rows"
 
@@ -58,7 +59,7 @@ local function tics_of(axis)
     local room = i > 1 and axis.pixels(values[i - 1], value) or math.huge
     local needed = axis.letter == "y" and line or digit * (#("%.5g"):format(value) + 1)
     if room < needed then
-      if axis.log then return plot.log_tics(axis.letter, axis.letter, edges[1], edges[#edges]):sub(2) end
+      if axis.log then return axes.log_tics(axis.letter, axis.letter, edges[1], edges[#edges]):sub(2) end
       return ("set %stics auto"):format(axis.letter)
     end
   end

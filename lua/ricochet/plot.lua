@@ -7,6 +7,8 @@ local summarise, known_column = rows_module.summarise, rows_module.known_column
 
 local colours, quoted = gnuplot.colours, gnuplot.quoted
 local words = require "ricochet.words"
+local axes = require "ricochet.axes"
+local given_range, widen, roomy, log_tics = axes.given_range, axes.widen, axes.roomy, axes.log_tics
 -- Lines of theory: shades that also differ in their dashes; published points: open marks.
 local dashes = { { "#555555", 2 }, { "#000000", 1 }, { "#882255", 4 }, { "#44AA99", 3 }, { "#999933", 5 } }
 local open_marks = { 6, 4, 8, 12, 10 }
@@ -102,15 +104,6 @@ local function entries_of(t, field, initial_name)
   return result
 end
 
--- A range {low, high} of the user's.
-local function given_range(range, field, ...)
-  local is_pair = type(range) == "table" and type(range[1]) == "number" and type(range[2]) == "number"
-  if not is_pair or range[1] >= range[2] then core.fail(("'%s' takes { from, to }"):format(field), field, ...) end
-  return { low = range[1], high = range[2] }
-end
-
-local function widen(range, low, high) range.low, range.high = math.min(range.low, low), math.max(range.high, high) end
-
 -- The data of simulated series as gnuplot's $data1, $data2 ...; widens the ranges. Returns how many impacts finished
 -- and failed, and the most at one point.
 local function write_series(t, list, script, xs, ys)
@@ -159,8 +152,8 @@ local function write_samples(t, list, script, ys)
   end
 end
 
--- The data of lines and marks, as $theory1_2 (column 1, entry 2) and so on. They widen the range along y, by no more
--- than `most` of it on either side.
+-- The data of lines and marks, as $theory1_2 (column 1, entry 2) and so on, and as `t.curves` for the report. They
+-- widen the range along y, by no more than `most` of it on either side.
 local function write_entries(t, kind, entries, script, xs, ys, most)
   for i, column in ipairs(t.y) do
     local low, high = -math.huge, math.huge
@@ -173,8 +166,10 @@ local function write_entries(t, kind, entries, script, xs, ys, most)
       end
     end
     for k, entry in ipairs(entries[column] or {}) do
-      local lines = {}
+      local lines, curve = {}, { of = column, label = entry.name, marks = kind == "published", x = {}, y = {} }
+      t.curves[#t.curves + 1] = curve
       local function put(x, y)
+        curve.x[#curve.x + 1], curve.y[#curve.y + 1] = x, y
         local seen = math.max(low, math.min(high, y))
         local is_drawn = y == y and math.abs(seen) < math.huge and not (t.log:find "y" and seen <= 0)
         if is_drawn then widen(ys[i], seen, seen) end
@@ -194,52 +189,6 @@ local function write_entries(t, kind, entries, script, xs, ys, most)
       script:data(("%s%d_%d"):format(kind, i, k), lines)
     end
   end
-end
-
--- Room around the first and last point, also where there is only one.
-local function roomy(low, high, share, log)
-  if log then
-    local factor = high > low and (high / low) ^ share or 2
-    return ("[%.17g:%.17g]"):format(low / factor, high * factor)
-  end
-  local room = high > low and share * (high - low) or math.max(0.5, math.abs(low) / 2)
-  return ("[%.17g:%.17g]"):format(low - room, high + room)
-end
-
--- Places of round numbers between `low` and `high`: 4 to 8 of them.
-local function round_places(low, high)
-  local decade = 10 ^ math.floor(math.log((high - low) / 4, 10))
-  local step = decade
-  for _, factor in ipairs { 2, 5, 10 } do
-    if (high - low) / step > 8 then step = factor * decade end
-  end
-  local places = {}
-  for k = math.ceil(low / step), math.floor(high / step) do places[#places + 1] = k * step end
-  return places, step
-end
-
--- Ticks of a logarithmic axis. Over less than half a decade round numbers in equal steps have a label; up to three
--- decades 1, 2 and 5 of each; beyond, powers of ten, every one or every few. Minor ticks stand between.
-local function log_tics(log, axis, low, high)
-  if not log:find(axis) then return "" end
-  local tics, decades = {}, math.log(high / low, 10)
-  local function add(value, minor) tics[#tics + 1] = (minor and "'' %.6g 1" or "%.6g"):format(value) end
-  if decades < 0.5 and high > low then
-    local places, step = round_places(low, high)
-    for _, place in ipairs(places) do add(place) end
-    for k = math.ceil(5 * low / step), math.floor(5 * high / step) do
-      if k % 5 ~= 0 then add(k * step / 5, true) end
-    end
-    return ("\nset %stics (%s)"):format(axis, table.concat(tics, ", "))
-  end
-  local every = math.max(1, math.ceil(decades / 8))
-  for decade = math.floor(math.log(low, 10)) - 1, math.floor(math.log(high, 10)) + 1 do
-    for step = 1, 9 do
-      local labelled = decades < 3 and (step == 1 or step == 2 or step == 5) or step == 1 and decade % every == 0
-      if labelled or every == 1 or step == 1 then add(step * 10 ^ decade, not labelled) end
-    end
-  end
-  return ("\nset %stics (%s)"):format(axis, table.concat(tics, ", "))
 end
 
 -- How far points of series k stand from their x, where several series have one at the same x and lie on each other:
@@ -456,11 +405,13 @@ local function plot(given)
     if ys[i].low > ys[i].high then t.empty[column] = "no row has a number above 0, or any, here" end
   end
   xs = finish_xrange(t, xs, published, theory)
+  t.curves = {}
   -- Where theory diverges it leaves the picture: beside rows, the range is that of the impacts and published points and
   -- at most half as much on either side.
   write_entries(t, "published", published, script, xs, ys, math.huge)
   write_entries(t, "theory", theory, script, xs, ys, t.rows and 0.5 or math.huge)
   finish_yranges(t, ys)
+  if t.rows and not is_series(t.rows) then core.plotted(t.rows[1].scene_hash, t.x, t.y, t.curves) end
   local at, side_by_side = {}, false
   if t.by and not is_series(t.rows) and not t.nothing then
     at, side_by_side = dodged(t, list, xs, ys)
@@ -494,4 +445,4 @@ local function plot(given)
 end
 
 -- What other pictures of rows share.
-return { plot = plot, wrapped = wrapped, label = label, groups = series_of, roomy = roomy, log_tics = log_tics }
+return { plot = plot, wrapped = wrapped, label = label, groups = series_of }

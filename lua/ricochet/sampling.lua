@@ -8,8 +8,8 @@ sampling.least = 12
 local most_growth = 3
 -- Units to spare in a round, so that the next is not one of two or three; a stop asks for none of them.
 local spare = 2
--- Pairs are taken from here on: a pilot's gain is rough, and the stricter the choice, the more it picks pairs that scatter
--- little by chance, whose intervals then miss the mean.
+-- Pairs are taken from here on: a pilot's gain is rough, and the stricter the choice, the more it picks pairs that
+-- scatter little by chance, whose intervals then miss the mean.
 local least_gain = 0.75
 
 --- The standard error that is wanted of a mean: an absolute one, or one relative to the mean, whichever is given.

@@ -39,7 +39,7 @@ function tools(section) {
     drawPlots(section);
   } }, ...choices.map(c => element("option", { value: c.name, selected: c === section.x }, symbolOf(c.name))));
   return element("div", { className: "tools" }, choices.length > 1 ? element("label", {}, "against ", select) : null, box("dots", "single impacts"),
-    pageData.lines.length ? box("lines", "theory") : null, box("log", "logarithmic"));
+    section.curves.length ? box("lines", "theory and published points") : null, box("log", "logarithmic"));
 }
 
 // What the units of these results mean.
@@ -121,7 +121,7 @@ async function start() {
   const began = performance.now();
   const replays = [...document.querySelectorAll("script.replay")].map(tag => JSON.parse(tag.textContent));
   for (const [index, raw] of pageData.sections.entries()) {
-    const section = { ...raw, index, columns: await readColumns(raw), plots: {}, picked: null, show: { dots: true, lines: true, log: false } };
+    const section = { ...raw, index, columns: await readColumns(raw), plotted: raw.plots, plots: {}, picked: null, show: { dots: true, lines: true, log: false } };
     axesOf(section);
     section.groups = groupsOf(section);
     addReplays(section, replays);

@@ -1,7 +1,7 @@
 "use strict";
 // Outcomes of a sweep against what it varied: single impacts, means with standard errors, lines of theory.
 const sections = [];
-const mostDots = 4000;
+const mostDots = 4000, mostPlots = 8;
 
 // What tells lattices of one kind apart, as sweep_table.hpp has it.
 const isSample = name => /(sample|seed)$|^(mirrored|pair)$/.test(name);
@@ -29,9 +29,12 @@ function axesOf(section) {
   const parameters = parametersOf(section), numeric = parameters.filter(c => typeof c.values[0] === "number");
   const { columns } = section;
   const fallback = Object.values(columns).find(c => c.parameter && typeof c.values[0] === "number" && new Set(c.values).size > 1);
-  section.x = numeric[0] || fallback || { name: "impact", unit: "", values: Array.from({ length: section.rows }, (_, i) => i + 1) };
+  const plotted = section.plotted.map(plot => columns[plot.x]).find(c => c && c.parameter && typeof c.values[0] === "number");
+  section.x = plotted || numeric[0] || fallback || { name: "impact", unit: "", values: Array.from({ length: section.rows }, (_, i) => i + 1) };
   section.by = parameters.find(c => c !== section.x && new Set(c.values).size <= 6) || null;
-  section.quantities = ["e", "mu", "beta"].filter(q => columns[q] && columns[q].values.some(v => v != null));
+  const wanted = pageData.plots.length ? pageData.plots : [...section.plotted.flatMap(plot => plot.columns), "e", "mu", "beta"];
+  section.quantities = [...new Set(wanted)].filter(q => columns[q] && columns[q].values.some(v => typeof v === "number")).slice(0, mostPlots);
+  section.curves = [...pageData.lines, ...section.plotted.flatMap(plot => plot.lines)];
 }
 
 // [{ key, points: [{ x, rows }] }], one for each value of `by`.
@@ -67,10 +70,11 @@ function dataOf(section, quantity) {
     series.push({ label: `mean ± standard error${name}`, stroke: colour, paths: () => null, group: g, stats, points: { show: true, size: 8, fill: colour, width: 1 } });
   });
   if (section.show.lines) {
-    pageData.lines.filter(line => line.of === quantity).forEach((line, i) => {
+    section.curves.filter(line => line.of === quantity && (!line.against || line.against === section.x.name)).forEach((line, i) => {
       const sorted = line.x.map((x, k) => [x, line.y[k]]).sort((a, b) => a[0] - b[0]);
       tables.push([sorted.map(p => p[0]), sorted.map(p => p[1])]);
-      series.push({ label: line.label, stroke: ink(), width: 1.5, spanGaps: true, dash: [[], [6, 4], [2, 3], [8, 3, 2, 3]][i % 4], points: { show: false } });
+      series.push(line.marks ? { label: line.label, stroke: ink(), paths: () => null, points: { show: true, size: 9, stroke: ink(), fill: "transparent", width: 1.5 } }
+        : { label: line.label, stroke: ink(), width: 1.5, spanGaps: true, dash: [[], [6, 4], [2, 3], [8, 3, 2, 3]][i % 4], points: { show: false } });
     });
   }
   return { tables: uPlot.join(tables), series };

@@ -21,6 +21,8 @@ std::vector<std::string> methods_for(double accuracy) {
   return {"blanes_moan_srkn6b"};
 }
 
+double affordable_impacts(std::size_t members) { return std::max(12.0, 0.25 * static_cast<double>(members)); }
+
 double longest_theta(const Method& method, double usual) {
   return std::min(2 * usual, 0.8 * method.stability_limit);  // room for springs that stiffen
 }
@@ -220,7 +222,7 @@ Choice choose_for_accuracy(std::vector<TrialScene> scenes, std::size_t members, 
   }
   const std::vector<MethodOption> options = options_for(meeting, names);
   Search search{meeting, asked, threads, stop};
-  search.spent.impacts = std::max(least_impacts, trials_share * static_cast<double>(members));
+  search.spent.impacts = affordable_impacts(members);
   search.spent.usual = usual_cost(meeting, option_of(meeting, meeting.front().scene.method().name), asked.accuracy);
   for (std::size_t i = 0; i < options.size() && !search.over(); ++i) {
     const MethodOption& c = options[i];

@@ -32,9 +32,9 @@ struct Choice {
 /// Theta of the longest step that trials take in a scene, from that of its usual one.
 double longest_theta(const Method& method, double usual);
 
-/// Trials may cost a quarter of what a sweep takes at the usual step, or so many of its impacts where that is more:
-/// with fewer nothing can be told.
-inline constexpr double trials_share = 0.25, least_impacts = 12;
+/// Impacts at the usual step that the trials of a sweep of so many may cost: a quarter of them, or twelve where that is
+/// more: with fewer nothing can be told.
+double affordable_impacts(std::size_t members);
 
 /// Methods worth trying for a wanted error of e (README, "What accuracy costs"), the last one in any case: which of
 /// them is the cheapest depends on the bodies.

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "body/kept_solids.hpp"
 #include "core/error.hpp"
 #include "impact/engine.hpp"
 
@@ -84,7 +85,7 @@ bool drain(Engine<W>& engine, const Work& work, int width) {
 }  // namespace
 
 BuiltSolids::BuiltSolids(const Scene& scene) {
-  for (const Body* body : scene.bodies()) solids_.push_back(build_solid(*body));
+  for (const Body* body : scene.bodies()) solids_.push_back(kept_solid(*body));
 }
 
 BuiltSolids::operator Solids() const {

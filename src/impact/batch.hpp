@@ -13,7 +13,7 @@
 
 namespace ricochet {
 
-/// The solids of a scene, built from its bodies.
+/// The solids of a scene, built from its bodies, or kept from scenes before.
 class BuiltSolids {
  public:
   BuiltSolids() = default;

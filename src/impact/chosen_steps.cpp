@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "impact/accuracy.hpp"
+#include "core/hash.hpp"
 #include "impact/contact_error.hpp"
 #include "impact/launch/launch.hpp"
 #include "impact/spread.hpp"
@@ -102,32 +102,34 @@ std::string asked_text(const Integration& asked) {
 }
 
 void tell_start(const Integration& asked, std::size_t tried, std::size_t members, const Telling& telling) {
-  const double share = trials_share * static_cast<double>(members);
   telling.line(fmt::format("{}: tries steps in {} of {} scenes, at the cost of {:.3g} impacts at most",
-                           asked_text(asked), tried, members, std::max(share, least_impacts)));
+                           asked_text(asked), tried, members, affordable_impacts(members)));
 }
 
-void tell_choice(const Integration& asked, const Choice& choice, const Places& tried, const Units& units,
-                 const Telling& telling) {
+void tell_left_out(const Integration& asked, const Choice& choice, const Places& tried, const Telling& telling) {
   for (const LeftOut& scene : choice.left_out)
     telling.line(fmt::format(
         "  left out: {}: {}", telling.name(tried[scene.scene]),
         std::isnan(scene.error)
             ? scene.reason
             : fmt::format("{} still changes by {:.2g} at the shortest steps tried", asked.accuracy_of, scene.error)));
-  telling.line(
-      fmt::format("{}: {} with theta {:.3g} (a step of {}), {} error {:.2g} ({} trial runs of {} scene{}, the "
-                  "work of {:.3g} spring "
-                  "evaluations)",
-                  asked_text(asked), choice.method, choice.theta, units.shown(choice.step, "R/c"),
-                  choice.found == Found::extrapolated ? "extrapolated" : "estimated", choice.error, choice.trials,
-                  tried.size(), tried.size() == 1 ? "" : "s", choice.evaluations));
+}
+
+void tell_choice(const Integration& asked, const Choice& choice, std::size_t tried, const Units& units, bool remembered,
+                 const Telling& telling) {
+  telling.line(fmt::format(
+      "{}: {} with theta {:.3g} (a step of {}), {} error {:.2g} ({}{} trial runs of {} scene{}, the work of {:.3g} "
+      "spring evaluations{})",
+      asked_text(asked), choice.method, choice.theta, units.shown(choice.step, "R/c"),
+      choice.found == Found::extrapolated ? "extrapolated" : "estimated", choice.error,
+      remembered ? "remembered: " : "", choice.trials, tried, tried == 1 ? "" : "s", choice.evaluations,
+      remembered ? ", of an earlier run" : ""));
   if (choice.found == Found::extrapolated) telling.line("  the trials' share was used up before this step was tried");
   if (choice.found == Found::unsettled)
     telling.line(
         fmt::format("  in {} of {} scenes {} does not settle, so that no step is accurate: the longest one that "
                     "keeps the energy was taken",
-                    choice.left_out.size(), tried.size(), asked.accuracy_of));
+                    choice.left_out.size(), tried, asked.accuracy_of));
 }
 
 // Gives a kind's scenes what was chosen.
@@ -158,39 +160,57 @@ double own_theta(const Solids& solids, Scene scene, double longest) {
   return scene.integration.theta;
 }
 
-// Gives a kind's scenes the error of their contact.
-void tell_contact(std::vector<Scene>& scenes, const Places& members, const Places& places,
-                  std::vector<TrialScene> tried, const Choice& choice, int threads, const std::atomic<bool>& stop,
-                  const Telling& telling) {
+// The error of a kind's contact, by the scenes that were tried with what was chosen.
+double error_of_contact(const std::vector<Scene>& scenes, const Places& places, std::vector<TrialScene> tried,
+                        const Choice& choice, int threads, const std::atomic<bool>& stop) {
   for (std::size_t k = 0; k < tried.size(); ++k) {
     tried[k].scene = scenes[places[k]];
     tried[k].scene.integration.theta = own_theta(tried[k].solids, tried[k].scene, choice.longest);
   }
-  const double error = contact_error(tried, threads, stop);
+  return contact_error(tried, threads, stop);
+}
+
+// Gives a kind's scenes the error of their contact.
+void take_contact(std::vector<Scene>& scenes, const Places& members, double error, const Telling& telling) {
   for (const std::size_t i : members) scenes[i].error_contact = error;
   if (!std::isnan(error))
     telling.line(fmt::format("  contact: twice as hard it changes {} by {:.2g}, so its error is about {:.2g}",
                              scenes[members.front()].integration.accuracy_of, error / 2, error));
 }
 
-// Trials of a kind's scenes: each gets what they chose.
+// Names all that decides about a choice: what is tried, in this order, and for how many impacts.
+std::string name_of_trials(const std::vector<Scene>& scenes, const Places& tried, std::size_t members) {
+  std::string name = fmt::format("{}", affordable_impacts(members));
+  for (const std::size_t i : tried) name += " " + scenes[i].hash();
+  return hash_text(name);
+}
+
+// A kind's scenes get what trials choose, or have chosen before.
 KindsChoice try_kind(std::vector<Scene>& scenes, const Places& members, int threads, const std::atomic<bool>& stop,
-                     const Telling& telling) {
+                     const Telling& telling, TriedChoices& before) {
   const Places places = tried_of(scenes, members);
-  std::vector<TrialScene> tried;
-  for (const std::size_t i : places) tried.push_back(trial_scene(scenes, i));
   const Integration asked = scenes[members.front()].integration;
-  tell_start(asked, places.size(), members.size(), telling);
-  Choice choice;
-  try {
-    choice = choose_for_accuracy(tried, members.size(), threads, stop);
-  } catch (const FieldError& error) {
-    throw SceneError(error, members.front());
+  const std::string name = name_of_trials(scenes, places, members.size());
+  auto found = before.find(name);
+  const bool remembered = found != before.end();
+  std::vector<TrialScene> tried;
+  if (!remembered) {
+    for (const std::size_t i : places) tried.push_back(trial_scene(scenes, i));
+    tell_start(asked, places.size(), members.size(), telling);
+    try {
+      found = before.emplace(name, TriedChoice{choose_for_accuracy(tried, members.size(), threads, stop), 0}).first;
+    } catch (const FieldError& error) {
+      throw SceneError(error, members.front());
+    }
+    tell_left_out(asked, found->second.choice, places, telling);
   }
-  tell_choice(asked, choice, places, scenes[members.front()].units, telling);
+  const Choice& choice = found->second.choice;
+  tell_choice(asked, choice, places.size(), scenes[members.front()].units, remembered, telling);
   take(scenes, members, places, choice);
-  tell_contact(scenes, members, places, tried, choice, threads, stop, telling);
-  return {choice.method, choice.theta, choice.longest, choice.error, scenes[members.front()].error_contact};
+  double& of_contact = found->second.error_contact;
+  if (!remembered) of_contact = error_of_contact(scenes, places, tried, choice, threads, stop);
+  take_contact(scenes, members, of_contact, telling);
+  return {choice.method, choice.theta, choice.longest, choice.error, of_contact};
 }
 
 void take_known(std::vector<Scene>& scenes, const Places& members, const KindsChoice& choice) {
@@ -206,12 +226,14 @@ void take_known(std::vector<Scene>& scenes, const Places& members, const KindsCh
 }  // namespace
 
 std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, const std::atomic<bool>& stop,
-                                     const Telling& telling, KnownChoices* known) {
+                                     const Telling& telling, KnownChoices* known, TriedChoices* tried) {
   std::map<std::string, Places> kinds;
   std::vector<bool> chosen(scenes.size());
   std::vector<double> theta(scenes.size()), longest(scenes.size());
   KnownChoices own;
   if (!known) known = &own;
+  TriedChoices none;
+  if (!tried) tried = &none;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     chosen[i] = !std::isnan(scenes[i].integration.accuracy);
     if (chosen[i]) kinds[kind_of(scenes[i])].push_back(i);
@@ -220,7 +242,7 @@ std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, con
     if (const auto found = known->find(kind); found != known->end())
       take_known(scenes, members, found->second);
     else
-      known->emplace(kind, try_kind(scenes, members, threads, stop, telling));
+      known->emplace(kind, try_kind(scenes, members, threads, stop, telling, *tried));
     for (const std::size_t i : members) longest[i] = known->at(kind).longest;
   }
   SweepOptions options;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "impact/accuracy.hpp"
 #include "impact/scene.hpp"
 #include "impact/sweep.hpp"
 
@@ -27,15 +28,27 @@ struct KindsChoice {
 /// By what scenes that share their trials have in common.
 using KnownChoices = std::map<std::string, KindsChoice>;
 
+/// What trials found, and the error of the contact beside it.
+struct TriedChoice {
+  Choice choice;
+  double error_contact;
+};
+
+/// What trials found before, by the hash of all that decides about it: the scenes that were tried and how much the
+/// trials may cost. So a choice that is remembered is the one that trials would make again.
+using TriedChoices = std::map<std::string, TriedChoice>;
+
 /// Scenes with integration.accuracy get the method, theta and error estimate that trials chose; the others stay as they
 /// are. Scenes that differ only in seeds, angle, spin, place of landing and the shape of an outline of equal extent and
 /// area share the trials of nine of them, spread over all in which they differ: the error estimate is the greatest of
 /// these nine, so that about one row of ten may exceed it. One of the nine that does not settle has its own. Then every
 /// one of them is found to start with its step. Throws SceneError for a trial that cannot reach its accuracy, and for
 /// a scene that cannot start.
-/// Kinds that are `known` are not tried again, and those that are tried are known afterwards.
+/// Kinds that are `known` are not tried again, and those that are tried are known afterwards; what was `tried` before
+/// is not tried again either.
 std::vector<Scene> with_chosen_steps(std::vector<Scene> scenes, int threads, const std::atomic<bool>& stop,
-                                     const Telling& telling, KnownChoices* known = nullptr);
+                                     const Telling& telling, KnownChoices* known = nullptr,
+                                     TriedChoices* tried = nullptr);
 
 /// run_sweep() of such scenes: those that fail by a step that trials chose (energy_drift, unstable, not_finite) are run
 /// again with half of it, three times at most, and only the last outcome is handed over.

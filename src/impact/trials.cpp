@@ -6,7 +6,7 @@
 
 #include "body/interior.hpp"
 #include "core/error.hpp"
-#include "impact/parallel.hpp"
+#include "impact/sweep.hpp"
 
 namespace ricochet {
 
@@ -63,48 +63,53 @@ double Trials::cost_of(std::size_t scene, int shorter) const {
          springs_of(scenes_[scene].solids);
 }
 
-void Trials::run_one(Wanted& wanted, const std::atomic<bool>& stop) const {
-  const TrialScene& of = scenes_[wanted.scene];
-  Scene scene = of.scene;
-  scene.integration.method = option_.method->name;
-  scene.integration.accuracy = not_given;
-  scene.integration.theta = theta_of(wanted.scene, wanted.shorter);
-  const Outcome outcome = run_scene(of.solids, scene, stop);
-  Trial& trial = wanted.trial;
+Scene Trials::scene_at(std::size_t scene, int shorter) const {
+  Scene tried = scenes_[scene].scene;
+  tried.integration.method = option_.method->name;
+  tried.integration.accuracy = not_given;
+  tried.integration.theta = theta_of(scene, shorter);
+  return tried;
+}
+
+void Trials::keep(std::size_t scene, int shorter, const Outcome& outcome) {
+  const Integration& asked = scenes_[scene].scene.integration;
+  Trial& trial = known_[{scene, shorter}];
   trial.hopeless = outcome.status == Status::tunnelled || outcome.status == Status::out_of_time;
   trial.counts = outcome.status != Status::no_contact;
   if (outcome.status == Status::finished) {
-    trial.value = value_of(outcome, scene.integration.accuracy_of);
-    trial.drift = outcome.energy_drift / scene.integration.energy_tolerance;
+    trial.value = value_of(outcome, asked.accuracy_of);
+    trial.drift = outcome.energy_drift / asked.energy_tolerance;
     trial.counts = !std::isnan(trial.value);
   } else {
     trial.reason = outcome.reason;
   }
-  wanted.evaluations = outcome.steps * work_of_step(*option_.method, of.solids) * springs_of(of.solids);
-  wanted.time = std::isnan(outcome.time) ? 0 : outcome.time;
+  const Solids solids = scenes_[scene].solids;
+  spent_.evaluations += outcome.steps * work_of_step(*option_.method, solids) * springs_of(solids);
+  spent_.time += std::isnan(outcome.time) ? 0 : outcome.time;
+  ++spent_.runs;
 }
 
-// Runs what is not known yet. False if that would cost too much.
+// Runs what is not known yet, the steps of a scene beside each other in lanes. False if that would cost too much.
 bool Trials::run(const std::vector<std::size_t>& some, const std::vector<int>& at, int threads,
                  const std::atomic<bool>& stop) {
-  std::vector<Wanted> list;
+  std::vector<std::pair<std::size_t, int>> wanted;
+  std::vector<Scene> list;
   double cost = 0;
   for (const std::size_t scene : some)
     for (const int shorter : at) {
       if (known_.contains({scene, shorter})) continue;
-      list.push_back({scene, shorter, {}, 0, 0});
+      wanted.emplace_back(scene, shorter);
+      list.push_back(scene_at(scene, shorter));
       if (spent_.runs > 0) cost += cost_of(scene, shorter);
     }
   if (list.empty()) return true;
   if (!spent_.affords(cost)) return false;
-  in_parallel(list, threads, [&](Wanted& wanted) { run_one(wanted, stop); });
+  std::vector<Outcome> outcomes(list.size());
+  run_sweep(list, std::vector<bool>(list.size(), true), {threads}, stop, [&](const std::vector<Result>& results) {
+    for (const Result& result : results) outcomes[result.index] = result.outcome;
+  });
   if (stop) throw Error("interrupted", Exit::interrupted);
-  for (const Wanted& wanted : list) {
-    known_[{wanted.scene, wanted.shorter}] = wanted.trial;
-    spent_.evaluations += wanted.evaluations;
-    spent_.time += wanted.time;
-    ++spent_.runs;
-  }
+  for (std::size_t i = 0; i < list.size(); ++i) keep(wanted[i].first, wanted[i].second, outcomes[i]);
   return true;
 }
 

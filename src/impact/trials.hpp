@@ -115,16 +115,10 @@ class Trials {
     bool hopeless = false;  ///< it ended in a way that no shorter step is likely to change
     std::string reason;
   };
-  struct Wanted {
-    std::size_t scene;
-    int shorter;
-    Trial trial;
-    double evaluations, time;
-  };
-
   bool run(const std::vector<std::size_t>& some, const std::vector<int>& at, int threads,
            const std::atomic<bool>& stop);
-  void run_one(Wanted& wanted, const std::atomic<bool>& stop) const;
+  Scene scene_at(std::size_t scene, int shorter) const;
+  void keep(std::size_t scene, int shorter, const Outcome& outcome);
   double theta_of(std::size_t scene, int shorter) const;
   double cost_of(std::size_t scene, int shorter) const;
   const Trial& at(std::size_t scene, int shorter) const { return known_.at({scene, shorter}); }

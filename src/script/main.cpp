@@ -138,6 +138,11 @@ void add_run(Commands& c) {
   command->add_flag("--force", options.force, "replace earlier results");
   command->add_flag("--new", options.fresh, "leave earlier results and go to a folder NAME-2, NAME-3 ...");
   command->add_flag("--check", options.check, "build every scene, run none");
+  command
+      ->add_option("--steps", options.steps,
+                   "remember the methods and steps that trials chose in this file, rather than in run.steps of the "
+                   "folder of results")
+      ->type_name("FILE");
   command->add_flag("!--no-report", options.report, "leave no report.html, and run no impact twice for its replays");
   command->add_flag("--traceback", options.traceback, "show where in the scripts an error came from");
   command->add_flag("--unsafe", options.unsafe, "lift the sandbox: io, os.execute, debug");

@@ -82,22 +82,33 @@ std::string provenance_json(const Provenance& provenance) {
   return "{" + list + "}";
 }
 
+std::string lines_json(const std::vector<PageLine>& lines) {
+  std::string list;
+  for (const PageLine& line : lines)
+    list += fmt::format("{}{{\"of\":{},\"label\":{},\"marks\":{},\"against\":{},\"x\":{},\"y\":{}}}",
+                        list.empty() ? "" : ",", json_text(line.of), json_text(line.label), line.marks,
+                        json_text(line.against), json_numbers(line.x), json_numbers(line.y));
+  return "[" + list + "]";
+}
+
+std::string plots_json(const std::vector<PagePlot>& plots) {
+  std::string list;
+  for (const PagePlot& plot : plots)
+    list += fmt::format("{}{{\"x\":{},\"columns\":{},\"lines\":{}}}", list.empty() ? "" : ",", json_text(plot.x),
+                        texts_json(plot.columns), lines_json(plot.lines));
+  return "[" + list + "]";
+}
+
 std::string section_json(const PageSection& section, const std::string& told) {
   const bool main_only = section.table.rows() > most_whole_rows;
   const std::string numbers = columns_json(section.table.numbers, main_only),
                     texts = columns_json(section.table.texts, main_only);
   return fmt::format(
-      "{{\"name\":{},\"rows\":{},\"sentence\":{},\"told\":{},\"mainOnly\":{},\"columns\":[{}{}{}],\"provenance\":{}}}",
+      "{{\"name\":{},\"rows\":{},\"sentence\":{},\"told\":{},\"mainOnly\":{},\"plots\":{},\"columns\":[{}{}{}],"
+      "\"provenance\":{}}}",
       json_text(section.name), section.table.rows(), json_text(report_sentence(section.table)), json_text(told),
-      main_only, numbers, numbers.empty() || texts.empty() ? "" : ",", texts, provenance_json(section.provenance));
-}
-
-std::string lines_json(const std::vector<PageLine>& lines) {
-  std::string list;
-  for (const PageLine& line : lines)
-    list += fmt::format("{}{{\"of\":{},\"label\":{},\"x\":{},\"y\":{}}}", list.empty() ? "" : ",", json_text(line.of),
-                        json_text(line.label), json_numbers(line.x), json_numbers(line.y));
-  return "[" + list + "]";
+      main_only, plots_json(section.plots), numbers, numbers.empty() || texts.empty() ? "" : ",", texts,
+      provenance_json(section.provenance));
 }
 
 std::string data_json(const Page& page, const std::vector<std::string>& told) {
@@ -105,9 +116,10 @@ std::string data_json(const Page& page, const std::vector<std::string>& told) {
   for (std::size_t i = 0; i < page.sections.size(); ++i)
     sections += (i ? "," : "") + section_json(page.sections[i], told[i]);
   return fmt::format(
-      "{{\"title\":{},\"notes\":{},\"log\":{},\"questions\":{},\"lines\":{},\"manyImpacts\":{},\"sections\":[{}]}}",
+      "{{\"title\":{},\"notes\":{},\"log\":{},\"questions\":{},\"lines\":{},\"plots\":{},\"manyImpacts\":{},"
+      "\"sections\":[{}]}}",
       json_text(page.title), json_text(page.notes), json_text(page.log), texts_json(page.questions),
-      lines_json(page.lines), many_impacts, sections);
+      lines_json(page.lines), texts_json(page.columns), many_impacts, sections);
 }
 
 std::string hash_of(const std::string& replay) {

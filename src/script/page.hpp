@@ -9,6 +9,20 @@
 
 namespace ricochet {
 
+struct PageLine {
+  std::string of, label;  ///< the column that it is about
+  std::vector<double> x, y;
+  bool marks = false;     ///< published points rather than a line of theory
+  std::string against{};  ///< the column along x; empty: whatever the page has there
+};
+
+/// What a script has plotted of a sweep's rows.
+struct PagePlot {
+  std::string x;
+  std::vector<std::string> columns;
+  std::vector<PageLine> lines;
+};
+
 /// The results of one sweep on a page.
 struct PageSection {
   std::string name;
@@ -16,17 +30,14 @@ struct PageSection {
   Provenance provenance;
   std::vector<std::string> replays{};  ///< of rows, by replay_json()
   std::string told{};                  ///< why an impact has no replay; empty if nothing needs saying
-};
-
-struct PageLine {
-  std::string of, label;  ///< the column that it is a theory of
-  std::vector<double> x, y;
+  std::vector<PagePlot> plots{};
 };
 
 struct Page {
   std::string title, notes{}, log{};
   std::vector<std::string> questions{};
   std::vector<PageLine> lines{};
+  std::vector<std::string> columns{};  ///< to plot, in all sections; empty: what the script plotted, and e, mu, beta
   std::vector<PageSection> sections{};
 };
 

@@ -99,13 +99,32 @@ bool is_shown(const std::string& name) {
   return names.count(name) > 0;
 }
 
-std::string series_json(const std::vector<Sample>& samples, const Units& units) {
+// Of those that are shown, what changes its sign in a mirror.
+bool turns(const std::string& name) {
+  static const std::set<std::string> names{"x", "vt", "omega", "angle", "force_t"};
+  return names.count(name) > 0;
+}
+
+// Flat vectors of the plane as seen in a mirror, x to -x.
+template <class Number>
+void turn(std::vector<Number>& vectors) {
+  for (std::size_t k = 0; k < vectors.size(); k += 2) vectors[k] = -vectors[k];
+}
+
+Frame in_mirror(Frame frame) {
+  for (std::vector<float>* vectors : {&frame.position, &frame.velocity, &frame.contact_force}) turn(*vectors);
+  return frame;
+}
+
+std::string series_json(const std::vector<Sample>& samples, const Scene& scene) {
+  const Units& units = scene.units;
   std::string values, names;
   for (const auto& [field, value] : Sample::fields()) {
     if (!is_shown(field.name)) continue;
     std::string list;
+    const double sign = scene.mirrored && turns(field.name) ? -1 : 1;
     for (const Sample& sample : samples) {
-      const double number = units.worth(field.unit) * value(sample);
+      const double number = sign * units.worth(field.unit) * value(sample);
       list += (list.empty() ? "" : ",") + (std::isfinite(number) ? fmt::format("{:.7g}", number) : "null");
     }
     values += fmt::format("{}\"{}\":[{}]", values.empty() ? "" : ",", field.name, list);
@@ -186,16 +205,20 @@ Viewing viewing_of(const Table& table, std::size_t row, const Scene& scene, int 
 
 std::string replay_json(const Scene& scene, const Viewing& viewing) {
   const BuiltSolids solids(scene);
-  const FrameMesh halves = frame_mesh(scene, solids), mesh = whole_section(halves);
+  const FrameMesh halves = frame_mesh(scene, solids);
+  FrameMesh mesh = whole_section(halves);
+  if (scene.mirrored) turn(mesh.rest);
   const int frames = std::min(viewing.frames, static_cast<int>(most_node_frames / std::max(1, mesh.nodes())));
   if (frames < fewest_frames && frames < viewing.frames) return "";
   Trajectory trajectory(mesh);
   std::vector<Sample> samples;
   const std::vector<double> times = equal_times(viewing.from, viewing.until, frames, viewing.step);
   const Sampling sampling{times, [&](const Sample& sample) { samples.push_back(sample); }};
-  const bool whole = film_scene(
-      solids, scene, times, stop_requested, [&](const Frame& frame) { trajectory.add(whole_section(halves, frame)); },
-      sampling);
+  const auto add = [&](const Frame& seen) {
+    const Frame frame = whole_section(halves, seen);
+    trajectory.add(scene.mirrored ? in_mirror(frame) : frame);
+  };
+  const bool whole = film_scene(solids, scene, times, stop_requested, add, sampling);
   if (!whole || trajectory.frames().size() < 2 || samples.size() != trajectory.frames().size()) return "";
   settle_overlaps(samples);
   const PackedReplay replay = packed(trajectory);
@@ -207,7 +230,7 @@ std::string replay_json(const Scene& scene, const Viewing& viewing) {
       "\"colour\":\"{}\"}}",
       scene.hash(), mesh.nodes(), samples.size(), replay.grid, replay.levels, replay.top * units.worth("c"),
       json_text(units.name("c")), units.worth("R"), json_text(units.name("R")), scene.method().name,
-      json_text(collided(scene, solids, mesh)), bodies_json(mesh), series_json(samples, units), json_text(scene.text()),
+      json_text(collided(scene, solids, mesh)), bodies_json(mesh), series_json(samples, scene), json_text(scene.text()),
       base64(replay.triangles), base64(replay.place), base64(replay.colour));
 }
 

@@ -60,6 +60,18 @@ void read_lines(lua_State* L, PageWish& wish) {
   });
 }
 
+// The hashes of the scenes of rows in a field.
+std::vector<std::string> row_hashes(lua_State* L, const char* field) {
+  std::vector<std::string> hashes;
+  each_in_field(L, 1, field, [&](lua_Integer i) {
+    if (!lua_istable(L, -1) || lua_getfield(L, -1, "scene_hash") != LUA_TSTRING)
+      throw_here(L, FieldError(field, fmt::format("element {} is no row of a sweep", i)));
+    hashes.push_back(lua_tostring(L, -1));
+    lua_pop(L, 1);
+  });
+  return hashes;
+}
+
 // What the report says beside what every report says; the last call holds.
 int report_wish(lua_State* L) {
   check_table(L, 1, function_named("report"));
@@ -75,8 +87,28 @@ int report_wish(lua_State* L) {
   wish.replays = whole("replays", wish.replays);
   wish.frames = whole("frames", wish.frames);
   each_in_field(L, 1, "questions", [&](lua_Integer) { wish.questions.push_back(lua_tostring(L, -1)); });
+  each_in_field(L, 1, "plots", [&](lua_Integer) { wish.plots.push_back(lua_tostring(L, -1)); });
+  wish.hashes = row_hashes(L, "rows");
   read_lines(L, wish);
   session_of(L).page = wish;
+  return 0;
+}
+
+// plotted(hash, x, y, curves): what a script's plot shows of the sweep that has a row of this scene, for the report.
+int plotted(lua_State* L) {
+  PagePlot plot;
+  const std::string hash = luaL_checkstring(L, 1);
+  plot.x = luaL_checkstring(L, 2);
+  each_element(L, 3, [&](lua_Integer) { plot.columns.push_back(lua_tostring(L, -1)); });
+  each_element(L, 4, [&](lua_Integer i) {
+    PageLine line{line_text(L, "of", i), line_text(L, "label", i), line_numbers(L, "x", i), line_numbers(L, "y", i)};
+    lua_getfield(L, -1, "marks");
+    line.marks = lua_toboolean(L, -1);
+    lua_pop(L, 1);
+    line.against = plot.x;
+    plot.lines.push_back(std::move(line));
+  });
+  session_of(L).plotted.emplace_back(hash, std::move(plot));
   return 0;
 }
 
@@ -135,11 +167,17 @@ Function report_function() {
   return {.name = "report",
           .doc =
               "Adds to report.html, the page that every run leaves in its folder: a title, notes, questions to think "
-              "about, lines of theory over the plots, which impacts are replayed. The last call holds.",
+              "about, lines of theory over the plots, which columns are plotted and which impacts replayed. What "
+              "ricochet.plot draws of a sweep, lines of theory and published points too, stands in the report of "
+              "itself. The last call holds.",
           .fields = {{"title", "string", "", "of the page; the first line of the script, if a comment", any_number, "",
                       true},
                      {"notes", "string", "", "a paragraph below the title", any_number, "", true},
                      {"questions", "strings", "", "listed below the notes", any_number, "", true},
+                     {"plots", "strings", "",
+                      "columns to plot; unless given, what ricochet.plot has drawn, and e, mu and beta", any_number, "",
+                      true},
+                     {"rows", "table", "", "rows to replay, instead of typical ones", any_number, "", true},
                      {"lines", "table", "", "theory as a list of { of = column, label =, x = list, y = list }",
                       any_number, "", true},
                      {"replay", "string", "", "which impacts", any_number, "typical", false, {"typical", "extremes"}},
@@ -174,7 +212,8 @@ Function record_function() {
 }  // namespace
 
 Group report_functions() {
-  return {.functions = {record_function(), report_function()}, .natives = {{"record_rows", guarded<record_rows>}}};
+  return {.functions = {record_function(), report_function()},
+          .natives = {{"record_rows", guarded<record_rows>}, {"plotted", guarded<plotted>}}};
 }
 
 }  // namespace ricochet

@@ -59,6 +59,19 @@ double seconds_of(const Table& table, std::size_t row) {
   return column ? column->values[row] : 0;
 }
 
+// The rows of the table that are to be replayed.
+std::vector<std::size_t> rows_wanted(const Table& table, const PageWish& wish, std::size_t count) {
+  if (wish.hashes.empty()) return rows_to_replay(table, wish.which, count);
+  const TextColumn* hashes = table.text("scene_hash");
+  std::vector<std::size_t> rows;
+  for (const std::string& hash : wish.hashes) {
+    const auto found = std::find(hashes->values.begin(), hashes->values.end(), hash);
+    if (found != hashes->values.end()) rows.push_back(static_cast<std::size_t>(found - hashes->values.begin()));
+  }
+  if (rows.size() > count) rows.resize(count);
+  return rows;
+}
+
 // The chosen rows' scenes that time allows to run once more.
 std::vector<Replay> planned_replays(const PageSection& section, const std::vector<Scene>& scenes, const PageWish& wish,
                                     std::size_t count) {
@@ -69,7 +82,7 @@ std::vector<Replay> planned_replays(const PageSection& section, const std::vecto
   double all = 0, taken = 0;
   for (std::size_t row = 0; row < table.rows(); ++row) all += seconds_of(table, row);
   std::vector<Replay> replays;
-  for (const std::size_t row : rows_to_replay(table, wish.which, count)) {
+  for (const std::size_t row : rows_wanted(table, wish, count)) {
     const auto scene = of_hash.find(hashes->values[row]);
     if (scene == of_hash.end()) continue;
     taken += 2 * seconds_of(table, row);  // watched, and alone in its lanes
@@ -97,12 +110,23 @@ void add_replays(Session& session, PageSection& section, const std::vector<Scene
   if (!section.replays.empty() || count == 0) return;
   if (!refused.empty())
     section.told = "No impact has a replay: " + refused + ".";
+  else if (!session.page.hashes.empty())
+    section.told = "No impact of this sweep was chosen to be replayed.";
   else if (rows_to_replay(section.table, session.page.which, 1).empty())
     section.told = "No impact finished, so none has a replay.";
   else
     section.told = fmt::format(
         "No impact has a replay: one would take more than a tenth of the run's time, or has more than {} nodes.",
         static_cast<int>(most_node_frames / fewest_frames));
+}
+
+// What the script has plotted of the section's rows.
+void add_plots(const Session& session, PageSection& section) {
+  const TextColumn* hashes = section.table.text("scene_hash");
+  if (!hashes) return;
+  for (const auto& [hash, plot] : session.plotted)
+    if (std::find(hashes->values.begin(), hashes->values.end(), hash) != hashes->values.end())
+      section.plots.push_back(plot);
 }
 
 Page page_of_run(Session& session) {
@@ -113,6 +137,7 @@ Page page_of_run(Session& session) {
   page.notes = session.page.notes;
   page.questions = session.page.questions;
   page.lines = session.page.lines;
+  page.columns = session.page.plots;
   page.log = log_in(session.own_folder());
   const std::size_t parts = session.swept.size() + !session.singles.empty();
   const std::size_t all = static_cast<std::size_t>(session.page.replays);
@@ -121,6 +146,7 @@ Page page_of_run(Session& session) {
     const fs::path file = run_names::readable_results(swept.folder);
     page.sections.push_back({swept.name, read_table(file), read_provenance(file)});
     if (page.log.empty()) page.log = log_in(swept.folder);
+    add_plots(session, page.sections.back());
     add_replays(session, page.sections.back(), swept.scenes, count);
   }
   if (session.singles.empty()) return page;
@@ -183,7 +209,7 @@ void write_report(Session& session) {
   if (!session.options.report && session.options.force && session.folders.claimed(folder))
     remove_file(folder / run_names::report);
   if (!session.options.report || session.options.check || !session.options.study.empty() || session.done) return;
-  if (session.swept.empty() && (session.singles.empty() || !session.folders.claimed(folder))) return;
+  if (session.swept.empty() && session.singles.empty()) return;
   session.folders.claim(folder);
   const Page page = page_of_run(session);
   if (stop_requested) throw Error("interrupted before the report; the results are stored", Exit::interrupted);

@@ -112,6 +112,11 @@ void Session::write_log() const {
   if (folders.any_claimed().empty() || options.check) return;
   const fs::path place = folders.claimed(own_folder()) ? own_folder() : folders.any_claimed();
   write_atomically(place / run_names::log, log_);
+  steps.write(steps_file());
+}
+
+fs::path Session::steps_file() const {
+  return options.steps.empty() ? fs::path(options.out) / run_names::steps : fs::path(options.steps);
 }
 
 Provenance Session::made_by() { return {{"version", version_number}, {"commit", version_commit}}; }

@@ -14,6 +14,7 @@
 #include "record/row.hpp"
 #include "sandbox/sandbox.hpp"
 #include "script/page.hpp"
+#include "script/remembered_steps.hpp"
 #include "script/run_folders.hpp"
 #include "store/table.hpp"
 
@@ -26,6 +27,7 @@ struct RunOptions {
   bool resume = false, force = false, fresh = false;  ///< what to do where results are: fresh is --new
   bool report = true;                                 ///< leave report.html
   bool check = false, traceback = false, quiet = false, unsafe = false, help = false;
+  std::string steps;       ///< file of the methods and steps that trials chose; empty: run.steps in `out`
   std::string study;       ///< Lua that studies `first_scene`: the script is then only checked
   double max_seconds = 0;  ///< of the whole run; 0: no limit
 };
@@ -45,6 +47,8 @@ struct PageWish {
   std::string title, notes, which = "typical";
   std::vector<std::string> questions;
   std::vector<PageLine> lines;
+  std::vector<std::string> plots;   ///< columns
+  std::vector<std::string> hashes;  ///< of the scenes of rows to replay; empty: chosen as `which` says
   int replays = 6, frames = 120;
 };
 
@@ -72,12 +76,15 @@ class Session {
       chosen;  ///< scenes with the step chosen for their accuracy, by the asked scene's hash
   std::map<std::string, KnownChoices> rounds;  ///< of sweeps that run in rounds, by name: what their trials chose
 
+  RememberedSteps steps;
+
   RunFolders folders{options};
 
   std::vector<Swept> swept;                    ///< in the order in which they ran
   std::vector<std::pair<Scene, Row>> singles;  ///< that ran by themselves, the first `most_singles`
   static constexpr std::size_t most_singles = 1000;
   PageWish page;
+  std::vector<std::pair<std::string, PagePlot>> plotted;  ///< by the scene's hash of one of the rows
 
   /// The script's own folder, named as its file is.
   std::filesystem::path own_folder() const {
@@ -113,7 +120,9 @@ class Session {
   void warn(const std::string& text);
   /// Only into run.log.
   void log(const std::string& text) { log_ += text; }
-  /// Writes run.log, if the run has written anything else.
+  /// The file of what trials chose.
+  std::filesystem::path steps_file() const;
+  /// Writes run.log and what trials chose, if the run has written anything else.
   void write_log() const;
 
   /// Version and commit of this program.

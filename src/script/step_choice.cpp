@@ -16,7 +16,9 @@ Telling logged(Session& session, SceneName name) {
 
 std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>& scenes, const Telling& telling,
                                      KnownChoices* known) {
-  return with_chosen_steps(scenes, session.options.threads, stop_requested, telling, known);
+  TriedChoices& tried = session.steps.read(session.steps_file());
+  if (!session.steps.warning.empty()) session.warn(session.steps.warning);
+  return with_chosen_steps(scenes, session.options.threads, stop_requested, telling, known, &tried);
 }
 
 std::vector<Scene> with_steps_of_rounds(Session& session, const std::string& sweep, const std::vector<Scene>& scenes,

@@ -11,6 +11,8 @@ namespace ricochet::run_names {
 
 inline constexpr const char* log = "run.log";
 inline constexpr const char* report = "report.html";
+/// The methods and steps that trials chose, beside the folders of all scripts.
+inline constexpr const char* steps = "run.steps";
 
 /// While it is written, a file is called so; it is renamed once it is whole.
 std::filesystem::path unfinished(std::filesystem::path path);

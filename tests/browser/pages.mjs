@@ -82,7 +82,10 @@ local sweep = ricochet.sweep { name = "angles", over = { sample = ricochet.range
   return ricochet.scene { projectile = ricochet.disk { nodes = 200, roughness = 0.03, seed = at.sample },
     target = ricochet.wall { nodes = 800, stiffness = 100, roughness = 0.03, seed = at.sample },
     launch = { speed = 0.1, psi1 = at.psi1 }, accuracy = 1e-2 } end }
-sweep:run()
+local rows = sweep:run()
+ricochet.plot { rows = rows, x = "psi1", y = { "e", "contact_time" }, name = "plotted",
+  theory = { contact_time = { { name = "a guessed line", f = function(x) return 9 + x / 2 end } } },
+  published = { e = { { name = "somebody's points", points = { { 0.5, 0.8 }, { 2, 0.85 } } } } } }
 ricochet.report { notes = "Soft walls give back slowly.", questions = { "Where is e greatest?" },
   lines = { { of = "mu", label = "rigid friction", x = { 0, 3 }, y = { 0, 0.3 } } } }
 `;
@@ -182,7 +185,10 @@ async function playsByKeyboard(page) {
 }
 
 async function togglesChangePixels(page) {
-  for (const [key, plot] of [["dots", 0], ["log", 0], ["lines", 1]]) {
+  const legends = (await page.locator(".plots .u-legend").allTextContents()).join();
+  check(["rigid friction", "a guessed line", "somebody's points"].every(label => legends.includes(label)), "lines of theory and published points of the script's plots are there");
+  check(await page.locator(".plots .plot").count() === 4, "a column that the script plotted has a plot beside e, mu and beta");
+  for (const [key, plot] of [["dots", 0], ["log", 0], ["lines", 2]]) {
     const selector = `.plots .plot >> nth=${plot}`, box = page.locator(`input[data-show=${key}]`), before = await pixels(page, selector);
     await box.click();
     check(before !== await pixels(page, selector), `"${key}" changes the plot`);

@@ -173,6 +173,20 @@ TEST_CASE("a page carries an impact's frames: places to half of 1e-3 R, and its 
   }
 }
 
+TEST_CASE("a replay of a mirrored row moves as the row tells it") {
+  const Viewing viewing{.from = -1, .until = 4, .step = 0.01, .frames = 24};
+  const auto first_x = [&](const Scene& of) {
+    const std::string json = replay_json(of, viewing), mark = "\"x\":[";
+    return std::stod(json.substr(json.find(mark) + mark.size()));
+  };
+  const Scene mirrored = small_scene().struck_from_other_side();
+  Scene other = mirrored;
+  other.mirrored = false;
+  CHECK(first_x(small_scene()) < 0);  // it comes from the left
+  CHECK(first_x(other) > 0);
+  CHECK(first_x(mirrored) == -first_x(other));
+}
+
 TEST_CASE("a sweep records rows' own scenes: their hashes and numbers are the rows'") {
   const Workplace place;
   const Ended run = place.script(sweep + R"(
@@ -222,6 +236,41 @@ TEST_CASE("a run leaves a report with replays of its rows, unless told not to") 
   const Workplace bare;
   CHECK(bare.script(sweep, "--no-report").status == 0);
   CHECK(!fs::exists(bare.path / "out/s"));
+}
+
+TEST_CASE("a report shows what the script has plotted, and replays the rows that it names") {
+  const Workplace place;
+  const Ended run = place.script(sweep + R"lua(
+ricochet.plot { rows = rows, x = "psi1", y = { "contact_time" }, name = "times",
+  theory = { contact_time = { { name = "a guess", f = function(x) return 5 + x end } } },
+  published = { contact_time = { { name = "somebody", points = { { 0, 4 }, { 2, 6 } } } } } }
+ricochet.report { rows = { rows[2] }, frames = 10 }
+print("hash: " .. rows[2].scene_hash)
+)lua",
+                                 "--quiet");
+  INFO(run.err);
+  REQUIRE(run.status == 0);
+  const std::string html = place.read("out/s/report.html");
+  CHECK_THAT(
+      html,
+      Contains(R"("plots":[{"x":"psi1","columns":["contact_time"],"lines":[)") &&
+          Contains(R"({"of":"contact_time","label":"somebody","marks":true,"against":"psi1","x":[0,2],"y":[4,6]})") &&
+          Contains(R"("label":"a guess","marks":false,"against":"psi1")"));
+  const auto replays = replays_in(html);
+  REQUIRE(replays.size() == 1);
+  CHECK_THAT(run.out, Contains("hash: " + replays.begin()->first));
+  CHECK_THAT(place.script(sweep + "ricochet.report { rows = { 3 } }\n", "--quiet --force").first_line(),
+             Contains("element 1 is no row of a sweep"));
+}
+
+TEST_CASE("a script of single scenes leaves a report, whatever else it leaves") {
+  const Workplace place;
+  const Ended run = place.script(R"lua(local ricochet = require "ricochet"
+print(ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.plane {} }:run().e))lua");
+  INFO(run.err);
+  REQUIRE(run.status == 0);
+  CHECK(replays_in(place.read("out/s/report.html")).size() == 1);
+  CHECK(place.run("s.lua").status == 0);  // there is nothing to be lost
 }
 
 TEST_CASE("a report of an interrupted run that goes on is made at its end") {

@@ -57,7 +57,8 @@ std::shared_ptr<const Solid> as_modes(const std::shared_ptr<const Solid>& solid,
                [&](int node) { return node < solid->free; });
   modes.all = moved(std::move(free), slowest);
   modes.rim = moved(std::move(rim), slowest);
-  for (const Vec2& p : solid->points) modes.arm.push_back(p - solid->centre());
+  const Vec2 centre = solid->centre();
+  for (const Vec2& p : solid->points) modes.arm.push_back(p - centre);
   if (!solid->anchored()) {
     modes.per_mass = 1 / solid->total_mass();
     modes.per_inertia = 1 / solid->inertia();

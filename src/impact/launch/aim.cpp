@@ -51,7 +51,8 @@ Flight::Flight(const Solid& projectile, const Solid& target, const Vec2& shift, 
       rim_(surface_points(projectile)),
       placed_target_(target.surface, shifted(surface_points(target), shift)) {
   for (const Vec2& p : rim_) radius_ = std::max(radius_, (p - centre_).norm());
-  for (const Vec2& p : placed_target_.points()) target_radius_ = std::max(target_radius_, (p - target.centre()).norm());
+  const Vec2 target_centre = target.centre();
+  for (const Vec2& p : placed_target_.points()) target_radius_ = std::max(target_radius_, (p - target_centre).norm());
 }
 
 double Flight::fastest(const Placement& placement) const {

@@ -1,0 +1,121 @@
+// Methods and steps that trials chose, remembered for runs to come.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+
+#include "program.hpp"
+#include "script/remembered_steps.hpp"
+
+using namespace ricochet;
+using namespace ricochet::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// `rows` with every bit of what is not a time.
+std::string asked(const std::string& accuracy) {
+  return R"lua(local ricochet = require "ricochet"
+local rows = ricochet.sweep {
+  name = "s", over = { psi1 = { 0, 3 }, sample = { 1, 2, 3 } },
+  scene = function(at)
+    return ricochet.scene {
+      projectile = ricochet.disk { nodes = 60, roughness = 0.03, seed = at.sample },
+      target = ricochet.wall { width = 4, depth = 1.5, nodes = 150, stiffness = 400, roughness = 0.03,
+        seed = at.sample },
+      launch = { psi1 = at.psi1 }, contact = { V0 = 150, xi = 300 }, accuracy = )lua" +
+         accuracy + R"lua(,
+    }
+  end,
+}:run()
+local list = {}
+for _, row in ipairs(rows) do
+  list[#list + 1] = ("%.17g %.17g %.17g %s"):format(row.e, row.psi2, row.error_step, row.scene_hash)
+end
+print("bits: " .. table.concat(list, ";"))
+)lua";
+}
+
+std::string bits_of(const Ended& ended) {
+  INFO(ended.out << ended.err);
+  REQUIRE(ended.status == 0);
+  const std::size_t from = ended.out.find("bits: ");
+  REQUIRE(from != std::string::npos);
+  return ended.out.substr(from, ended.out.find('\n', from) - from);
+}
+
+void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+}  // namespace
+
+TEST_CASE("a choice of steps is remembered, and the run by it has the bits of one that tried") {
+  const Workplace here;
+  const Ended cold = here.script(asked("1e-2"));
+  const std::string bits = bits_of(cold);
+  CHECK_THAT(cold.out, Contains("tries steps in 6 of 6 scenes") && !Contains("remembered"));
+  const Ended warm = here.run("s.lua --force");
+  CHECK(bits_of(warm) == bits);
+  CHECK_THAT(warm.out, Contains("remembered: ") && !Contains("tries steps"));
+  SECTION("another accuracy is another choice, which leaves the first one known") {
+    CHECK_THAT(here.script(asked("3e-2"), "--force").out, Contains("tries steps"));
+    CHECK_THAT(here.script(asked("1e-2"), "--force").out, Contains("remembered: "));
+  }
+  SECTION("of a program of another commit nothing is taken") {
+    std::string text = here.read("out/run.steps");
+    text.insert(text.find("(commit ") + 8, "0");
+    write(here.path / "out/run.steps", text);
+    CHECK_THAT(here.run("s.lua --force").out, Contains("tries steps"));
+  }
+  SECTION("of a damaged file nothing is taken, which is told, and it is written anew") {
+    std::string text = here.read("out/run.steps");
+    text[text.size() - 5] ^= 1;
+    write(here.path / "out/run.steps", text);
+    const Ended again = here.run("s.lua --force");
+    CHECK(bits_of(again) == bits);
+    CHECK_THAT(again.err, Contains("out/run.steps is damaged"));
+    CHECK_THAT(here.run("s.lua --force").out, Contains("remembered: "));
+  }
+  SECTION("a file of one's own holds it for other folders of results") {
+    CHECK(here.run("s.lua --force --steps s.steps").status == 0);
+    CHECK_THAT(here.run("s.lua --out other --steps s.steps").out, Contains("remembered: "));
+    CHECK_FALSE(fs::exists(here.path / "other/run.steps"));
+  }
+  SECTION("a file of something else is not overwritten") {
+    write(here.path / "letter.txt", "Dear all\n");
+    const Ended refused = here.run("s.lua --force --steps letter.txt");
+    CHECK(refused.status == 4);
+    CHECK_THAT(refused.first_line(), Contains("letter.txt is not a file of steps"));
+    CHECK(here.read("letter.txt") == "Dear all\n");
+    CHECK_THAT(here.run("s.lua --force --steps .").first_line(), Contains("is not a file; give another"));
+  }
+}
+
+TEST_CASE("what trials chose is read as it was written, every bit") {
+  const Workplace here;
+  const fs::path file = here.path / "some.steps";
+  const TriedChoice whole{{"pefrl", 0.1, 1.0 / 3, 1.5, 2e-4, Found::extrapolated, 18, 5e8, {}}, not_given};
+  TriedChoice some = whole;
+  some.choice.left_out = {{2, 0.7, ""}, {4, not_given, "tunnelled"}};
+  some.error_contact = 1e-3;
+  {
+    RememberedSteps steps;
+    TriedChoices& tried = steps.read(file);
+    CHECK(tried.empty());
+    tried["a"] = whole;
+    tried["b"] = some;
+    steps.write(file);
+  }
+  RememberedSteps again;
+  const TriedChoices& tried = again.read(file);
+  REQUIRE(tried.size() == 2);
+  for (const auto& [name, wanted] : TriedChoices{{"a", whole}, {"b", some}}) {
+    const auto& [choice, error_contact] = tried.at(name);
+    CHECK(choice.method == "pefrl");
+    CHECK((choice.step == 0.1 && choice.theta == 1.0 / 3 && choice.longest == 1.5 && choice.error == 2e-4));
+    CHECK((choice.found == Found::extrapolated && choice.trials == 18 && choice.evaluations == 5e8));
+    CHECK(std::isnan(error_contact) == std::isnan(wanted.error_contact));
+    CHECK(choice.left_out.size() == wanted.choice.left_out.size());
+  }
+  CHECK(tried.at("b").choice.left_out[0].scene == 2);
+  CHECK(tried.at("b").choice.left_out[0].error == 0.7);
+  CHECK(std::isnan(tried.at("b").choice.left_out[1].error));
+}
