@@ -42,7 +42,7 @@ std::vector<std::string> methods_for(double accuracy);
 
 /// Chooses method (unless the scenes name one with their accuracy) and theta so that the estimated error of
 /// integration.accuracy_of is at most half of integration.accuracy in every scene given, and the energy strays by no
-/// more than a quarter of its tolerance; the first scene says what is asked. Scenes that pass by, or in which the
+/// more than half of its tolerance; the first scene says what is asked. Scenes that pass by, or in which the
 /// outcome is not defined, do not count; those whose outcome does not settle are left out. `members`: how many impacts
 /// the choice is for. Throws FieldError("accuracy") if no step reaches it, with the error that was reached.
 Choice choose_for_accuracy(std::vector<TrialScene> scenes, std::size_t members, int threads,
