@@ -38,8 +38,8 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Scenes that are judged together: whatever the number of threads, which must not change a choice.
 constexpr std::size_t at_once = 3;
-// Of the energy's tolerance, what a trial may use: among the scenes that are not tried some stray further, and where one
-// strays too far it runs again with half the step.
+// Of the energy's tolerance, what a trial may use: among the scenes that are not tried some stray further, and where
+// one strays too far it runs again with half the step.
 constexpr double drift_room = 0.5;
 // An outcome settles if its error falls by at least this in one halving, or else in two: the orders that rough impacts
 // show are 1.4 and more.
