@@ -29,7 +29,7 @@ function axesOf(section) {
   const parameters = parametersOf(section), numeric = parameters.filter(c => typeof c.values[0] === "number");
   const { columns } = section;
   const fallback = Object.values(columns).find(c => c.parameter && typeof c.values[0] === "number" && new Set(c.values).size > 1);
-  const plotted = section.plotted.map(plot => columns[plot.x]).find(c => c && c.parameter && typeof c.values[0] === "number");
+  const plotted = section.plotted.map(plot => numeric.find(c => plainName(c.name) === plot.x)).find(c => c);
   section.x = plotted || numeric[0] || fallback || { name: "impact", unit: "", values: Array.from({ length: section.rows }, (_, i) => i + 1) };
   section.by = parameters.find(c => c !== section.x && new Set(c.values).size <= 6) || null;
   const wanted = pageData.plots.length ? pageData.plots : [...section.plotted.flatMap(plot => plot.columns), "e", "mu", "beta"];
@@ -70,7 +70,7 @@ function dataOf(section, quantity) {
     series.push({ label: `mean ± standard error${name}`, stroke: colour, paths: () => null, group: g, stats, points: { show: true, size: 8, fill: colour, width: 1 } });
   });
   if (section.show.lines) {
-    section.curves.filter(line => line.of === quantity && (!line.against || line.against === section.x.name)).forEach((line, i) => {
+    section.curves.filter(line => line.of === quantity && (!line.against || line.against === plainName(section.x.name))).forEach((line, i) => {
       const sorted = line.x.map((x, k) => [x, line.y[k]]).sort((a, b) => a[0] - b[0]);
       tables.push([sorted.map(p => p[0]), sorted.map(p => p[1])]);
       series.push(line.marks ? { label: line.label, stroke: ink(), paths: () => null, points: { show: true, size: 9, stroke: ink(), fill: "transparent", width: 1.5 } }
