@@ -867,7 +867,7 @@ function ricochet.lammps(t) end
 ---@field notes? string a paragraph below the title
 ---@field questions? string[] listed below the notes
 ---@field plots? string[] columns to plot; unless given, what ricochet.plot has drawn, and e, mu and beta
----@field rows? table rows to replay, instead of typical ones
+---@field rows? table rows to replay, however long it takes, instead of typical ones
 ---@field lines? table theory as a list of { of = column, label =, x = list, y = list }
 ---@field replay? "typical"|"extremes" which impacts (default typical)
 ---@field replays? integer how many, all sweeps together; 0: none (default 6)

@@ -72,7 +72,7 @@ std::vector<std::size_t> rows_wanted(const Table& table, const PageWish& wish, s
   return rows;
 }
 
-// The chosen rows' scenes that time allows to run once more.
+// The scenes to run once more: of rows that the script has named, or of those chosen that time allows.
 std::vector<Replay> planned_replays(const PageSection& section, const std::vector<Scene>& scenes, const PageWish& wish,
                                     std::size_t count) {
   std::unordered_map<std::string, const Scene*> of_hash;
@@ -86,7 +86,8 @@ std::vector<Replay> planned_replays(const PageSection& section, const std::vecto
     const auto scene = of_hash.find(hashes->values[row]);
     if (scene == of_hash.end()) continue;
     taken += 2 * seconds_of(table, row);  // watched, and alone in its lanes
-    if (taken > std::max(little_time, all / 10)) break;
+    const bool is_asked = !wish.hashes.empty();
+    if (!is_asked && taken > std::max(little_time, all / 10)) break;
     replays.push_back({scene->second, viewing_of(table, row, *scene->second, wish.frames), ""});
   }
   return replays;

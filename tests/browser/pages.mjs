@@ -241,9 +241,9 @@ ricochet.sweep { name = "${name}", over = { sample = ricochet.range(${count}) },
     ["modes", sweep("modes", 1, scene('ricochet.disk { nodes = 200, interior = "modes", E = 1e4, nu = 0.3 }', "ricochet.plane {}", "{ speed = 0.05 }")), /1 of 1/, 1],
     ["axis", sweep("axis", 1, scene('ricochet.sphere { E = 1e4, nu = 0.3, h_min = 0.1, h_max = 0.2 }', "ricochet.plane {}", "{ speed = 0.05 }")), /1 of 1/, 1],
     ["metres", `local ricochet = require "ricochet"
-ricochet.sweep { name = "metres", over = { height = { 0.02, 0.05, 0.1 } }, units = { height = "m" }, scene = function(at)
+local rows = ricochet.sweep { name = "metres", over = { height = { 0.02, 0.05, 0.1 } }, units = { height = "m" }, scene = function(at)
   return ricochet.scene { units = "SI", projectile = ricochet.sphere { radius = 0.005, material = ricochet.materials.steel, h_min = 1e-4, h_max = 1e-3 },
-    target = ricochet.plane {}, launch = { speed = 0, height = at.height }, effects = { ricochet.gravity { g = 9.81 } } } end }:run()\n`, /3 of 3/, 1],
+    target = ricochet.plane {}, launch = { speed = 0, height = at.height }, effects = { ricochet.gravity { g = 9.81 } } } end }:run()\nricochet.report { rows = rows }\n`, /3 of 3/, 3],
     ["odd", `-- </script><script>window.hit = 1</script> <!-- "\n${sweep("odd", 2, plain)}-- </script><img src=x onerror="window.hit=1"> <!--\n-- ä\xff\n` + `-- ${"x".repeat(100)}\n`.repeat(10000), /2 of 2/, 1],
   ];
   for (const [name, text, sentence, replays] of cases) {
