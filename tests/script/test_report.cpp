@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 
 #include "record/film.hpp"
 #include "scenes.hpp"
@@ -278,6 +280,25 @@ TEST_CASE("a report of an interrupted run that goes on is made at its end") {
   CHECK(place.script(sweep, "--no-report").status == 0);
   CHECK(place.script(sweep, "--resume").status == 0);
   CHECK(replays_in(place.read("out/s/report.html")).size() >= 2);
+}
+
+TEST_CASE("a page of a hundred thousand rows is small enough to send, with a column of which nothing is known") {
+  constexpr std::size_t many = 100'000;
+  std::vector<double> psi1(many), e(many);
+  for (std::size_t i = 0; i < many; ++i) {
+    psi1[i] = static_cast<double>(i % 10);
+    e[i] = 0.8 + 0.01 * psi1[i] + 1e-3 * static_cast<double>(i * 7919 % 100);
+  }
+  Table table = results(psi1, e);
+  table.numbers.push_back({{"mu", "number", "", "impulse ratio"}, std::vector<double>(many, not_given)});
+  Page page;
+  page.title = "Many";
+  page.sections = {{"many", table, {}}};
+  const std::string html = html_of(page);
+  CHECK(html.size() < most_page_bytes);
+  CHECK_THAT(html, Contains("100000 of 100000 impacts finished"));
+  // For a look in a browser: RICOCHET_PAGE=/tmp/many.html.
+  if (const char* file = std::getenv("RICOCHET_PAGE")) std::ofstream(file) << html;
 }
 
 TEST_CASE("the library of plots is the one of its checksums") {
