@@ -2,6 +2,7 @@
 -- and mu of the paper's scene beside the sampling error, then the speeds at which each may.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
+local student = require "ricochet.student"
 
 local p = ricochet.parameters {
   speed   = { { 0.005, 0.01, 0.02, 0.05, 0.1, 0.2 }, unit = "c", min = 1e-3, doc = "impact speeds" },
@@ -33,13 +34,14 @@ for _, speed in ipairs(p.speed) do
   }
   for _, effect in ipairs(found or {}) do
     if not may[effect.name] then may[effect.name], not_yet[effect.name], names[#names + 1] = {}, {}, effect.name end
-    local reached = math.abs(effect.e.change) + 2 * effect.e.se >= p.wanted
+    local half_width = student.quantile(effect.e.count - 1) * effect.e.se  -- of the 95 % interval
+    local reached = not (math.abs(effect.e.change) + half_width < p.wanted)
     table.insert(reached and may[effect.name] or not_yet[effect.name], ("%g"):format(speed))
   end
 end
 
 local function list(speeds) return #speeds > 0 and table.concat(speeds, ", ") .. " c" or "none of these speeds" end
 for _, name in ipairs(names) do
-  print(("%-10s may change the mean e by %g or more at %s; stays below it, by two standard errors, at %s"):format(name,
+  print(("%-10s may change the mean e by %g or more at %s; stays below it, by its 95 %% interval, at %s"):format(name,
     p.wanted, list(may[name]), list(not_yet[name])))
 end
