@@ -5,7 +5,7 @@ local sampling = {}
 --- chance too often, and a stop picks just these. From 16 on it would gain no more.
 sampling.least = 12
 -- By how many times the number of units a round may grow: a deviation by a few is rough.
-local most_growth = 3
+local most_growth = 2
 -- Units to spare in a round, so that the next is not one of two or three; a stop asks for none of them.
 local spare = 2
 -- Pairs are taken from here on: a pilot's gain is rough, and the stricter the choice, the more it picks pairs that
@@ -22,7 +22,7 @@ end
 function sampling.goal(count, sd, wanted, most)
   local needed = (sd / wanted) ^ 2
   if needed <= count and count >= math.min(sampling.least, most) then return count end
-  return math.min(math.max(sampling.least, math.ceil(needed) + spare), most_growth * count, most)
+  return math.min(math.max(sampling.least, math.ceil(needed) + spare), math.ceil(most_growth * count), most)
 end
 
 --- By how many times fewer impacts pairs do than single ones for the same standard error: `pairs`, list of the two
@@ -63,8 +63,8 @@ function sampling.decide(state, of, wanted, most, pairs)
     goal = math.min(math.max(goal, 2 * state.chosen), most)
   end
   if goal == state.count then return false end
-  -- A trial of the other side costs as much as the pilot: where less than that is left, it cannot pay.
-  if state.side == "one" and not state.why and goal > 2 * state.count then
+  -- A trial of the other side costs as much as the pilot: where less than a few times that is left, it cannot pay.
+  if state.side == "one" and not state.why and (of.sd / wanted) ^ 2 > 3 * state.count then
     state.side, state.both = "tried", state.count
   else
     state.count = goal
