@@ -876,6 +876,58 @@ function ricochet.lammps(t) end
 ---@param t ricochet.report_fields
 function ricochet.report(t) end
 
+---@class ricochet.lesson_fields
+---@field grid ricochet.sweep that has run, over one to three names: at least 12 settings, each finished
+---@field title string of the page
+---@field intro string[] paragraphs below the title. In curly braces a text may hold numbers of the rows: {e angle=60 wall='soft mat'} is e there, to the digits of its result, {e:2 angle=60} to two; {angle greatest=e} is the angle where e is greatest, and least=e where least
+---@field names? string[] what projectile and target are called (default { "body", "target" })
+---@field sliders ricochet.slider_fields[] one for each name of the sweep that varies
+---@field results ricochet.result_fields[] what is told of an impact after the guess
+---@field guess ricochet.guess_fields what is to be guessed
+---@field graph ricochet.graph_fields what the guessed result is drawn against
+---@field intuition ricochet.intuition_fields what many people think, shown after the first result
+---@field questions ricochet.question_fields[] with answers that are folded away
+---@field teacher string[] paragraphs for the teacher: how to use it, what goes wrong
+---@field minutes? number that it takes in class [min] (default 10)
+---@field processor_time number stated: of one core, by the whole script [s]
+---@field frames? integer of each replay (default 60)
+---@field name? string of the file (default lesson)
+--- Makes NAME.html of a sweep that has run, a page for a class: sliders over the sweep's settings, a guess before each result, the replay of each setting's own impact, a graph that fills as the pupil tries, questions with folded answers. One file of at most 6 MB without network, beside the report.
+---@param t ricochet.lesson_fields
+function ricochet.lesson(t) end
+
+---@class ricochet.slider_fields
+---@field of string the name
+---@field label string what people call it
+---@field unit? string behind its values
+---@field texts? string[] one for each value, instead of the values themselves
+
+---@class ricochet.result_fields
+---@field of string the column
+---@field label string what people call it
+---@field unit? string behind its numbers
+---@field digits? integer that are shown of its greatest number; the others have as many decimals (default 3)
+
+---@class ricochet.guess_fields
+---@field of string the result
+---@field question string above the slider
+---@field from number its least value
+---@field to number its greatest value
+---@field step number between two values
+
+---@class ricochet.graph_fields
+---@field x string the name of a slider; or tries, which draws the mean of the tries with its standard error, too
+---@field by? string a slider whose values are told apart by colour and shape
+---@field log? boolean along x (default false)
+
+---@class ricochet.intuition_fields
+---@field wrong string what many people think
+---@field right string how it is. In curly braces a text may hold numbers of the rows: {e angle=60 wall='soft mat'} is e there, to the digits of its result, {e:2 angle=60} to two; {angle greatest=e} is the angle where e is greatest, and least=e where least
+
+---@class ricochet.question_fields
+---@field ask string the question
+---@field answer string folded away. In curly braces a text may hold numbers of the rows: {e angle=60 wall='soft mat'} is e there, to the digits of its result, {e:2 angle=60} to two; {angle greatest=e} is the angle where e is greatest, and least=e where least
+
 ---@class ricochet.accuracy_fields
 ---@field scene ricochet.scene what happens
 ---@field methods? string[] integrators; all unless given

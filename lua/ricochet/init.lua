@@ -29,6 +29,7 @@ ricochet.relevance = core.wrap(require("ricochet.effects").relevance)
 ricochet.plan = core.wrap(require("ricochet.plan").plan)
 ricochet.dem = core.wrap(require("ricochet.dem").dem)
 ricochet.compare = core.wrap(require("ricochet.compare").compare)
+ricochet.lesson = core.wrap(require("ricochet.lesson").lesson)
 
 --- refined(scene, factor): the same scene on finer lattices, or coarser ones.
 ricochet.refined = core.wrap(function(scene, factor)

@@ -139,20 +139,8 @@ async function start() {
   } else {
     sections.forEach(showSection);
   }
-  let width = innerWidth, waiting;
-  addEventListener("resize", () => {
-    if (innerWidth === width) return;
-    width = innerWidth;
-    clearTimeout(waiting);
-    waiting = setTimeout(redrawAll, 120);
-  });
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redrawAll);
-  addEventListener("beforeprint", () => { document.documentElement.classList.add("print"); redrawAll(); });
-  addEventListener("afterprint", () => { document.documentElement.classList.remove("print"); redrawAll(); });
+  redrawOnNewLook(redrawAll);
   window.report = { ready: performance.now() - began, sections, player, go, play, pickRow, readReplay };
 }
 
-start().catch(error => {
-  document.body.prepend(element("p", { className: "warn" }, `This report could not be drawn: ${error.message} (a browser of 2023 or later is needed)`));
-  throw error;
-});
+start().catch(error => tellFailure(error, "report"));

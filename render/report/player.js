@@ -4,10 +4,15 @@ const energyParts = [["projectile_translation", "flight of the projectile"], ["p
   ["projectile_vibration", "its deformation and vibration"], ["target_translation", "flight of the target"],
   ["target_rotation", "the target's spin"], ["target_vibration", "the target's deformation and vibration"],
   ["contact_energy", "pressed contact"], ["effects_energy", "taken by effects (friction, loss, gravity)"]];
-const player = { replay: null, frames: null, at: 0, playing: false, last: 0, paint: null, charts: [] };
+// `closed`: only its first moment may be seen. `parts`, `forces`: names of energies and forces; `least`: share of an
+// energy that is told; `tell`: what happens at a frame; `link`: a replay in the page's address.
+const player = { replay: null, frames: null, at: 0, playing: false, last: 0, paint: null, charts: [], closed: false,
+  parts: energyParts, forces: [["force_n", "normal force"], ["force_t", "tangential force"]], least: 1e-9,
+  tell: whatHappens, link: replay => replay.place_name };
 const cachedFrames = new Map();
 
 const timesOf = replay => replay.series.time;
+const shownTime = (replay, time, digits) => withPrefix(time, replay.unit.time, digits, powerOf(timesOf(replay), replay.unit.time));
 function frameAt(time) {
   const times = timesOf(player.replay);
   let k = 0;
@@ -27,34 +32,41 @@ function contactFrames(replay) {
   return { first: touching.indexOf(true), last: touching.lastIndexOf(true), touching, hardest: force.indexOf(most) };
 }
 
-function whatHappens(k) {
-  const { series, unit } = player.replay, contact = contactFrames(player.replay);
-  const phase = contact.first < 0 ? "Free flight" : k < contact.first ? "Before the contact"
+function phaseAt(k) {
+  const contact = contactFrames(player.replay);
+  return contact.first < 0 ? "Free flight" : k < contact.first ? "Before the contact"
     : k > contact.last ? "After the contact" : contact.touching[k] ? "In contact" : "Between two touches";
-  const total = series.total_energy[k] || 1;
-  const vibration = (series.projectile_vibration[k] || 0) + (series.target_vibration[k] || 0);
-  const way = series.vn[k] < 0 ? "approaches" : "leaves";
-  const force = contact.touching[k] ? ` Contact pushes it with ${shown(series.force_n[k], 3)} ${pretty(unit.force_n)}.` : "";
+}
+
+// Of all energy, what deforms and shakes the bodies.
+function vibrationShare(k) {
+  const { series } = player.replay;
+  return ((series.projectile_vibration[k] || 0) + (series.target_vibration[k] || 0)) / (series.total_energy[k] || 1);
+}
+
+function whatHappens(k) {
+  const { series, unit } = player.replay, phase = phaseAt(k), way = series.vn[k] < 0 ? "approaches" : "leaves";
+  const force = phase === "In contact" ? ` Contact pushes it with ${shown(series.force_n[k], 3)} ${pretty(unit.force_n)}.` : "";
   const spin = Math.abs(series.omega[k] || 0) > 1e-6 ? `, spins at ${shown(series.omega[k], 3)} ${unit.omega}` : "";
   return `${phase}. The projectile ${way} at ${shown(Math.abs(series.vn[k]), 3)} ${unit.vn} along the normal` +
-    `, slides at ${shown(series.vt[k], 3)} ${unit.vt}${spin}; deformation and vibration hold ${Math.round(100 * vibration / total)} % of the energy.${force}`;
+    `, slides at ${shown(series.vt[k], 3)} ${unit.vt}${spin}; deformation and vibration hold ${Math.round(100 * vibrationShare(k))} % of the energy.${force}`;
 }
 
 function refresh(light) {
   const { replay, frames, paint } = player;
   drawMoment(byId("view"), paint, replay, frames, player.at, { magnify: +byId("magnify").value, field: byId("field").value });
-  const times = timesOf(replay), time = timeNow(), text = `t = ${shown(time, 4)} ${replay.unit.time}`;
+  const times = timesOf(replay), time = timeNow(), text = `t = ${shownTime(replay, time, 4)}`;
   byId("seek").value = Math.round(1000 * (time - times[0]) / (times.at(-1) - times[0]));
   byId("seek").setAttribute("aria-valuetext", text);
   byId("clock").textContent = text;
-  byId("now").textContent = whatHappens(Math.round(player.at));
+  byId("now").textContent = player.tell(Math.round(player.at));
   placeLines();
   if (!light) history.replaceState(null, "", linkOf(replay, time));
 }
 
 function linkOf(replay, time) {
   const keep = /\bnogl\b/.test(location.hash) ? "&nogl" : "";
-  return `#${replay.place_name}&t=${+time.toPrecision(5)}${keep}`;
+  return `#${player.link(replay)}&t=${+time.toPrecision(5)}${keep}`;
 }
 
 function go(frame, light) {
@@ -63,6 +75,7 @@ function go(frame, light) {
 }
 
 function play(on) {
+  if (player.closed) return;
   player.playing = on;
   byId("play").textContent = on ? "❚❚" : "▶";
   byId("play").setAttribute("aria-label", on ? "Pause" : "Play");
@@ -93,7 +106,7 @@ function chart(box, lines, unit, label) {
   box.textContent = "";
   box.classList.add("draggable");
   const { replay } = player, colours = palette().concat("#888", "#555");
-  const times = timesOf(replay), along = powerOf(times), up = powerOf(lines.flatMap(line => replay.series[line[0]]));
+  const times = timesOf(replay), along = powerOf(times, replay.unit.time), up = powerOf(lines.flatMap(line => replay.series[line[0]]), unit);
   const dashes = [[], [], [6, 4], [2, 3], [8, 3, 2, 3], [], [2, 2], [6, 2]];
   const made = new uPlot({ width: box.clientWidth, height: 210, legend: { live: false },
     cursor: { y: false, drag: { setScale: false, x: false, y: false } }, scales: { x: { time: false } },
@@ -124,10 +137,10 @@ function drawCharts() {
   player.charts = [];
   const { series, unit } = player.replay;
   const most = Math.max(...series.total_energy.map(Math.abs)) || 1;
-  const parts = energyParts.filter(([name]) => series[name].some(x => x != null && Math.abs(x) > 1e-4 * most));
+  const parts = player.parts.filter(([name]) => series[name].some(x => x != null && Math.abs(x) > 1e-4 * most));
   chart(byId("energy"), parts, energyUnit(), "energy");
-  chart(byId("force"), [["force_n", "normal force"], ["force_t", "tangential force"]], unit.force_n, "force");
-  chart(byId("overlap"), [["overlap", "how much nearer the centres are than at the first touch"]], unit.overlap, "overlap");
+  chart(byId("force"), player.forces, unit.force_n, "force");
+  if (byId("overlap")) chart(byId("overlap"), [["overlap", "how much nearer the centres are than at the first touch"]], unit.overlap, "overlap");
   placeLines();
 }
 
@@ -137,8 +150,8 @@ function drawLedger() {
   table.textContent = "";
   table.append(element("caption", {}, `Energy before and after [${pretty(energyUnit())}]`));
   table.append(element("tr", {}, ...["where", "before", "after", "share after"].map(h => element("th", { scope: "col" }, h))));
-  for (const [name, text] of energyParts) {
-    const [before, after] = [series[name][0], series[name][last]].map(x => Math.abs(x) < 1e-9 * Math.abs(total[0]) ? 0 : x);
+  for (const [name, text] of player.parts) {
+    const [before, after] = [series[name][0], series[name][last]].map(x => Math.abs(x) < player.least * Math.abs(total[0]) ? 0 : x);
     if (before === 0 && after === 0) continue;
     table.append(element("tr", {}, element("td", {}, text), element("td", {}, shown(before, 5)), element("td", {}, shown(after, 5)),
       element("td", {}, (100 * after / total[last]).toFixed(1) + " %")));
@@ -155,23 +168,30 @@ function drawStrip() {
   byId("strip").textContent = "";
   for (const [frame, name] of moments) {
     const canvas = element("canvas", { width: 380, height: 222 });
-    const text = `${name}, t = ${shown(timesOf(replay)[Math.floor(frame)], 3)}`;
+    const text = `${name}, t = ${shownTime(replay, timesOf(replay)[Math.floor(frame)], 3)}`;
     byId("strip").append(element("button", { onclick: () => { play(false); go(frame); } }, canvas, element("small", {}, text)));
     drawMoment(canvas, null, replay, frames, frame, { scales: false });
   }
   return moments;
 }
 
-// Shows a replay, at a time if one is given.
-async function choose(replay, time) {
+// Shows a replay, at a time if one is given; `closed`: its first moment alone.
+async function choose(replay, time, closed = false) {
   if (player.playing) play(false);
+  Object.assign(player, { wanted: replay, closed });
   if (!cachedFrames.has(replay.hash)) cachedFrames.set(replay.hash, await readReplay(replay));
+  if (player.wanted !== replay) return;  // another one was chosen meanwhile
   Object.assign(player, { replay, frames: cachedFrames.get(replay.hash) });
   byId("which").textContent = replay.title;
   byId("view").setAttribute("aria-label", `Replay of the impact at ${replay.title}`);
   for (const button of byId("chooser").children) button.setAttribute("aria-pressed", button.dataset.hash === replay.hash);
   byId("collided").textContent = replay.collided;
   byId("scene").textContent = replay.scene;
+  if (closed) {
+    player.charts.forEach(made => made.destroy());
+    player.charts = [];
+    return go(0);
+  }
   const moments = drawStrip();
   player.at = time == null || !Number.isFinite(time) ? moments[2][0] : frameAt(time);
   drawCharts();
@@ -205,7 +225,7 @@ function startPlayer(replays) {
 }
 
 function onKey(event) {
-  if (/INPUT|SELECT|BUTTON|SUMMARY|PRE/.test(event.target.tagName) || event.ctrlKey || event.altKey || event.metaKey) return;
+  if (player.closed || /INPUT|SELECT|BUTTON|SUMMARY|PRE/.test(event.target.tagName) || event.ctrlKey || event.altKey || event.metaKey) return;
   const actions = { " ": () => play(!player.playing), ArrowRight: () => go(Math.floor(player.at + 1e-6) + 1),
     ArrowLeft: () => go(Math.ceil(player.at - 1e-6) - 1), Home: () => go(0), End: () => go(player.replay.frames) };
   if (!actions[event.key]) return;

@@ -160,7 +160,7 @@ function drawPlot(section, quantity) {
   const box = section.boxes[quantity], column = section.columns[quantity], { tables, series } = dataOf(section, quantity);
   box.textContent = "";
   const marks = { series, dots: dotsOf(section, quantity) }, log = section.show.log;
-  const { x } = section, along = powerOf(x.values), name = names[plainName(x.name)] || symbolOf(x.name);
+  const { x } = section, along = powerOf(x.values, x.unit), name = names[plainName(x.name)] || symbolOf(x.name);
   const range = (u, low, high) => {
     const y = marks.dots.map(d => d.y), l = y.length ? Math.min(...y) : 0, h = y.length ? Math.max(...y) : 1;
     const from = low == null ? l : Math.min(low, l), to = high == null ? h : Math.max(high, h);

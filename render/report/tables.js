@@ -78,12 +78,8 @@ function markRow(section, row) {
 }
 
 function saveCsv(section) {
-  const columns = Object.values(section.columns), quoted = text => /[,"\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
-  const lines = [columns.map(c => quoted(withUnit(c.name, c.unit))).join()];
-  for (let i = 0; i < section.rows; i++) lines.push(columns.map(c => quoted(String(c.values[i] ?? ""))).join());
-  const link = element("a", { href: URL.createObjectURL(new Blob([lines.join("\n") + "\n"], { type: "text/csv" })), download: `${section.name}.csv` });
-  link.click();
-  URL.revokeObjectURL(link.href);
+  const columns = Object.values(section.columns), rows = Array.from({ length: section.rows }, (_, i) => columns.map(c => c.values[i]));
+  saveFile(`${section.name}.csv`, csvOf([columns.map(c => withUnit(c.name, c.unit)), ...rows]), "text/csv");
 }
 
 const greatest = column => column ? column.values.reduce((most, v) => v != null && Math.abs(v) > most ? Math.abs(v) : most, -Infinity) : -Infinity;

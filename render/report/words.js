@@ -15,15 +15,23 @@ function shown(value, digits = 4) {
   return text.replaceAll("-", "−");
 }
 
-// A power of ten that makes numbers of an axis readable, a multiple of 3; 0 for those that are.
-function powerOf(values) {
+// A power of ten that makes numbers of an axis readable, a multiple of 3; 0 for those that are: 20 ms, but 0.02 R.
+function powerOf(values, unit) {
   const most = values.reduce((top, v) => Number.isFinite(v) ? Math.max(top, Math.abs(v)) : top, 0);
-  const power = most > 0 ? Math.floor(Math.log10(most)) : 0;
-  return power < -2 || power > 4 ? 3 * Math.floor(power / 3) : 0;
+  const power = most > 0 ? Math.floor(Math.log10(most)) : 0, least = prefixed.includes(unit) ? -1 : -2;
+  return power < least || power > 4 ? 3 * Math.floor(power / 3) : 0;
 }
 const raised = power => [..."" + power].map(c => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("");
-// "10⁻⁶ s"
-const scaledUnit = (unit, power) => power ? `10${raised(power)} ${unit || ""}`.trim() : unit;
+// "µs", "10⁻⁶ m/s"
+const prefixes = { "-9": "n", "-6": "µ", "-3": "m", 3: "k", 6: "M", 9: "G" };
+const prefixed = ["s", "m", "N", "J", "Pa"];
+const takesPrefix = (unit, power) => power in prefixes && prefixed.includes(unit);
+const scaledUnit = (unit, power) => !power ? unit : takesPrefix(unit, power) ? prefixes[power] + unit
+  : `10${raised(power)} ${unit || ""}`.trim();
+// "2.5 ms", "13.6 R/c": of a list's power of ten, so that all of it is told in one unit.
+function withPrefix(value, unit, digits, power) {
+  return takesPrefix(unit, power) ? `${shown(value / 10 ** power, digits)} ${prefixes[power]}${unit}` : `${shown(value, digits)} ${unit}`;
+}
 
 // An axis of uPlot whose neighbouring marks are told apart, in units of 10^power.
 function axisOf(power, properties) {
@@ -76,6 +84,18 @@ function statistics(values) {
 
 const plusMinus = s => s.mean == null ? "–" : s.se == null ? `${shown(s.mean, 6)}` : `${shown(s.mean)} ± ${shown(s.se, 2)}`;
 
+// Leaves a file with the reader.
+function saveFile(name, text, type) {
+  const link = element("a", { href: URL.createObjectURL(new Blob([text], { type })), download: name });
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+// The first line names the columns.
+function csvOf(lines) {
+  const quoted = text => /[,"\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+  return lines.map(line => line.map(value => quoted(String(value ?? ""))).join()).join("\n") + "\n";
+}
+
 function showTip(text, event) {
   const tip = byId("tip");
   tip.textContent = text;
@@ -84,3 +104,22 @@ function showTip(text, event) {
   tip.style.top = Math.max(4, Math.min(innerHeight - tip.offsetHeight - 8, event.clientY + 14)) + "px";
 }
 const hideTip = () => { byId("tip").hidden = true; };
+
+// Calls what draws when the window's width, the colours, or the medium change.
+function redrawOnNewLook(redraw) {
+  let width = innerWidth, waiting;
+  addEventListener("resize", () => {
+    if (innerWidth === width) return;
+    width = innerWidth;
+    clearTimeout(waiting);
+    waiting = setTimeout(redraw, 120);
+  });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
+  addEventListener("beforeprint", () => { document.documentElement.classList.add("print"); redraw(); });
+  addEventListener("afterprint", () => { document.documentElement.classList.remove("print"); redraw(); });
+}
+
+function tellFailure(error, page) {
+  document.body.prepend(element("p", { className: "warn" }, `This ${page} could not be drawn: ${error.message} (a browser of 2023 or later is needed)`));
+  throw error;
+}

@@ -48,6 +48,7 @@ Group plot_functions();
 Group picture_functions();
 Group record_functions();
 Group report_functions();
+Group lesson_functions();
 Group accuracy_functions();
 Group elasticity_functions();
 Group mesh_functions();
@@ -66,6 +67,8 @@ const Function& function_named(const std::string& name);
 
 /// The table of named fields that a field of this type holds ("launch"); nullptr if it holds something else.
 const Function* inner_table(const std::string& type);
+/// The same of a list of such tables ("slider[]").
+const Function* element_table(const std::string& type);
 
 /// Puts the natives of all groups into the table on top of the stack, and under `functions` those of the module.
 void add_functions(lua_State* L);

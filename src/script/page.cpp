@@ -99,18 +99,6 @@ std::string plots_json(const std::vector<PagePlot>& plots) {
   return "[" + list + "]";
 }
 
-std::string section_json(const PageSection& section, const std::string& told) {
-  const bool main_only = section.table.rows() > most_whole_rows;
-  const std::string numbers = columns_json(section.table.numbers, main_only),
-                    texts = columns_json(section.table.texts, main_only);
-  return fmt::format(
-      "{{\"name\":{},\"rows\":{},\"sentence\":{},\"told\":{},\"mainOnly\":{},\"plots\":{},\"columns\":[{}{}{}],"
-      "\"provenance\":{}}}",
-      json_text(section.name), section.table.rows(), json_text(report_sentence(section.table)), json_text(told),
-      main_only, plots_json(section.plots), numbers, numbers.empty() || texts.empty() ? "" : ",", texts,
-      provenance_json(section.provenance));
-}
-
 std::string data_json(const Page& page, const std::vector<std::string>& told) {
   std::string sections;
   for (std::size_t i = 0; i < page.sections.size(); ++i)
@@ -138,7 +126,7 @@ std::string replay_elements(const Page& page, std::vector<std::string>& told, st
       if (elements.size() + replay.size() + 200 > room)
         ++left_out;
       else
-        elements += fmt::format("{}{}\">{}</script>\n", replay_begins, hash_of(replay), replay);
+        elements += replay_element(replay);
     }
     if (left_out > 0)
       told[i] += fmt::format("{}{} replay{} left out: a report is kept below {} MB.", told[i].empty() ? "" : " ",
@@ -149,16 +137,54 @@ std::string replay_elements(const Page& page, std::vector<std::string>& told, st
 
 std::string script_of(const Page& page) {
   for (const PageSection& section : page.sections)
-    if (const auto script = section.provenance.find("script"); script != section.provenance.end())
-      return script->second;
+    if (const std::string script = script_in(section); !script.empty()) return script;
   return "";
 }
 
+// Not every frame has every mark.
 void put_in(std::string& html, const std::string& mark, const std::string& text) {
-  html.replace(html.find(mark), mark.size(), text);
+  if (const std::size_t at = html.find(mark); at != std::string::npos) html.replace(at, mark.size(), text);
 }
 
 }  // namespace
+
+std::string section_json(const PageSection& section, const std::string& told) {
+  const bool main_only = section.table.rows() > most_whole_rows;
+  const std::string numbers = columns_json(section.table.numbers, main_only),
+                    texts = columns_json(section.table.texts, main_only);
+  return fmt::format(
+      "{{\"name\":{},\"rows\":{},\"sentence\":{},\"told\":{},\"mainOnly\":{},\"plots\":{},\"columns\":[{}{}{}],"
+      "\"provenance\":{}}}",
+      json_text(section.name), section.table.rows(), json_text(report_sentence(section.table)), json_text(told),
+      main_only, plots_json(section.plots), numbers, numbers.empty() || texts.empty() ? "" : ",", texts,
+      provenance_json(section.provenance));
+}
+
+std::string replay_element(const std::string& replay) {
+  return fmt::format("{}{}\">{}</script>\n", replay_begins, hash_of(replay), replay);
+}
+
+std::string script_in(const PageSection& section) {
+  const auto script = section.provenance.find("script");
+  return script == section.provenance.end() ? "" : script->second;
+}
+
+std::string assembled(const PageParts& parts) {
+  std::string styles, code;
+  for (const char* style : parts.styles) styles += style;
+  for (const char* text : parts.code) code += std::string("<script>\n") + text + "</script>\n";
+  std::string html = parts.frame;
+  put_in(html, "<!--PLAYER-->", page_source::player_html);
+  put_in(html, "<!--CODE-->", code);
+  put_in(html, "<!--DATA-->",
+         "<script type=\"application/json\" id=\"data\">" + parts.data + "</script>\n" + parts.replays);
+  put_in(html, "<!--SCRIPT-->", html_text(parts.script));
+  put_in(html, "<!--LEAD-->", parts.lead);
+  put_in(html, "<!--HEADING-->", html_text(parts.title));
+  put_in(html, "<!--STYLE-->", "<style>\n" + styles + "</style>");
+  put_in(html, "<!--TITLE-->", html_text(parts.title));
+  return html;
+}
 
 std::string html_of(const Page& page) {
   std::string lead;
@@ -167,27 +193,21 @@ std::string html_of(const Page& page) {
     lead += html_text(report_sentence(section.table)) + "<br>\n";
   }
   using namespace page_source;
-  std::string code;
-  for (const char* part :
-       {uplot_uPlot_iife_js, decode_js, words_js, replay_js, player_js, plots_js, tables_js, page_js})
-    code += std::string("<script>\n") + part + "</script>\n";
   std::vector<std::string> told;
   for (const PageSection& section : page.sections) told.push_back(section.told);
-  const std::string script = html_text(script_of(page));
-  std::string data = data_json(page, told);
+  PageParts parts{
+      .frame = page_html,
+      .styles = {uplot_uPlot_min_css, page_css},
+      .code = {uplot_uPlot_iife_js, decode_js, words_js, replay_js, player_js, plots_js, tables_js, page_js},
+      .title = page.title,
+      .lead = lead,
+      .data = data_json(page, told),
+      .script = script_of(page)};
   const std::vector<std::string> told_by_sections = told;
-  const std::size_t others = code.size() + script.size() + data.size() + 50'000;
-  const std::string replays = replay_elements(page, told, most_page_bytes > others ? most_page_bytes - others : 0);
-  if (told != told_by_sections) data = data_json(page, told);
-  std::string html = page_html;
-  put_in(html, "<!--CODE-->", code);
-  put_in(html, "<!--DATA-->", "<script type=\"application/json\" id=\"data\">" + data + "</script>\n" + replays);
-  put_in(html, "<!--SCRIPT-->", script);
-  put_in(html, "<!--LEAD-->", lead);
-  put_in(html, "<!--HEADING-->", html_text(page.title));
-  put_in(html, "<!--STYLE-->", std::string("<style>\n") + uplot_uPlot_min_css + page_css + "</style>");
-  put_in(html, "<!--TITLE-->", html_text(page.title));
-  return html;
+  const std::size_t others = assembled(parts).size() + 1000 * page.sections.size();
+  parts.replays = replay_elements(page, told, most_page_bytes > others ? most_page_bytes - others : 0);
+  if (told != told_by_sections) parts.data = data_json(page, told);
+  return assembled(parts);
 }
 
 std::map<std::string, std::string> replays_in(const std::string& html) {

@@ -1,5 +1,5 @@
 #pragma once
-// A report as one HTML file that needs no network and no server.
+// A report, or another page, as one HTML file that needs no network and no server.
 
 #include <map>
 #include <string>
@@ -49,6 +49,21 @@ inline constexpr std::size_t most_text_rows = 2000, most_whole_rows = 20000;
 
 /// The same bytes for the same page: nothing of the clock or the machine is added.
 std::string html_of(const Page& page);
+
+/// What any page is put together of: its frame, styles and scripts (of render/report), and what stands in them.
+struct PageParts {
+  const char* frame;
+  std::vector<const char*> styles, code;
+  std::string title, lead{}, data{}, replays{}, script{};
+};
+std::string assembled(const PageParts& parts);
+
+/// A section as the page's data hold it.
+std::string section_json(const PageSection& section, const std::string& told);
+/// The element that holds a replay by replay_json().
+std::string replay_element(const std::string& replay);
+/// The script that made a section.
+std::string script_in(const PageSection& section);
 
 /// The replays in the text of an earlier report, by the hash of their scene, as replay_json() gave them.
 std::map<std::string, std::string> replays_in(const std::string& html);

@@ -106,6 +106,10 @@ class Check {
       mistakes.push_back({below(path, field.name), where + mistake});
     else if (const Function* inner = inner_table(field.type))
       table(-1, inner->fields, below(path, field.name));
+    else if (const Function* element = element_table(field.type))
+      each_element(L_, -1, [&](lua_Integer i) {
+        table(-1, element->fields, below(below(path, field.name), fmt::format("{}[{}]", field.name, i)));
+      });
   }
 
   // math.pi/3 is no angle in degrees that anybody means.

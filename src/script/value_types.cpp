@@ -124,6 +124,13 @@ std::string scenes_mistake(const Value& value) {
   });
 }
 
+std::string tables_mistake(const Value& value) {
+  return list_mistake(value, "a list of tables { { ... }, ... }", [&](lua_Integer i) -> std::string {
+    if (lua_istable(value.L, -1)) return "";
+    return fmt::format("'{}' must be a list of tables; element {} is {}", value.field.name, i, shown(value.L, -1));
+  });
+}
+
 bool is_finite_number(lua_State* L, int index) {
   return lua_type(L, index) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, index));
 }
@@ -241,6 +248,7 @@ const Type* type_named(const std::string& name) {
 std::string mistake_in(lua_State* L, int index, const Field& field) {
   const Value value{L, lua_absindex(L, index), field};
   if (inner_table(field.type)) return table_mistake(value);
+  if (element_table(field.type)) return tables_mistake(value);
   const Type* type = type_named(field.type);
   if (!type || !type->mistake) throw std::logic_error("no field can have the type " + field.type);
   return type->mistake(value);
@@ -248,6 +256,7 @@ std::string mistake_in(lua_State* L, int index, const Field& field) {
 
 std::string annotation_of(const std::string& type) {
   if (inner_table(type)) return "ricochet." + type + "_fields";
+  if (element_table(type)) return "ricochet." + type.substr(0, type.size() - 2) + "_fields[]";
   const Type* known = type_named(type);
   return known ? known->annotation : type;
 }

@@ -1,4 +1,4 @@
-// Opens reports in a browser as a reader does. Usage: node pages.mjs PROGRAM [PICTURES_FOLDER]
+// Opens reports and lessons in a browser as a reader does. Usage: node pages.mjs PROGRAM [PICTURES_FOLDER]
 // Every check is a line; the first that fails ends the test with 1.
 import { chromium } from "playwright-core";
 import { execFileSync } from "node:child_process";
@@ -7,6 +7,7 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
+import { lessons } from "./lessons.mjs";
 
 const [program, pictures] = process.argv.slice(2);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -220,7 +221,7 @@ async function readsInMetres(page) {
   const axes = await page.evaluate(`[...report.player.charts, ...Object.values(report.sections[0].plots)].flatMap(u => u.axes.map(a => [a.label || "", a._values]))`);
   for (const [label, marks] of axes) check(marks.every((m, i) => i === 0 || m !== marks[i - 1]), `metres: marks of ${label || "an outcome"} differ: ${marks.join(" ")}`);
   const labels = axes.map(([label]) => label).join();
-  check(labels.includes("time [10⁻⁶ s]") && labels.includes("height [m]"), `metres: axes tell their units: ${labels}`);
+  check(labels.includes("time [µs]") && labels.includes("height [m]"), `metres: axes tell their units: ${labels}`);
   const height = +/height = ([\d.]+) m$/.exec(await page.locator("#which").textContent())[1];
   const speed = +/meet at ([\d.]+) m\/s along the normal/.exec(await page.locator("#collided").textContent())[1];
   check(Math.abs(speed / Math.sqrt(2 * 9.81 * height) - 1) < 5e-3, `metres: after a fall of ${height} m they meet at ${speed} m/s`);
@@ -262,6 +263,7 @@ local rows = ricochet.sweep { name = "metres", over = { height = { 0.02, 0.05, 0
 try {
   await wholeReport();
   await otherRuns();
+  await lessons({ check, open, until, faults, pixels, readCsv, program, work, pictures });
   console.log("all pages are right");
 } catch (error) {
   console.error(error.message);
