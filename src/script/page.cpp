@@ -141,6 +141,25 @@ std::string script_of(const Page& page) {
   return "";
 }
 
+std::string elements(const char* tag, const std::vector<PagePart>& parts) {
+  std::string list;
+  for (const PagePart& part : parts) list += fmt::format("<{0}>\n{1}</{0}>\n", tag, part.text);
+  return list;
+}
+
+// The sources that a policy lets run: " 'sha256-...' ...".
+std::string hashes(const std::vector<PagePart>& parts) {
+  std::string list;
+  for (const PagePart& part : parts) {
+    const std::string digits = part.sha256;
+    std::string bytes;
+    for (std::size_t i = 0; i < digits.size(); i += 2)
+      bytes.push_back(static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16)));
+    list += fmt::format(" 'sha256-{}'", base64(bytes));
+  }
+  return list;
+}
+
 // Not every frame has every mark.
 void put_in(std::string& html, const std::string& mark, const std::string& text) {
   if (const std::size_t at = html.find(mark); at != std::string::npos) html.replace(at, mark.size(), text);
@@ -170,19 +189,19 @@ std::string script_in(const PageSection& section) {
 }
 
 std::string assembled(const PageParts& parts) {
-  std::string styles, code;
-  for (const char* style : parts.styles) styles += style;
-  for (const char* text : parts.code) code += std::string("<script>\n") + text + "</script>\n";
   std::string html = parts.frame;
   put_in(html, "<!--PLAYER-->", page_source::player_html);
-  put_in(html, "<!--CODE-->", code);
+  put_in(html, "<!--CODE-->", elements("script", parts.code));
   put_in(html, "<!--DATA-->",
          "<script type=\"application/json\" id=\"data\">" + parts.data + "</script>\n" + parts.replays);
   put_in(html, "<!--SCRIPT-->", html_text(parts.script));
   put_in(html, "<!--LEAD-->", parts.lead);
   put_in(html, "<!--HEADING-->", html_text(parts.title));
-  put_in(html, "<!--STYLE-->", "<style>\n" + styles + "</style>");
+  put_in(html, "<!--STYLE-->", elements("style", parts.styles));
   put_in(html, "<!--TITLE-->", html_text(parts.title));
+  put_in(html, "<!--POLICY-->",
+         fmt::format("default-src 'none'; script-src{}; style-src{}; img-src data: blob:", hashes(parts.code),
+                     hashes(parts.styles)));
   return html;
 }
 

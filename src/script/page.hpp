@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "script/page_part.hpp"
 #include "store/table.hpp"
 
 namespace ricochet {
@@ -53,7 +54,7 @@ std::string html_of(const Page& page);
 /// What any page is put together of: its frame, styles and scripts (of render/report), and what stands in them.
 struct PageParts {
   const char* frame;
-  std::vector<const char*> styles, code;
+  std::vector<PagePart> styles, code;
   std::string title, lead{}, data{}, replays{}, script{};
 };
 std::string assembled(const PageParts& parts);
