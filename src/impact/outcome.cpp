@@ -46,10 +46,10 @@ const Columns& of_normal() {
       {{"beta_n", "number", "", "the same across the normal, -v_ct' / v_ct; undefined if v_ct is below 1e-3 of v_cn"},
        [](O o) { return o.beta_n; }},
       {{"mu_n", "number", "", "impulse ratio |n x J| / (n . J) with the contact's normal"}, [](O o) { return o.mu_n; }},
-      {{"e_first", "number", "", "e at the first parting: when the first touch ended, whatever followed"},
+      {{"e_first", "number", "", "e at the first parting: when a touch had ended and the bodies moved apart, whatever followed"},
        [](O o) { return o.e_first; }},
       {{"mu_first", "number", "", "mu at the first parting"}, [](O o) { return o.mu_first; }},
-      {{"time_first", "number", "R/c", "when the first touch ended"}, [](O o) { return o.time_first; }},
+      {{"time_first", "number", "R/c", "when the touch before the first parting ended"}, [](O o) { return o.time_first; }},
   };
   return columns;
 }
