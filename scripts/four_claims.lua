@@ -2,7 +2,7 @@
 -- gives each best, as lua/ricochet/readings.lua has them: e falls past Psi1 = 6 where an impact is over at the first
 -- parting; its mean exceeds 1 with 2400 nodes and a wall of 1/50; mu peaks at 3 where the disk's rim is the hull of its
 -- nodes; the hard wall is even and then rises above 1 with coarse, gentle rims.
--- The readings were chosen before these lattices were run: seeds begin at 1001, which no other script uses. `samples`:
+-- The readings were chosen before these lattices were run: seeds begin at 2001, which no other script uses. `samples`:
 -- lattices a point; two minutes on two cores by default. `full=true`: 100, twenty minutes.
 local ricochet = require "ricochet"
 local readings = require "ricochet.readings"
@@ -10,11 +10,11 @@ local rows_of = require("ricochet.rows").rows_of
 
 local p = ricochet.parameters {
   samples  = { 8, int = true, min = 2, doc = "random lattices a point" },
-  seeds    = { 1000, int = true, min = 0, doc = "added to every sample's seed" },
+  seeds    = { 2000, int = true, min = 0, doc = "added to every sample's seed" },
   nodes    = { 800, int = true, min = 40, doc = "of the disk; the wall has five times as many" },
   soft     = { { 1, 2, 3, 4, 4.5, 6, 8, 10 }, min = 0, doc = "tangents of the incident angle, soft wall" },
   hard     = { { 0, 1, 2, 3, 4, 4.5, 5, 6 }, min = 0, doc = "tangents of the incident angle, hard wall" },
-  accuracy = { 1e-3, min = 1e-6, max = 0.1, doc = "wanted error of e from the time step" },
+  accuracy = { 3e-3, min = 1e-6, max = 0.1, doc = "wanted error of e from the time step" },
   full     = { false, doc = "100 lattices" },
 }
 local samples, list = p.full and 100 or p.samples, {}
@@ -71,7 +71,8 @@ ricochet.plot {
   xlabel = "Ψ_1", title = "Four claims of the paper, by its words and by the best reading of each",
   ylabel = { falls = "e: falls past 6?", exceeds = "e: above 1?", peaks = "μ: peaks at 3?",
     rises = "e, hard wall: even, then up?" },
-  caption = ("Best readings, from above: over at the first parting; 2400 nodes and a wall of 1/50; the disk's rim " ..
-    "the hull of its nodes; rims of two spacings and 0.01 R. By the paper's words: %d + %d nodes at random, all of " ..
-    "Delaunay's springs, forces along the spring's normal. %d lattices a point."):format(p.nodes, 5 * p.nodes, samples),
+  caption = ("Best readings, from above: over at the first parting (force below 1 %%); 2400 nodes and a wall of " ..
+    "1/50; the disk's rim the hull of its nodes; rims of two spacings and 0.01 R. By the paper's words: %d + %d " ..
+    "nodes at random, all of Delaunay's springs, forces along the spring's normal. %d lattices a point."):format(p.nodes,
+    5 * p.nodes, samples),
 }

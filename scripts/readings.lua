@@ -1,21 +1,21 @@
 -- What the paper's model leaves open, and which reading of it gives which of its claims (Hayakawa & Kuninaka 2003,
--- section V). Each reading is run over the same lattices: the soft wall at Psi1 = 1, 3, 6, 8, a fixed normal speed at
--- 2 and 6, the hard wall at 0, 3, 6. For every claim: the numbers that must be above 0 for it, with their standard
+-- section V). Each reading is run over the same lattices: the soft wall at Psi1 = 1, 3, 6, 10, a fixed normal speed
+-- at 2 and 6, the hard wall at 0, 3, 6. For every claim: the numbers that must be above 0 for it, with their standard
 -- errors; whether it is there, absent or undecided by so many lattices (95 %, Student's t); and by how much these
 -- numbers differ from those of the first reading, lattice by lattice. Then where e and mu are greatest on the soft
--- wall, by a bootstrap over lattices. Two readings are what not to do: by them energy is gained or lost, which the
--- script allows (energy_tolerance = 10) and tells. `samples`: lattices a reading; two minutes on two cores by
--- default. `full=true`: 64, twelve minutes.
+-- wall, by a bootstrap over lattices. Where one segment alone pushes a node is what not to do: energy is gained or
+-- lost, which the script allows (energy_tolerance = 10) and tells. `samples`: lattices a reading; two minutes on two
+-- cores by default. `full=true`: 64, a quarter of an hour.
 local ricochet = require "ricochet"
 local readings = require "ricochet.readings"
 local rows_of = require("ricochet.rows").rows_of
 local statistics = require "ricochet.statistics"
 
 local p = ricochet.parameters {
-  samples  = { 10, int = true, min = 2, doc = "random lattices a reading" },
+  samples  = { 8, int = true, min = 2, doc = "random lattices a reading" },
   seeds    = { 0, int = true, min = 0, doc = "added to every sample's seed: other lattices of the same kind" },
   nodes    = { 800, int = true, min = 40, doc = "of the disk; the wall has five times as many" },
-  accuracy = { 1e-3, min = 1e-6, max = 0.1, doc = "wanted error of e from the time step" },
+  accuracy = { 3e-3, min = 1e-6, max = 0.1, doc = "wanted error of e from the time step" },
   full     = { false, doc = "64 lattices" },
 }
 local samples = p.full and 64 or p.samples
@@ -83,7 +83,7 @@ local function soft_rows(reading)
   return rows_of(soft)
 end
 
-print "\ngreatest mean on the soft wall: Psi1 (95 %), share of resamples in which it is neither at 1 nor at 8"
+print "\ngreatest mean on the soft wall: Psi1 (95 %), share of resamples in which it is neither at 1 nor at 10"
 for _, reading in ipairs(readings.list) do
   local soft, parts = soft_rows(reading), {}
   for i, column in ipairs { "e", "mu" } do

@@ -144,7 +144,7 @@ TEST_CASE("a lattice that is passed over leaves another of its seed, which no ot
   int crossing = 0;
   for (int seed = 1; seed <= 40; ++seed) {
     try {
-      plan_nodes(hull_body(800, 0.03, seed), {});
+      plan_nodes(hull_body(800, 0.4, seed), {});
     } catch (const CrossingRim&) {
       ++crossing;
     }

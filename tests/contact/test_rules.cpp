@@ -54,7 +54,8 @@ Nearest nearest_to(const Vec2& p, const Solid& wall) {
 const std::atomic<bool> go_on{false};
 
 Scene at_rule(const std::string& rule, int seed, double step) {
-  Scene scene = small_scene(seed, 3, 0.1);
+  Scene scene = small_scene(seed, 1, 0.1);
+  scene.contact.sides = "two";
   scene.contact.rule = rule;
   scene.integration.method = "pefrl";
   scene.integration.energy_tolerance = 10;
@@ -107,12 +108,12 @@ TEST_CASE("the work of a contact around a closed path is none by the sum, and so
   const auto work_around = [&](const std::string& rule) {
     ExponentialRepulsion law = paper_contact();
     law.rule = rule;
-    constexpr int steps = 4000;
+    constexpr int steps = 2000;
     double work = 0;
     Vec2 before, force_before;
-    for (int k = 0; k <= steps; ++k) {  // a circle in which the disk comes near to the wall and slides along it
+    for (int k = 0; k <= steps; ++k) {  // a circle close to the wall, in which nothing crosses
       const double angle = 2 * std::numbers::pi * k / steps;
-      const Vec2 shift(0.1 * std::cos(angle), 1.06 + 0.03 * std::sin(angle));
+      const Vec2 shift(0.1 * std::cos(angle), 1.16 + 0.02 * std::sin(angle));
       pose.push(law, shift);
       const Vec2 force = pose.force_on_disk();
       if (k > 0) work += (force + force_before).dot(shift - before) / 2;
@@ -123,8 +124,8 @@ TEST_CASE("the work of a contact around a closed path is none by the sum, and so
   };
   const double sum = work_around("sum"), normal = work_around("spring_normal");
   INFO(sum << " " << normal);
-  CHECK(sum < 1e-4);
-  CHECK(normal > 100 * sum);
+  CHECK(sum < 1e-4 * normal);
+  CHECK(normal > 1e-2);  // m0 c^2: a disk at 0.1 c has 0.3
 }
 
 TEST_CASE("impacts gain or lose energy along the springs' normals, whatever the step") {

@@ -37,9 +37,12 @@ near((drawn.high - drawn.low) / (2 * 1.96 * drawn.se), 1, 0.03, "width")
 local again = ricochet.bootstrap { values = values, resamples = 20000 }
 assert(again.se == drawn.se and again.low == drawn.low)
 assert(ricochet.bootstrap { values = values, seed = 2 }.se ~= ricochet.bootstrap { values = values }.se)
-local counts, draws = { 0, 0, 0, 0, 0, 0 }, require("ricochet.core").draws(5, 60000, 6)
-for _, i in ipairs(draws) do counts[i] = counts[i] + 1 end
-for i = 1, 6 do near(counts[i], 10000, 5 * math.sqrt(10000 * 5 / 6), "face " .. i) end
+local counts, resamples = { 0, 0, 0, 0, 0, 0 }, 10000
+ricochet.bootstrap { values = { 1, 2, 3, 4, 5, 6 }, resamples = resamples, of = function(list)
+  for _, face in ipairs(list) do counts[face] = counts[face] + 1 end
+  return list[1]
+end }
+for face, count in ipairs(counts) do near(count, resamples + 1, 5 * math.sqrt(resamples * 5 / 6), "face " .. face) end
 )");
 }
 
