@@ -61,9 +61,10 @@ local function tics_of(axis)
   local values, edges, texts = axis.values, axis.edges, {}
   if axis.names then
     for i, value in ipairs(values) do
-      local room = axis.letter == "y" and math.huge or axis.pixels(edges[i], edges[i + 1]) / digit
+      local room = axis.letter == "y" and math.huge or axis.pixels(edges[i], edges[i + 1]) / digit - 2
       local lines = plot.wrapped(axis.names[i], room)
       for k, text in ipairs(lines) do lines[k] = gnuplot.quoted(text) end
+      axis.lines = math.max(axis.lines or 1, #lines)
       texts[i] = ("%s %.17g"):format(table.concat(lines, ' . "\\n" . '), value)
     end
     return ("set %stics (%s) noenhanced"):format(axis.letter, table.concat(texts, ", "))
@@ -192,7 +193,8 @@ local function draw(t, xs, ys, found)
   low, high = low - room, high + room
   local quoted = gnuplot.quoted
   script:panels {
-    count = 1, width = width + math.ceil(beside * digit), font = 12, key = "outside top left horizontal Left reverse samplen 2",
+    count = 1, width = width + math.ceil(beside * digit), font = 12,
+    key = "outside top left horizontal Left reverse samplen 2",
     panel = height, title = t.title and quoted(t.title) or "''", has_title = t.title ~= nil, below = texts_of(t, found),
     axes = ("unset grid\nset palette defined (%s)\nset cbrange [%.17g:%.17g]%s"):format(table.concat(palette, ", "),
       low, high, t.log ~= "none" and "\nset logscale " .. t.log or ""),
@@ -202,8 +204,11 @@ local function draw(t, xs, ys, found)
       for _, axis in ipairs { xs, ys } do
         script:add("set %srange [%.17g:%.17g]", axis.letter, axis.edges[1], axis.edges[#axis.edges])
         script:add(tics_of(axis))
-        script:add("set %slabel %s enhanced", axis.letter, quoted(plot.label(axis.column, t.rows, axis.log)))
+        -- Names say what they are of.
+        local label = axis.names and "" or plot.label(axis.column, t.rows, axis.log)
+        script:add("set %slabel %s enhanced", axis.letter, quoted(label))
       end
+      if xs.lines then script:add("set bmargin %d", 2 + xs.lines) end
       script:add("set cblabel %s enhanced", quoted(plot.label(t.of, t.rows)))
       script:add("plot " .. table.concat(parts, ", \\\n     "))
     end,

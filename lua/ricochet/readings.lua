@@ -96,7 +96,7 @@ readings.claims = {
   { name = "e below 1 at fixed v_n", needs = "1 - e at Psi1 = 2 and at 6, v_n = 0.025 c",
     terms = { function(value) return 1 - value("fixed 2", "e") end,
       function(value) return 1 - value("fixed 6", "e") end } },
-  { name = "indentation 0.17 R", needs = "indentation at Psi1 = 1 above 0.16 R and below 0.18 R",
+  { name = "0.17 R deep", needs = "indentation at Psi1 = 1 above 0.16 R and below 0.18 R",
     terms = { function(value) return value("soft 1", "indentation") - 0.16 end,
       function(value) return 0.18 - value("soft 1", "indentation") end } },
 }

@@ -176,7 +176,8 @@ const std::vector<Member<EndRule>>& EndRule::fields() {
       {{"at",
         "string",
         "",
-        "parted: the bodies have parted for good; first_parting: a touch has ended and the bodies move apart, whatever follows; time: at "
+        "parted: the bodies have parted for good; first_parting: a touch has ended and the bodies move apart, whatever "
+        "follows; time: at "
         "a given time, whatever the bodies do",
         any_number,
         "parted",

@@ -20,7 +20,8 @@ inline double least_load(const Start& start, const Solids& solids) {
 }
 
 /// Asks for looks at the aimed pair beside the usual ones: at the greatest load of a touch so short that it falls
-/// between two of them, and where a touch ends that may be the first parting. `nearby`: the load, about; `began`, `ended`: a touch, by this step.
+/// between two of them, and where a touch ends that may be the first parting. `nearby`: the load, about; `began`,
+/// `ended`: a touch, by this step.
 inline void ask_for_looks(Run& run, double nearby, bool began, bool ended) {
   const TouchClock& clock = run.clock();
   ContactFrame& frame = run.frame;
