@@ -89,7 +89,8 @@ for i, rim in ipairs(rims) do
       if zero and one and other then
         lengths[#lengths + 1], lengths[#lengths + 2] = one.contact_length, other.contact_length
         some[#some + 1] = { rim = i, psi1 = psi1, sample = sample, rise = ((one.e + other.e) / 2 - zero.e) / (1 + e0),
-          kind = ("%g spacings, s = %g, wall %g"):format(rim[1], rim[2], rim[3]) }
+          one = (one.e - zero.e) / (1 + e0), other = (other.e - zero.e) / (1 + e0),
+          kind = ("spacing %g, s = %g, wall %g"):format(rim[1], rim[2], rim[3]) }
       end
     end
     local facets = statistics.of(lengths).mean / (rim[1] * lattice)
@@ -183,12 +184,21 @@ for k = 0, 60 do
 end
 local caption = ("Smooth disk of %d nodes, rough wall of %d: spacing of its rim over the lattice's, rms slope s, " ..
   "stiffness over the disk's; %d lattices a point, each struck from both sides."):format(p.nodes, 5 * p.nodes, samples)
+-- Both sides as the impacts that they are, a lattice's as one unit.
+local drawn = {}
+for _, point in ipairs(points) do
+  for _, e in ipairs { point.one, point.other } do
+    drawn[#drawn + 1] = { status = "finished", pair = point.sample, x2 = point.x2, chord2 = point.chord2,
+      kind = point.kind, rise = e }
+  end
+end
+rows_of(drawn)
 for _, picture in ipairs {
-    { "chord2", "slopes", "Ψ_1^2 s^2 min(1, spacing/length)^2, the squared slope of the contact's chord" },
-    { "x2", "slopes_facets", "Ψ_1^2 s^2" } } do
+    { "chord2", "slopes", "Ψ₁² s² min(1, spacing/length)²: of the slope of the contact's chord (log)" },
+    { "x2", "slopes_facets", "Ψ₁² s² (log)" } } do
   ricochet.plot {
-    rows = rows_of(points), x = picture[1], y = { "rise" }, by = "kind", name = picture[2], log = "x",
-    xlabel = picture[3], ylabel = { rise = "(⟨e⟩ − e_0)/(1 + e_0)" },
+    rows = drawn, x = picture[1], y = { "rise" }, by = "kind", name = picture[2], log = "x",
+    xlabel = picture[3], ylabel = { rise = "(⟨e⟩ − e₀)/(1 + e₀)" },
     theory = { rise = { { name = "nails: facets met as they face", points = lines.nails },
       { name = "its first order", points = lines.square }, { name = "tilted surface", f = function() return 0 end } } },
     yrange = { rise = { -0.2, 1 } },

@@ -115,7 +115,9 @@ const Columns& of_contact() {
        [](O o) { return o.centre_offset; }},
       {{"tan_alpha", "number", "", "slope of the chord between the ends of the contact, up in the direction of motion"},
        [](O o) { return o.tan_alpha; }},
-      {{"e_alpha", "number", "", "restitution of the contact point against the normal turned by alpha"},
+      {{"e_alpha", "number", "",
+        "restitution of the contact point against the normal turned by alpha; at grazing angles the speed along that "
+        "normal passes 0, and the mean over lattices is undefined: take a median"},
        [](O o) { return o.e_alpha; }},
   };
   return columns;
