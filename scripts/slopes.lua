@@ -10,7 +10,7 @@
 -- * A tilted surface: slopes have the mean 0 and are met alike: <e> - e0 = -(1 + e0) s^2, next to nothing.
 -- A contact of length l spans l/spacing facets, and its chord has only the slope s spacing/l where that is less than
 -- s. The second picture is drawn over Psi1^2 s^2, the first over the same with the slope of the chord.
--- `samples`: lattices a point; a minute and a half on two cores by default. `full=true`: 64 lattices and more rims,
+-- `samples`: lattices a point; a minute and a half on two cores by default. `full=true`: 40 lattices and more rims,
 -- ten minutes.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
@@ -23,9 +23,9 @@ local p = ricochet.parameters {
   psi1     = { { 2, 3, 4, 6 }, min = 0.1, doc = "tangents of the incident angle, beside 0" },
   nodes    = { 800, int = true, min = 40, doc = "of the disk; the wall has five times as many" },
   accuracy = { 1e-3, min = 1e-6, max = 0.1, doc = "wanted error of e from the time step" },
-  full     = { false, doc = "64 lattices, more rims" },
+  full     = { false, doc = "40 lattices, more rims" },
 }
-local samples = p.full and 64 or p.samples
+local samples = p.full and 40 or p.samples
 local lattice = math.sqrt(math.pi / p.nodes)
 -- Spacing over the lattice's, rms slope, stiffness of the wall over the disk's.
 local rims = {
