@@ -13,7 +13,7 @@ local p = ricochet.parameters {
   seeds    = { 2000, int = true, min = 0, doc = "added to every sample's seed" },
   nodes    = { 800, int = true, min = 40, doc = "of the disk; the wall has five times as many" },
   soft     = { { 1, 2, 3, 4, 4.5, 6, 8, 10 }, min = 0, doc = "tangents of the incident angle, soft wall" },
-  hard     = { { 0, 1, 2, 3, 4, 4.5, 6 }, min = 0, doc = "tangents of the incident angle, hard wall" },
+  hard     = { { 0, 1, 2, 3, 4, 4.5, 5, 6 }, min = 0, doc = "tangents of the incident angle, hard wall" },
   accuracy = { 3e-3, min = 1e-6, max = 0.1, doc = "wanted error of e from the time step" },
   full     = { false, doc = "100 lattices" },
 }
@@ -52,7 +52,7 @@ for _, claim in ipairs(claims) do
     for i, row in ipairs(rows_for(reading, claim.wall)) do
       local column = reading.first and claim.of .. "_first" or claim.of
       own[i] = { status = row.status, sample = row.sample, psi1 = row.psi1, [claim.of] = row[column],
-        reading = name == words and words or "the best reading" }
+        reading = ("%s, %s wall"):format(name == words and words or "the best reading", claim.wall) }
       local shown = { status = row.status, sample = row.sample, psi1 = row.psi1, reading = own[i].reading }
       for _, other in ipairs(claims) do shown[other.panel] = other == claim and row[column] or 0 / 0 end
       all[#all + 1] = shown
