@@ -38,8 +38,8 @@ local function rows_for(reading, wall)
     name = ("four_claims_%s_%s"):format(wall, run:lower():gsub("%W+", "_")),
     over = { sample = list, psi1 = p[wall] },
     scene = function(at)
-      return readings.scene(readings.by_name[run], p,
-        { sample = at.sample, wall = wall, launch = { speed = 0.1, psi1 = at.psi1 } })
+      return readings.scene(readings.by_name[run], p.nodes,
+        { sample = at.sample, wall = wall, launch = { speed = 0.1, psi1 = at.psi1 } }, p.accuracy)
     end,
   }:run()
   return made[key]

@@ -15,7 +15,6 @@ local p = ricochet.parameters {
   samples  = { 8, int = true, min = 2, doc = "random lattices a reading" },
   seeds    = { 0, int = true, min = 0, doc = "added to every sample's seed: other lattices of the same kind" },
   nodes    = { 800, int = true, min = 40, doc = "of the disk; the wall has five times as many" },
-  accuracy = { 3e-3, min = 1e-6, max = 0.1, doc = "wanted error of e from the time step" },
   full     = { false, doc = "64 lattices" },
 }
 local samples = p.full and 64 or p.samples
@@ -31,7 +30,7 @@ local rows = ricochet.sweep {
   name = "readings", over = { sample = list, reading = names, case = cases },
   scene = function(at)
     local case = readings.cases[at.case]
-    return readings.scene(readings.by_name[at.reading], p,
+    return readings.scene(readings.by_name[at.reading], p.nodes,
       { sample = at.sample, wall = case.wall, launch = case.launch })
   end,
 }:run()

@@ -1,6 +1,6 @@
 -- How the mean e rises with the slopes of a rough wall: many roughnesses, spacings and stiffnesses on one curve. A
 -- smooth disk comes in at 0.1 c, from both sides on every lattice; the wall alone is rough, the rms slope of its
--- segments s = sqrt(2) sd/spacing. e0 is the e of the same lattices at Psi1 = 0.
+-- segments s = sqrt(2) sd/spacing. e0 is the e of the same lattices head on, at the same normal speed.
 --
 -- Two pictures of what a rough wall does [here]:
 -- * Nails: the disk is reflected by one facet of slope a, e = -1 + (1 + e0)(1 + Psi1 a)/(1 + a^2), and meets facets
@@ -14,15 +14,15 @@
 -- ten minutes.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
+local readings = require "ricochet.readings"
 local rows_of = require("ricochet.rows").rows_of
 local statistics = require "ricochet.statistics"
 
 local p = ricochet.parameters {
   samples  = { 10, int = true, min = 2, doc = "random lattices a point, each struck from both sides" },
   seeds    = { 0, int = true, min = 0, doc = "added to every sample's seed" },
-  psi1     = { { 2, 3, 4, 6 }, min = 0.1, doc = "tangents of the incident angle, beside 0" },
+  psi1     = { { 2, 3, 4, 6 }, min = 0.1, doc = "tangents of the incident angle" },
   nodes    = { 800, int = true, min = 40, doc = "of the disk; the wall has five times as many" },
-  accuracy = { 1e-3, min = 1e-6, max = 0.1, doc = "wanted error of e from the time step" },
   full     = { false, doc = "40 lattices, more rims" },
 }
 local samples = p.full and 40 or p.samples
@@ -38,20 +38,22 @@ if p.full then
     rims[#rims + 1] = rim
   end
 end
-local places, angles, list = {}, { 0 }, {}
-for i, psi1 in ipairs(p.psi1) do angles[2 * i], angles[2 * i + 1] = psi1, -psi1 end
+local places, list = {}, {}
 for i in ipairs(rims) do places[i] = i end
 for k = 1, samples do list[k] = k + p.seeds end
 
 local rows = ricochet.sweep {
-  name = "slopes", over = { sample = list, rim = places, psi1 = angles },
+  name = "slopes", over = { sample = list, rim = places, slant = p.psi1, side = { -1, 0, 1 } },
   scene = function(at)
     local spacing, slope, ratio = table.unpack(rims[at.rim])
+    local method, theta = table.unpack(readings.steps[ratio < 1 and "soft" or "hard"])
     return ricochet.scene {
       projectile = ricochet.disk { nodes = p.nodes, mass = 1, stiffness = 1e4, seed = at.sample },
       target = ricochet.wall { nodes = 5 * p.nodes, mass = 1, stiffness = 1e4 * ratio, seed = at.sample,
         rim_spacing = spacing * lattice, roughness = slope * spacing * lattice / math.sqrt(2), crossing = "pass_over" },
-      launch = { speed = 0.1, psi1 = at.psi1 }, contact = figures.contact, accuracy = p.accuracy,
+      launch = at.side == 0 and { normal_speed = 0.1 / math.sqrt(1 + at.slant ^ 2) }
+        or { speed = 0.1, psi1 = at.side * at.slant }, contact = figures.contact,
+      method = method, theta = theta,
     }
   end,
 }:run()
@@ -69,23 +71,22 @@ local function nails(x)
   return x * x * integral(z) / (integral(z) + x * density(z))
 end
 
--- Of each rim and angle: the rise of the mean over its e at Psi1 = 0, lattice by lattice, over 1 + e0, where both sides
--- finished; and the slope of the chord.
+-- Of each rim and angle: the rise of the mean over e0, lattice by lattice, over 1 + e0, where all three finished; and the
+-- slope of the chord.
 local points = {}
 for i, rim in ipairs(rims) do
-  local of = {}
-  for _, row in ipairs(rows) do
-    if row.rim == i and row.status == "finished" then
-      of[row.sample] = of[row.sample] or {}
-      of[row.sample][row.psi1] = row
-    end
-  end
-  local e0 = statistics.of_finished(rows:where { rim = i, psi1 = 0 }, "e").mean
   for _, psi1 in ipairs(p.psi1) do
-    local lengths, some = {}, {}
+    local of, lengths, some = {}, {}, {}
+    for _, row in ipairs(rows:where { rim = i, slant = psi1 }) do
+      if row.status == "finished" then
+        of[row.sample] = of[row.sample] or {}
+        of[row.sample][row.side] = row
+      end
+    end
+    local e0 = statistics.of_finished(rows:where { rim = i, slant = psi1, side = 0 }, "e").mean
     for _, sample in ipairs(list) do
       local lattice_rows = of[sample] or {}
-      local zero, one, other = lattice_rows[0], lattice_rows[psi1], lattice_rows[-psi1]
+      local zero, one, other = lattice_rows[0], lattice_rows[1], lattice_rows[-1]
       if zero and one and other then
         lengths[#lengths + 1], lengths[#lengths + 2] = one.contact_length, other.contact_length
         some[#some + 1] = { rim = i, psi1 = psi1, sample = sample, rise = ((one.e + other.e) / 2 - zero.e) / (1 + e0),

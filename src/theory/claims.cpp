@@ -22,8 +22,11 @@ constexpr Claim list[] = {
      "the disk's rim is the hull of its random nodes, about 31 of them. With a rim as fine as the wall's mu rises to 2 "
      "and is level from there on",
      "a coarse, uneven rim of the disk: placement = \"hull\""},
-    {"section V D, hard wall", "e is almost constant, and exceeds unity suddenly around Psi1 = 4.5", "0.976 +- 0.002, 1.02 +- 0.01, 1.00 +- 0.02, 1.05 +- 0.03 at Psi1 = 0, 1, 2, 3, and 1.15 +- 0.04, 1.19 +- 0.05, 1.29 "
-     "+- 0.06 at 4, 4.5, 6: even up to 3 and above 1 from 4 on, but nothing sudden. With the paper's rims, whose slopes "
+    {"section V D, hard wall", "e is almost constant, and exceeds unity suddenly around Psi1 = 4.5",
+     "0.976 +- 0.002, 1.02 +- 0.01, 1.00 +- 0.02, 1.05 +- 0.03 at Psi1 = 0, 1, 2, 3, and 1.15 +- 0.04, 1.19 +- 0.05, "
+     "1.29 "
+     "+- 0.06 at 4, 4.5, 6: even up to 3 and above 1 from 4 on, but nothing sudden. With the paper's rims, whose "
+     "slopes "
      "are 0.67, e rises all along, to 1.62 +- 0.10 at 4.5",
      "gentle slopes: rim_spacing twice the lattice's, roughness = 0.01; the law of scripts/slopes.lua"},
     {"section V D, fixed v_n", "e cannot exceed unity with fixed v_n",
