@@ -11,7 +11,8 @@ constexpr Claim list[] = {
      "collision "
      "is over at its first parting, the force below 1 % of its greatest: at 10 the disk touches 4.8 times. None where "
      "the bodies part for good: e rises to 0.98 +- 0.03. By 0.1 % of the force it is level from 4 to 10",
-     "the end of the collision: ending = { at = \"first_parting\", force = 0.01 }"},
+     "the end of the collision: ending = { at = \"first_parting\", force = 0.01 }; a harder contact parts sooner "
+     "still"},
     {"figure fig2, e on the soft wall", "the mean e exceeds unity",
      "1.04 +- 0.03, 1.11 +- 0.03, 1.24 +- 0.05 at Psi1 = 4.5, 6, 10 with 400 + 2000 nodes and a wall of 1/50. With 800 "
      "+ "
