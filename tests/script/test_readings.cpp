@@ -120,3 +120,46 @@ ricochet.heat_map { rows = rows_of(list), x = "x", y = "y", of = "score", name =
   const Ended refused = here.script(map + "{ 'low' } }", "--force");
   CHECK(refused.first_line() == "error: s.lua:8: heat_map: 'ynames' has 1 names for 3 values of y");
 }
+
+TEST_CASE(
+    "readings: a claim is there or absent by chance in one of forty cases each, and lattices are compared by pairs") {
+  const Ended ended = script_with_module(R"(local readings = require "ricochet.readings"
+local function normal() return math.sqrt(-2 * math.log(1 - math.random())) * math.cos(2 * math.pi * math.random()) end
+math.randomseed(5)
+local claim = { terms = { function(value) return value("soft 6", "e") - 1 end } }
+local count, verdicts = 4000, { there = 0, absent = 0, undecided = 0 }
+for _ = 1, count do
+  local numbers = {}
+  for sample = 1, 6 do numbers[sample] = { normal() } end
+  local verdict = readings.judged(numbers, claim).verdict
+  verdicts[verdict] = verdicts[verdict] + 1
+end
+for _, name in ipairs { "there", "absent" } do
+  assert(math.abs(verdicts[name] / count - 0.025) < 0.008, name .. " " .. verdicts[name] / count)
+end
+-- Of two terms the lesser decides.
+local both = { terms = { claim.terms[1], claim.terms[1] } }
+local judged = readings.judged({ { 1, -1 }, { 1.1, -1.1 }, { 0.9, -0.9 } }, both)
+assert(judged.verdict == "absent" and judged.count == 3 and judged.score == judged.terms[2].score)
+assert(readings.judged({ { 1 } }, claim).verdict == "undecided")
+-- What a lattice has in both readings falls out; one that is in one alone says nothing.
+local one, other = {}, { [99] = { 7 } }
+for sample = 1, 5 do
+  local own = normal()
+  one[sample], other[sample] = { own + 0.5 }, { own }
+end
+local difference = readings.difference(one, other, claim)[1]
+assert(math.abs(difference.mean - 0.5) < 1e-12 and difference.se < 1e-12 and difference.count == 5)
+-- Rows: e of a reading, e_first of the one that is over at the first parting; a lattice that failed is left out.
+local rows = {
+  { reading = "present", case = "soft 6", sample = 1, status = "finished", e = 1.5, e_first = 0.5 },
+  { reading = "present", case = "soft 6", sample = 2, status = "tunnelled", e = 0 / 0, e_first = 0 / 0 },
+  { reading = "smooth wall", case = "soft 6", sample = 3, status = "finished", e = 9, e_first = 9 },
+}
+local present = readings.numbers(rows, readings.by_name["present"], claim)
+local parting = readings.numbers(rows, readings.by_name["first parting"], claim)
+assert(present[1][1] == 0.5 and parting[1][1] == -0.5 and not present[2] and not present[3])
+)");
+  INFO(ended.out << ended.err);
+  CHECK(ended.status == 0);
+}
