@@ -71,8 +71,8 @@ local function nails(x)
   return x * x * integral(z) / (integral(z) + x * density(z))
 end
 
--- Of each rim and angle: the rise of the mean over e0, lattice by lattice, over 1 + e0, where all three finished; and the
--- slope of the chord.
+-- Of each rim and angle: the rise of the mean over e0, lattice by lattice, over 1 + e0, where all three finished; and
+-- the slope of the chord.
 local points = {}
 for i, rim in ipairs(rims) do
   for _, psi1 in ipairs(p.psi1) do

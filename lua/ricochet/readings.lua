@@ -44,11 +44,12 @@ readings.parted = 0.01
 readings.by_name = {}
 for _, reading in ipairs(readings.list) do readings.by_name[reading.name] = reading end
 
---- Method and theta of a scene that asks for no accuracy. Where trials chose them, e was right to 1e-4 (hard wall) and to
---- 1e-3 (soft wall, theta = 13.9): but not of uniform nodes, whose slivers let no step settle e to better than 0.04.
+--- Method and theta of a scene that asks for no accuracy. Where trials chose them, e was right to 1e-4 (hard wall) and
+--- to 1e-3 (soft wall, theta = 13.9): but not of uniform nodes, whose slivers let no step settle e to better than 0.04.
 readings.steps = { soft = { "multirate_5", 10 }, hard = { "verlet", 1.6 } }
 
---- The scene of a reading. disk_nodes: of the disk of the first; accuracy: if wanted; at: sample, wall ("soft" or "hard"), launch.
+--- The scene of a reading. disk_nodes: of the disk of the first; at: sample, wall ("soft" or "hard"), launch; accuracy:
+--- if wanted.
 function readings.scene(reading, disk_nodes, at, accuracy)
   local nodes = math.floor(disk_nodes * (reading.nodes or 1))
   local ratio = at.wall == "hard" and 10 or reading.ratio or 1 / 100
