@@ -48,8 +48,8 @@ for _, reading in ipairs(readings.list) do readings.by_name[reading.name] = read
 --- to 1e-3 (soft wall, theta = 13.9): but not of uniform nodes, whose slivers let no step settle e to better than 0.04.
 readings.steps = { soft = { "multirate_5", 10 }, hard = { "verlet", 1.6 } }
 
---- The scene of a reading. disk_nodes: of the disk of the first; at: sample, wall ("soft" or "hard"), launch; accuracy:
---- if wanted.
+--- The scene of a reading. disk_nodes: of the disk of the first; at: sample, wall ("soft" or "hard"), launch, and what
+--- share of the force ends a touch, if not readings.parted; accuracy: if wanted.
 function readings.scene(reading, disk_nodes, at, accuracy)
   local nodes = math.floor(disk_nodes * (reading.nodes or 1))
   local ratio = at.wall == "hard" and 10 or reading.ratio or 1 / 100
@@ -64,7 +64,7 @@ function readings.scene(reading, disk_nodes, at, accuracy)
   local contact = {}
   for name, value in pairs(figures.contact) do contact[name] = value end
   contact.sides, contact.rule = reading.sides or contact.sides, reading.rule
-  local scene = { contact = contact, launch = at.launch, ending = { force = readings.parted },
+  local scene = { contact = contact, launch = at.launch, ending = { force = at.parted or readings.parted },
     energy_tolerance = reading.tolerance,
     projectile = body(ricochet.disk, nodes, 1e4, reading.disk_placement or reading.placement, roughness),
     target = body(ricochet.wall, 5 * nodes, 1e4 * ratio, reading.placement, reading.wall_roughness or roughness) }
