@@ -26,6 +26,7 @@
 ---@field summary fun(self: ricochet.rows, t: ricochet.rows_summary_fields): ricochet.summary
 ---@field power_law fun(self: ricochet.rows, t: ricochet.rows_power_law_fields): table
 ---@field paired fun(self: ricochet.rows, t: ricochet.rows_paired_fields): table
+---@field peak fun(self: ricochet.rows, t: ricochet.rows_peak_fields): table
 ---@field where fun(self: ricochet.rows, columns: table): ricochet.rows
 
 local ricochet = { file = {}, theory = {}, materials = {} }
@@ -50,7 +51,7 @@ function ricochet.material(t) end
 ---@class ricochet.body_fields
 ---@field outline number[][] corners { {x, y}, ... } in order along the boundary; the first may close it as the last; concave is fine, crossing itself is not [R]
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field placement? "uniform"|"poisson_disk"|"triangular"|"hull" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early; hull: all nodes are such points, and the rim is their convex hull, coarse and uneven (about 3.4 nodes^(1/3) nodes of a disk), of a convex outline without holes (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
@@ -59,6 +60,8 @@ function ricochet.material(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field triangulation? "clipped"|"plain" which of Delaunay's triangles are joined by springs: clipped, those inside the rim; plain, all, so that springs across the valleys of a rough rim stay, and their area counts, of a convex outline without holes (default clipped)
+---@field crossing? "refuse"|"pass_over" what if the rough rim crosses itself: refuse the body; pass_over, take the next lattice of its seed, whose numbers are others; what runs then tells how many were passed over (default refuse)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
@@ -89,7 +92,7 @@ function ricochet.body(t) end
 ---@class ricochet.disk_fields
 ---@field radius? number radius [R] (default 1)
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field placement? "uniform"|"poisson_disk"|"triangular"|"hull" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early; hull: all nodes are such points, and the rim is their convex hull, coarse and uneven (about 3.4 nodes^(1/3) nodes of a disk), of a convex outline without holes (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
@@ -98,6 +101,8 @@ function ricochet.body(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field triangulation? "clipped"|"plain" which of Delaunay's triangles are joined by springs: clipped, those inside the rim; plain, all, so that springs across the valleys of a rough rim stay, and their area counts, of a convex outline without holes (default clipped)
+---@field crossing? "refuse"|"pass_over" what if the rough rim crosses itself: refuse the body; pass_over, take the next lattice of its seed, whose numbers are others; what runs then tells how many were passed over (default refuse)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
@@ -129,7 +134,7 @@ function ricochet.disk(t) end
 ---@field a? number half axis along x [R] (default 1)
 ---@field b? number half axis along y [R] (default 0.5)
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field placement? "uniform"|"poisson_disk"|"triangular"|"hull" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early; hull: all nodes are such points, and the rim is their convex hull, coarse and uneven (about 3.4 nodes^(1/3) nodes of a disk), of a convex outline without holes (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
@@ -138,6 +143,8 @@ function ricochet.disk(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field triangulation? "clipped"|"plain" which of Delaunay's triangles are joined by springs: clipped, those inside the rim; plain, all, so that springs across the valleys of a rough rim stay, and their area counts, of a convex outline without holes (default clipped)
+---@field crossing? "refuse"|"pass_over" what if the rough rim crosses itself: refuse the body; pass_over, take the next lattice of its seed, whose numbers are others; what runs then tells how many were passed over (default refuse)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
@@ -168,7 +175,7 @@ function ricochet.ellipse(t) end
 ---@class ricochet.sphere_fields
 ---@field radius? number radius [R] (default 1)
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field placement? "uniform"|"poisson_disk"|"triangular"|"hull" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early; hull: all nodes are such points, and the rim is their convex hull, coarse and uneven (about 3.4 nodes^(1/3) nodes of a disk), of a convex outline without holes (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
@@ -177,6 +184,8 @@ function ricochet.ellipse(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field triangulation? "clipped"|"plain" which of Delaunay's triangles are joined by springs: clipped, those inside the rim; plain, all, so that springs across the valleys of a rough rim stay, and their area counts, of a convex outline without holes (default clipped)
+---@field crossing? "refuse"|"pass_over" what if the rough rim crosses itself: refuse the body; pass_over, take the next lattice of its seed, whose numbers are others; what runs then tells how many were passed over (default refuse)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
@@ -208,7 +217,7 @@ function ricochet.sphere(t) end
 ---@field radius? number radius [R] (default 1)
 ---@field height? number extent along its axis, centred [R] (default 1)
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field placement? "uniform"|"poisson_disk"|"triangular"|"hull" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early; hull: all nodes are such points, and the rim is their convex hull, coarse and uneven (about 3.4 nodes^(1/3) nodes of a disk), of a convex outline without holes (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
@@ -217,6 +226,8 @@ function ricochet.sphere(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field triangulation? "clipped"|"plain" which of Delaunay's triangles are joined by springs: clipped, those inside the rim; plain, all, so that springs across the valleys of a rough rim stay, and their area counts, of a convex outline without holes (default clipped)
+---@field crossing? "refuse"|"pass_over" what if the rough rim crosses itself: refuse the body; pass_over, take the next lattice of its seed, whose numbers are others; what runs then tells how many were passed over (default refuse)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
@@ -248,7 +259,7 @@ function ricochet.cylinder(t) end
 ---@field width? number extent along x, centred [R] (default 2)
 ---@field height? number extent along y, centred [R] (default 1)
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field placement? "uniform"|"poisson_disk"|"triangular"|"hull" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early; hull: all nodes are such points, and the rim is their convex hull, coarse and uneven (about 3.4 nodes^(1/3) nodes of a disk), of a convex outline without holes (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
@@ -257,6 +268,8 @@ function ricochet.cylinder(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field triangulation? "clipped"|"plain" which of Delaunay's triangles are joined by springs: clipped, those inside the rim; plain, all, so that springs across the valleys of a rough rim stay, and their area counts, of a convex outline without holes (default clipped)
+---@field crossing? "refuse"|"pass_over" what if the rough rim crosses itself: refuse the body; pass_over, take the next lattice of its seed, whose numbers are others; what runs then tells how many were passed over (default refuse)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
@@ -288,7 +301,7 @@ function ricochet.rectangle(t) end
 ---@field sides? integer how many sides, of equal length (default 6)
 ---@field radius? number of its corners from the centre [R] (default 1)
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field placement? "uniform"|"poisson_disk"|"triangular"|"hull" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early; hull: all nodes are such points, and the rim is their convex hull, coarse and uneven (about 3.4 nodes^(1/3) nodes of a disk), of a convex outline without holes (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
@@ -297,6 +310,8 @@ function ricochet.rectangle(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field triangulation? "clipped"|"plain" which of Delaunay's triangles are joined by springs: clipped, those inside the rim; plain, all, so that springs across the valleys of a rough rim stay, and their area counts, of a convex outline without holes (default clipped)
+---@field crossing? "refuse"|"pass_over" what if the rough rim crosses itself: refuse the body; pass_over, take the next lattice of its seed, whose numbers are others; what runs then tells how many were passed over (default refuse)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
@@ -327,7 +342,7 @@ function ricochet.regular_polygon(t) end
 ---@class ricochet.polygon_fields
 ---@field outline number[][] corners { {x, y}, ... } in order along the boundary; the first may close it as the last; concave is fine, crossing itself is not [R]
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field placement? "uniform"|"poisson_disk"|"triangular"|"hull" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early; hull: all nodes are such points, and the rim is their convex hull, coarse and uneven (about 3.4 nodes^(1/3) nodes of a disk), of a convex outline without holes (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
@@ -336,6 +351,8 @@ function ricochet.regular_polygon(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field triangulation? "clipped"|"plain" which of Delaunay's triangles are joined by springs: clipped, those inside the rim; plain, all, so that springs across the valleys of a rough rim stay, and their area counts, of a convex outline without holes (default clipped)
+---@field crossing? "refuse"|"pass_over" what if the rough rim crosses itself: refuse the body; pass_over, take the next lattice of its seed, whose numbers are others; what runs then tells how many were passed over (default refuse)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
@@ -375,7 +392,7 @@ function ricochet.rotated(t) end
 ---@field width? number extent along x, centred [R] (default 8)
 ---@field depth? number extent below y = 0 [R] (default 2)
 ---@field nodes? integer number of mass points, those on the outline included (default 4000)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field placement? "uniform"|"poisson_disk"|"triangular"|"hull" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early; hull: all nodes are such points, and the rim is their convex hull, coarse and uneven (about 3.4 nodes^(1/3) nodes of a disk), of a convex outline without holes (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
@@ -384,6 +401,8 @@ function ricochet.rotated(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field triangulation? "clipped"|"plain" which of Delaunay's triangles are joined by springs: clipped, those inside the rim; plain, all, so that springs across the valleys of a rough rim stay, and their area counts, of a convex outline without holes (default clipped)
+---@field crossing? "refuse"|"pass_over" what if the rough rim crosses itself: refuse the body; pass_over, take the next lattice of its seed, whose numbers are others; what runs then tells how many were passed over (default refuse)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
@@ -413,7 +432,7 @@ function ricochet.wall(t) end
 ---@class ricochet.half_space_fields
 ---@field extent? number radius of the block, and its depth below y = 0 [R] (default 10)
 ---@field nodes? integer number of mass points, those on the outline included (default 800)
----@field placement? "uniform"|"poisson_disk"|"triangular" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early (default poisson_disk)
+---@field placement? "uniform"|"poisson_disk"|"triangular"|"hull" how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside narrow triangles, and folds early; hull: all nodes are such points, and the rim is their convex hull, coarse and uneven (about 3.4 nodes^(1/3) nodes of a disk), of a convex outline without holes (default poisson_disk)
 ---@field seed? integer chooses the random lattice (default 1)
 ---@field stiffness? number|fun(x: number, y: number): number spring constant ka of T = ka x + kb x^3; a function (x, y) gives that of a node, a spring takes the mean of its ends [m0 c^2/R^2] (default 10000)
 ---@field quartic? number kb / ka; 0 makes the springs linear [1/R^2] (default 0.001)
@@ -422,6 +441,8 @@ function ricochet.wall(t) end
 ---@field roughness? number standard deviation of the rim along its outward normal; anchored rim nodes stay smooth [R] (default 0)
 ---@field rim_spacing? number distance of neighbours on the rim; that of the lattice, sqrt(area / nodes), unless given [R]
 ---@field margin? number least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case [R] (default 0)
+---@field triangulation? "clipped"|"plain" which of Delaunay's triangles are joined by springs: clipped, those inside the rim; plain, all, so that springs across the valleys of a rough rim stay, and their area counts, of a convex outline without holes (default clipped)
+---@field crossing? "refuse"|"pass_over" what if the rough rim crosses itself: refuse the body; pass_over, take the next lattice of its seed, whose numbers are others; what runs then tells how many were passed over (default refuse)
 ---@field angle? number by which the finished body is turned about the origin, counter-clockwise; places in other fields are those before it [degrees] (default 0)
 ---@field prestress? number standard deviation of the springs' rest lengths over their own; the lattice is relaxed to where they balance (default 0)
 ---@field interior? "springs"|"elements"|"modes"|"rigid" what holds it together: springs between its nodes; elements, triangles of an elastic material; modes: its slowest free vibrations alone, in a frame that flies and turns, for small strains; rigid: nothing moves inside, for a target (default springs)
@@ -494,9 +515,10 @@ function ricochet.scene(t) end
 ---@field reach? number segments farther than this from a node are left out; 20 <= xi reach <= 700; it widens by itself where an impact is so slow that what is left out would show; 30/xi unless given [R]
 ---@field sides? "one"|"two" two: nodes of either body are pushed off segments of the other; one: the projectile's alone (the paper), between which a tip of the target may stand inside (default two)
 ---@field deepest? number how deep a node that a one-sided contact does not push may stand inside, beyond which the impact ends tunnelled: the mean cell of the projectile's surface unless given. The paper's rough scenes finish from 0.86 of the mean cell on: 0.053 R of 800 nodes, 0.076 R of 400. A node that is pushed may not be inside at all [R]
+---@field rule? "sum"|"nearest"|"spring_normal" which segments push a node. sum: all within reach, which conserves energy. What not to do, for comparison: nearest: the nearest alone, whose force jumps where another becomes it, so that the order of a method is lost; spring_normal: the nearest, along its normal wherever the node stands (the words of the paper), which beside a vertex is no gradient of any energy: impacts gain or lose some, and need an energy_tolerance (default sum)
 
 ---@class ricochet.ending_fields
----@field at? "parted"|"first_parting"|"time" parted: the bodies have parted for good; first_parting: the first touch has ended, whatever follows; time: at a given time, whatever the bodies do (default parted)
+---@field at? "parted"|"first_parting"|"time" parted: the bodies have parted for good; first_parting: a touch has ended and the bodies move apart, whatever follows; time: at a given time, whatever the bodies do (default parted)
 ---@field force? number a touch lasts while the normal force exceeds this share of its greatest in that touch (default 0.001)
 ---@field gap? number how far apart the surfaces must be besides; with parted it is the contact's reach unless given [R]
 ---@field time? number with time: since the surfaces came within reach of each other [R/c]
@@ -652,6 +674,25 @@ function ricochet.sweep(t) end
 ---@return table
 function ricochet.range(first, last, step) end
 
+---@class ricochet.bootstrap_fields
+---@field values table list of numbers
+---@field of? function function (list) that returns a number; their mean unless given
+---@field resamples? integer how often it is drawn (default 2000)
+---@field seed? integer of the draws (default 1)
+---@field share? number of the resamples that lie between low and high (default 0.95)
+--- The standard error and the interval of any statistic of numbers that are independent, by a bootstrap: a table of `value`, `se`, `low`, `high` (quantiles of the statistic over the resamples), `count` and `reason`, which says why there is no error (nan) where there is none. The interval is narrow where numbers are few: that of the mean of 8 holds the true one in 89 of 100 cases instead of 95, of 40 in 94. Undefined values (nan) are left out.
+---@param t ricochet.bootstrap_fields
+---@return table
+function ricochet.bootstrap(t) end
+
+---@class ricochet.rows_peak_fields
+---@field x string column of numbers
+---@field of string column whose mean is taken
+---@field unit? string as in rows:power_law
+---@field resamples? integer how often it is drawn (default 2000)
+---@field seed? integer of the draws (default 1)
+---@field share? number of the resamples that lie between low and high (default 0.95)
+
 ---@class ricochet.series_fields
 ---@field scene ricochet.scene what happens
 ---@field of table list of quantities of the `state`, and name = function (state) that returns a number
@@ -758,6 +799,8 @@ function ricochet.histogram(t) end
 ---@field x string column along x
 ---@field y string column along y
 ---@field of? string column whose mean colours the cells (default e)
+---@field xnames? string[] instead of the values along x, in their rising order
+---@field ynames? string[] the same along y
 ---@field log? "none"|"x"|"y"|"xy" axes with a logarithmic scale (default none)
 ---@field name string file name without extension
 ---@field title? string above the plot

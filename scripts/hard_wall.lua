@@ -1,6 +1,8 @@
 -- e against Psi1 for a soft disk on a wall ten times harder: Hayakawa & Kuninaka 2003, section V D, figure "hard".
--- There e is almost constant and exceeds unity suddenly near Psi1 = 4.5; here it rises all along, and exceeds unity
--- from Psi1 = 2 on.
+-- There e is almost constant, and exceeds unity suddenly near Psi1 = 4.5; here it rises all along, and exceeds unity
+-- from Psi1 = 2 on. The reading is that of scripts/soft_wall.lua, whose rims of 0.03 R have slopes of 0.67: so steep
+-- are they that the contact meets facets that face it at any angle. Rims of twice the spacing and 0.01 R, slopes of
+-- 0.11, stay even up to 3 and exceed unity from 4 on: scripts/four_claims.lua; the law of it: scripts/slopes.lua.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 

@@ -40,7 +40,12 @@ local function axis_of(t, summary, letter)
     end
     set[value] = true
   end
-  local axis = { column = column, letter = letter, log = t.log:find(letter) ~= nil, values = rising(set) }
+  local axis = { column = column, letter = letter, log = t.log:find(letter) ~= nil, values = rising(set),
+    names = t[letter .. "names"] }
+  if axis.names and #axis.names ~= #axis.values then
+    core.fail(("'%snames' has %d names for %d values of %s"):format(letter, #axis.names, #axis.values, column),
+      letter .. "names")
+  end
   if axis.log and axis.values[1] <= 0 then
     core.fail(("'log' along %s needs values above 0, %s goes down to %g"):format(letter, column, axis.values[1]), "log")
   end
@@ -54,6 +59,16 @@ end
 -- A tick at each value, if they do not cover each other.
 local function tics_of(axis)
   local values, edges, texts = axis.values, axis.edges, {}
+  if axis.names then
+    for i, value in ipairs(values) do
+      local room = axis.letter == "y" and math.huge or axis.pixels(edges[i], edges[i + 1]) / digit - 2
+      local lines = plot.wrapped(axis.names[i], room)
+      for k, text in ipairs(lines) do lines[k] = gnuplot.quoted(text) end
+      axis.lines = math.max(axis.lines or 1, #lines)
+      texts[i] = ("%s %.17g"):format(table.concat(lines, ' . "\\n" . '), value)
+    end
+    return ("set %stics (%s) noenhanced"):format(axis.letter, table.concat(texts, ", "))
+  end
   for i, value in ipairs(values) do
     texts[i] = ("'%.5g' %.17g"):format(value, value)
     local room = i > 1 and axis.pixels(values[i - 1], value) or math.huge
@@ -132,6 +147,7 @@ end
 
 local function texts_of(t, found)
   local below = t.caption and plot.wrapped(t.caption, 100) or {}
+  if #t.rows > 0 and rawget(t.rows[1], "status") == nil then return below end  -- data, no impacts
   local over = rows_module.averaged(t.rows, { t.x, t.y })
   local text = ("%d impacts, %d failed"):format(found.finished, found.failed)
   if found.most > 0 then
@@ -144,8 +160,16 @@ local function texts_of(t, found)
   return below
 end
 
+-- What the names of a y axis need beside what numbers have. [characters]
+local function longest(names)
+  local most = 0
+  for _, name in ipairs(names or {}) do most = math.max(most, utf8.len(name)) end
+  return math.max(0, most - 6)
+end
+
 local function draw(t, xs, ys, found)
   local script = gnuplot.script(t.name)
+  local beside = longest(ys.names)
   local parts, shown = {}, numbers(found, xs, ys)
   if #found.full > 0 then
     script:data("cells", boxes(found.full, xs, ys))
@@ -169,18 +193,22 @@ local function draw(t, xs, ys, found)
   low, high = low - room, high + room
   local quoted = gnuplot.quoted
   script:panels {
-    count = 1, width = width, font = 12, key = "outside top left horizontal Left reverse samplen 2",
+    count = 1, width = width + math.ceil(beside * digit), font = 12,
+    key = "outside top left horizontal Left reverse samplen 2",
     panel = height, title = t.title and quoted(t.title) or "''", has_title = t.title ~= nil, below = texts_of(t, found),
     axes = ("unset grid\nset palette defined (%s)\nset cbrange [%.17g:%.17g]%s"):format(table.concat(palette, ", "),
       low, high, t.log ~= "none" and "\nset logscale " .. t.log or ""),
     draw = function(place)
       place(1)
-      script:add("set lmargin 11\nset rmargin 6\nset border 3\nset tics out")
+      script:add("set lmargin %d\nset rmargin 6\nset border 3\nset tics out", 11 + beside)
       for _, axis in ipairs { xs, ys } do
         script:add("set %srange [%.17g:%.17g]", axis.letter, axis.edges[1], axis.edges[#axis.edges])
         script:add(tics_of(axis))
-        script:add("set %slabel %s enhanced", axis.letter, quoted(plot.label(axis.column, t.rows, axis.log)))
+        -- Names say what they are of.
+        local label = axis.names and "" or plot.label(axis.column, t.rows, axis.log)
+        script:add("set %slabel %s enhanced", axis.letter, quoted(label))
       end
+      if xs.lines then script:add("set bmargin %d", 2 + xs.lines) end
       script:add("set cblabel %s enhanced", quoted(plot.label(t.of, t.rows)))
       script:add("plot " .. table.concat(parts, ", \\\n     "))
     end,

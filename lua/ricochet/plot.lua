@@ -411,7 +411,9 @@ local function plot(given)
   write_entries(t, "published", published, script, xs, ys, math.huge)
   write_entries(t, "theory", theory, script, xs, ys, t.rows and 0.5 or math.huge)
   finish_yranges(t, ys)
-  if t.rows and not is_series(t.rows) then core.plotted(t.rows[1].scene_hash, t.x, t.y, t.curves) end
+  -- Rows that a script made itself belong to no scene.
+  local hash = t.rows and not is_series(t.rows) and rawget(t.rows[1], "scene_hash")
+  if hash then core.plotted(hash, t.x, t.y, t.curves) end
   local at, side_by_side = {}, false
   if t.by and not is_series(t.rows) and not t.nothing then
     at, side_by_side = dodged(t, list, xs, ys)

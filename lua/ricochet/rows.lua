@@ -1,5 +1,6 @@
 -- Rows of a sweep: an array of tables, one an impact, with summaries.
 local core = require "ricochet.core"
+local bootstrap = require "ricochet.bootstrap"
 local paired = require "ricochet.paired"
 local power_law = require "ricochet.power_law"
 local statistics = require "ricochet.statistics"
@@ -21,7 +22,7 @@ Rows.__index = function(rows, name)
   if #rows > 0 and rawget(rows[1], name) ~= nil then
     core.fail_here(("'%s' is a column of each row: rows[i].%s"):format(name, name))
   end
-  core.unknown("the table of rows", name, { "summary", "where", "power_law", "paired" })
+  core.unknown("the table of rows", name, { "summary", "where", "power_law", "paired", "peak" })
 end
 Rows.__call = function() core.fail_here "rows are a list; write: for _, row in ipairs(rows) do" end
 
@@ -147,6 +148,20 @@ Rows.power_law = core.wrap(function(self, given)
     if is_data(row) then list[#list + 1] = row end
   end
   return core.strict(power_law(list, t.x, t.y, unit), "the table of a power law")
+end)
+
+Rows.peak = core.wrap(function(self, given)
+  if not core.is(self, Rows) then core.fail "is a method of rows: write rows:peak { ... }, with a colon" end
+  local t = core.check("rows:peak", given)
+  known_column(self, t.x, "x")
+  known_column(self, t.of, "of")
+  for _, row in ipairs(self) do
+    if is_data(row) and (type(row[t.x]) ~= "number" or row[t.x] ~= row[t.x]) then
+      core.fail(("column '%s' holds what is no number"):format(t.x), "x")
+    end
+  end
+  return core.strict(bootstrap.peak(self, t.x, t.of, lattice_column(self, t.unit), t.resamples, t.seed, t.share),
+    "the table of a peak")
 end)
 
 local rows_of

@@ -33,6 +33,11 @@ std::shared_ptr<const Solid> build_rigid(const NodePlan& plan) {
   return solid;
 }
 
+std::vector<Triangle> triangles_of(const Body& body, const NodePlan& plan) {
+  if (!plan.triangles.empty()) return plan.triangles;
+  return body.numbers.plain() ? triangulate(plan.points) : triangulate(plan.points, plan.rim_cells);
+}
+
 }  // namespace
 
 std::shared_ptr<const Solid> build_solid(const Body& body) {
@@ -40,8 +45,7 @@ std::shared_ptr<const Solid> build_solid(const Body& body) {
   const NodePlan plan = plan_nodes(body, body.anchored), placed = turned(plan, body.numbers.angle);
   if (body.rigid()) return build_rigid(placed);
   // Triangles of the plan as it was: a turned body is the same lattice.
-  JoinedNodes joined =
-      join_nodes(body, placed, plan.triangles.empty() ? triangulate(plan.points, plan.rim_cells) : plan.triangles);
+  JoinedNodes joined = join_nodes(body, placed, triangles_of(body, plan));
   if (body.numbers.of_elements())
     joined.solid->interior = build_elements(body, joined);
   else

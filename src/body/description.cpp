@@ -110,11 +110,12 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
           "string",
           "",
           "how the interior nodes are placed; uniform, at independent random points, leaves voids, light nodes beside "
-          "narrow triangles, and folds early",
+          "narrow triangles, and folds early; hull: all nodes are such points, and the rim is their convex hull, "
+          "coarse and uneven (about 3.4 nodes^(1/3) nodes of a disk), of a convex outline without holes",
           any_number,
           "poisson_disk",
           false,
-          {"uniform", "poisson_disk", "triangular"}},
+          {"uniform", "poisson_disk", "triangular", "hull"}},
          &BodyNumbers::placement},
         {{"seed", "integer", "", "chooses the random lattice", {0, 9007199254740992.0}, "1"}, &BodyNumbers::seed},
         {{"stiffness", "number", "m0 c^2/R^2", "spring constant ka of T = ka x + kb x^3", positive, "10000"},
@@ -138,6 +139,26 @@ const std::vector<Member<BodyNumbers>>& BodyNumbers::fields() {
           "least distance of interior nodes from the rim's edges; Poisson disks keep theirs from its nodes in any case",
           not_negative, "0"},
          &BodyNumbers::margin},
+        {{"triangulation",
+          "string",
+          "",
+          "which of Delaunay's triangles are joined by springs: clipped, those inside the rim; plain, all, so that "
+          "springs across the valleys of a rough rim stay, and their area counts, of a convex outline without holes",
+          any_number,
+          "clipped",
+          false,
+          {"clipped", "plain"}},
+         &BodyNumbers::triangulation},
+        {{"crossing",
+          "string",
+          "",
+          "what if the rough rim crosses itself: refuse the body; pass_over, take the next lattice of its seed, whose "
+          "numbers are others; what runs then tells how many were passed over",
+          any_number,
+          "refuse",
+          false,
+          {"refuse", "pass_over"}},
+         &BodyNumbers::crossing},
         {{"angle", "number", "degrees",
           "by which the finished body is turned about the origin, counter-clockwise; places in other fields are those "
           "before it",
@@ -217,6 +238,8 @@ std::string text_of_shape(const Body& body) {
     if (!std::isnan(n.fine_within)) text += fmt::format(" within {}", n.fine_within);
     if (n.crossed()) text += " crossed";
   }
+  if (n.plain()) text += " plain";
+  if (body.passed_over > 0) text += fmt::format(" passed_over {}", body.passed_over);
   if (n.angle != 0) text += fmt::format(" angle {}", n.angle);
   return text;
 }

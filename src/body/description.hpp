@@ -51,6 +51,8 @@ struct BodyNumbers : SpringLawNumbers, ElementNumbers {
   double angle = 0;
   double prestress = 0;
   std::string interior = "springs";
+  std::string triangulation = "clipped";
+  std::string crossing = "refuse";
   int modes = 0;  ///< of interior "modes": how many, the slowest first; 0: all, up to most_modes
   std::string modes_of = "elements";
 
@@ -62,7 +64,9 @@ struct BodyNumbers : SpringLawNumbers, ElementNumbers {
   /// Its outline is the half at x >= 0 of a section through the axis x = 0; E and density are then of space, in m0
   /// c^2/R^3 and m0/R^3.
   bool axisymmetric() const { return state == "axisymmetric"; }
-  bool meshed() const { return h_min == h_min; }                  ///< by h_min, h_max and grade
+  bool meshed() const { return h_min == h_min; }  ///< by h_min, h_max and grade
+  bool by_hull() const { return placement == "hull"; }
+  bool plain() const { return triangulation == "plain"; }
   bool crossed() const { return meshed() && mesh == "crossed"; }  ///< see shape/crossed.hpp
   /// Of the area; NaN if every node has a mass of its own accord.
   double area_density() const;
@@ -80,9 +84,11 @@ struct Body {
   std::vector<Points> holes{};         ///< simple, clockwise, inside the outline and outside of each other
   Points points{};                     ///< nodes that were given, instead of placed ones
   std::vector<std::string> files{};    ///< hashes of the files that points were read from
-  Vec2 velocity = Vec2::Zero();        ///< a target's own, before the impact [c]
-  double spin = 0;                     ///< the same [c/R]
-  std::optional<Vec2> fine_at{};       ///< where a mesh is finest; at the lowest point of the outline unless given
+  /// Which lattice of its seed it is, if it passes over those whose rough rims cross themselves: how many these are.
+  int passed_over = 0;
+  Vec2 velocity = Vec2::Zero();   ///< a target's own, before the impact [c]
+  double spin = 0;                ///< the same [c/R]
+  std::optional<Vec2> fine_at{};  ///< where a mesh is finest; at the lowest point of the outline unless given
   /// What its stiffness and mass were made from; nothing if they were given. [m0 c^2/R^2, m0/R^2]
   std::optional<PlaneMaterial> material{};
 

@@ -122,6 +122,7 @@ PlaneModuli usual_moduli(const BodyNumbers& numbers) {
     case Placement::poisson_disk:
       return {1.16, 0.33};
     case Placement::uniform:
+    case Placement::hull:
       break;
   }
   return {1.08, 0.26};

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "body/given_nodes.hpp"
+#include "body/hull_nodes.hpp"
 #include "core/error.hpp"
 #include "core/rng.hpp"
 #include "core/turn.hpp"
@@ -17,7 +18,19 @@
 namespace ricochet {
 namespace {
 
-constexpr std::uint32_t interior_stream = 1, roughness_stream = 2;
+constexpr std::uint32_t interior_stream = 1, roughness_stream = 2, redrawn_stream = 4;
+constexpr std::uint32_t streams = 16;  // of one lattice
+
+// The lattices of a seed that were passed over had others.
+Random random_of(const Body& body, std::uint32_t purpose) {
+  return {static_cast<std::uint64_t>(body.numbers.seed),
+          purpose + streams * static_cast<std::uint32_t>(body.passed_over)};
+}
+
+HullNodes hull_nodes_of(const Body& body) {
+  Random random = random_of(body, interior_stream);
+  return hull_nodes(body, random);
+}
 
 // `what`: of several outlines, which.
 void check_outline(const Points& outline, const char* field, const std::string& what) {
@@ -87,6 +100,15 @@ double length_of(const Body& body) {
   double length = perimeter(body.outline);
   for (const Points& hole : body.holes) length += perimeter(hole);
   return length;
+}
+
+// Springs across a dent of the outline itself, or a hole, would fill it.
+void check_plain(const Body& body) {
+  if (!body.numbers.plain()) return;
+  const auto refuse = [](const char* message) { throw FieldError("triangulation", message); };
+  if (body.numbers.of_elements() || body.rigid()) refuse("plain is of springs; leave it out, or take interior springs");
+  if (!body.holes.empty() || !is_convex(body.outline))
+    refuse("plain would join nodes across a dent or a hole of the outline; take clipped");
 }
 
 // The spacing s at which `inside` nodes and a rim of the length L fill the area A: A = (inside + L/s) s^2.
@@ -184,6 +206,11 @@ Rim lay_graded_rim(const Body& body) {
 
 Rim lay_rim(const Body& body, const GivenNodes& nodes) {
   if (body.numbers.meshed()) return lay_graded_rim(body);
+  if (body.numbers.by_hull()) {
+    Rim rim;
+    rim.add(hull_nodes_of(body).rim);
+    return rim;
+  }
   const double spacing = rim_spacing_of(body, nodes);
   check_spacing(body, spacing);
   Rim rim;
@@ -201,8 +228,9 @@ Rim lay_rim(const Body& body, const GivenNodes& nodes) {
 }
 
 // Moves the rim's points along its normals.
-void roughen(Rim& rim, const BodyNumbers& numbers, const std::vector<bool>& anchored_rim) {
-  Random random(static_cast<std::uint64_t>(numbers.seed), roughness_stream);
+void roughen(Rim& rim, const Body& body, const std::vector<bool>& anchored_rim) {
+  const BodyNumbers& numbers = body.numbers;
+  Random random = random_of(body, roughness_stream);
   std::size_t i = 0;
   for (const Chain& chain : chains_of(rim.cells)) {
     const auto first = rim.points.begin() + chain.node.front();
@@ -213,10 +241,10 @@ void roughen(Rim& rim, const BodyNumbers& numbers, const std::vector<bool>& anch
     }
   }
   if (!follows(rim))
-    throw FieldError(
-        "roughness",
-        fmt::format("the rough rim crosses itself (roughness {}, seed {}); lower the roughness or take another seed",
-                    numbers.roughness, numbers.seed));
+    throw CrossingRim("roughness",
+                      fmt::format("the rough rim crosses itself (roughness {}, seed {}); lower the roughness or take "
+                                  "another seed, as crossing = \"pass_over\" does",
+                                  numbers.roughness, numbers.seed));
 }
 
 // Which points of a rim that is smooth are corners of the outlines.
@@ -233,11 +261,15 @@ Points plan_interior(const Body& body, const Rim& rim, const GivenNodes& nodes) 
   if (body.numbers.crossed()) return crossed_grid_of(body).inside();
   if (body.numbers.meshed()) return mesh_interior(rim, body.size_field());
   if (!body.points.empty()) return nodes.inside;
+  if (body.numbers.by_hull()) {
+    Random random = random_of(body, redrawn_stream);
+    return inside_rough_rim(hull_nodes_of(body), rim, random);
+  }
   const BodyNumbers& numbers = body.numbers;
   const int count = numbers.nodes - static_cast<int>(rim.points.size());
   const double spacing = given(numbers.rim_spacing) ? spacing_of(body, static_cast<std::size_t>(count))
                                                     : std::sqrt(area_of(body) / numbers.nodes);
-  Random random(static_cast<std::uint64_t>(numbers.seed), interior_stream);
+  Random random = random_of(body, interior_stream);
   return place_interior(rim, placement_from_name(numbers.placement), {count, spacing, numbers.margin}, random);
 }
 
@@ -247,6 +279,7 @@ Rim plan_rim(const Body& body) {
   check_outline(body.outline, "outline", "");
   check_half_section(body);
   check_holes(body);
+  check_plain(body);
   return lay_rim(body, given_nodes_of(body));
 }
 
@@ -254,13 +287,14 @@ NodePlan plan_nodes(const Body& body, const std::vector<bool>& anchored_rim) {
   check_outline(body.outline, "outline", "");
   check_half_section(body);
   check_holes(body);
+  check_plain(body);
   const GivenNodes nodes = given_nodes_of(body);
   Rim rim = lay_rim(body, nodes);
   NodePlan plan;
   plan.smooth_rim = rim.points;
   plan.rim = static_cast<int>(rim.points.size());
   plan.corners = corners_of(body, rim);
-  if (body.numbers.roughness > 0) roughen(rim, body.numbers, anchored_rim);
+  if (body.numbers.roughness > 0) roughen(rim, body, anchored_rim);
   plan.points = rim.points;
   if (!body.rigid()) {
     const Points interior = plan_interior(body, rim, nodes);

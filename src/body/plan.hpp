@@ -2,6 +2,7 @@
 // Where the nodes of a body lie, before they are joined.
 
 #include "body/description.hpp"
+#include "core/error.hpp"
 #include "shape/triangulate.hpp"
 
 namespace ricochet {
@@ -16,12 +17,17 @@ struct NodePlan {
   std::vector<Triangle> triangles;  ///< of a mesh that has its own; else those of Delaunay
 };
 
+/// The rough rim of a lattice crosses itself, which that of another seed may not.
+struct CrossingRim : FieldError {
+  using FieldError::FieldError;
+};
+
 /// The rim before roughness, which says where a body's outline lies and which rim nodes an anchor predicate holds.
 Rim plan_rim(const Body& body);
 
 /// Rim and interior points; of a rigid body the rim alone. Anchored rim nodes (by `anchored_rim`, in rim order; may be
-/// empty) stay smooth. `Body::angle` is not applied yet. Throws FieldError if a chain or the rough rim crosses itself
-/// or another, or if the outline needs more points than the body has nodes.
+/// empty) stay smooth. `Body::angle` is not applied yet. Throws FieldError if a chain crosses itself or another, of the
+/// rough rim CrossingRim, or if the outline needs more points than the body has nodes.
 NodePlan plan_nodes(const Body& body, const std::vector<bool>& anchored_rim);
 
 /// The plan turned counter-clockwise about the origin; exact for quarter turns. [degrees]

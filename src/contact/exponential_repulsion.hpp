@@ -20,7 +20,9 @@ struct ExponentialRepulsion {
   double deepest = not_given;
   /// V0 is that of a length R of rim, of which a node has its share (Mesh::weight). Otherwise each node has all of it.
   bool by_length = false;
+  std::string rule = "sum";
 
+  bool sums() const { return rule == "sum"; }
   bool two_sided() const { return sides == "two"; }
   double energy(double distance) const { return V0 * exponential(-xi * distance); }
   double force(double distance) const { return xi * energy(distance); }
@@ -59,6 +61,18 @@ struct ExponentialRepulsion {
           "all",
           positive, "", true},
          &ExponentialRepulsion::deepest},
+        {{"rule",
+          "string",
+          "",
+          "which segments push a node. sum: all within reach, which conserves energy. What not to do, for comparison: "
+          "nearest: the nearest alone, whose force jumps where another becomes it, so that the order of a method is "
+          "lost; spring_normal: the nearest, along its normal wherever the node stands (the words of the paper), which "
+          "beside a vertex is no gradient of any energy: impacts gain or lose some, and need an energy_tolerance",
+          any_number,
+          "sum",
+          false,
+          {"sum", "nearest", "spring_normal"}},
+         &ExponentialRepulsion::rule},
     };
     return list;
   }

@@ -81,4 +81,23 @@ void measure(Gaps& g, const ExponentialRepulsion& law, const std::vector<PairFor
     std::visit([&](const auto& of_pairs) { add_pair_force(g, of_pairs, law.reach); }, force);
 }
 
+void keep_nearest(Gaps& g, const std::vector<int>& node) {
+  for (std::size_t begin = 0, end = 0; begin < g.size(); begin = end) {
+    std::size_t nearest = begin;
+    for (end = begin + 1; end < g.size() && node[end] == node[begin]; ++end)
+      if (g.energy[end] > g.energy[nearest] * (1 + 1e-9)) nearest = end;
+    for (std::size_t i = begin; i < end; ++i)
+      if (i != nearest) g.energy[i] = g.fx[i] = g.fy[i] = 0;
+  }
+}
+
+void turn_to_normals(Gaps& g, const ExponentialRepulsion& law) {
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    const Vec2 edge(g.bx[i] - g.ax[i], g.by[i] - g.ay[i]);
+    const double length = edge.norm(), scale = length > 0 ? law.xi * g.energy[i] / length : 0;
+    g.fx[i] = scale * edge.y();  // the inside of a surface lies to the left of its segments
+    g.fy[i] = -scale * edge.x();
+  }
+}
+
 }  // namespace ricochet

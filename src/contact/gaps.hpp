@@ -27,4 +27,12 @@ struct Gaps {
 void measure(Gaps& g, const ExponentialRepulsion& law, const std::vector<PairForce>& forces = {},
              const Plane* plane = nullptr);
 
+/// After measure(), of segments: leaves every node the nearest segment of its own alone. `node`: [gap] whose it is;
+/// gaps of a node stand together. Of two that are equally near, to 1e-9 of the energy, as both sides of a vertex are to
+/// a node beside it, the first.
+void keep_nearest(Gaps& g, const std::vector<int>& node);
+
+/// After measure(), of segments: turns every force to the outward normal of its segment, F = xi V n, V the energy.
+void turn_to_normals(Gaps& g, const ExponentialRepulsion& law);
+
 }  // namespace ricochet

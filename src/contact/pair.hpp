@@ -179,6 +179,7 @@ class Pair {
       gather(side, lane, candidates, bodies, plane == nullptr);
       if (back != 0) go_back(side, lane, candidates, bodies, plane == nullptr, back);
       measure(gaps_, *law_[lane], laws_.forces, plane);
+      if (!law_[lane]->sums() && !plane) choose(*law_[lane], candidates);
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (gaps_.energy[i] == 0) continue;
         sum += gaps_.energy[i];
@@ -242,6 +243,14 @@ class Pair {
       gaps_.bx[i] = cells[2 * b][lane];
       gaps_.by[i] = cells[2 * b + 1][lane];
     }
+  }
+
+  // By a rule that does not sum, which pushes are left, and where to.
+  void choose(const ExponentialRepulsion& law, const std::vector<Near>& candidates) const {
+    std::vector<int> node;
+    for (const Near& c : candidates) node.push_back(c.node);
+    keep_nearest(gaps_, node);
+    if (law.rule == "spring_normal") turn_to_normals(gaps_, law);
   }
 
   // The places gathered, by a time along the velocities.

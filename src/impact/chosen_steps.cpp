@@ -62,9 +62,9 @@ std::string kind_of(const Scene& scene) {
   for (const Body* body : scene.bodies()) kind += kind_of(*body);
   const Integration& i = scene.integration;
   return kind +
-         fmt::format("{} {} {} {} {} {} {} {} {} {}", i.method, i.accuracy, i.accuracy_of, i.energy_tolerance,
+         fmt::format("{} {} {} {} {} {} {} {} {} {} {}", i.method, i.accuracy, i.accuracy_of, i.energy_tolerance,
                      i.time_limit, scene.contact.V0, scene.contact.xi, scene.contact.reach, scene.contact.sides,
-                     scene.contact.deepest) +
+                     scene.contact.deepest, scene.contact.rule) +
          kind_of(scene.effects);
 }
 

@@ -46,10 +46,12 @@ const Columns& of_normal() {
       {{"beta_n", "number", "", "the same across the normal, -v_ct' / v_ct; undefined if v_ct is below 1e-3 of v_cn"},
        [](O o) { return o.beta_n; }},
       {{"mu_n", "number", "", "impulse ratio |n x J| / (n . J) with the contact's normal"}, [](O o) { return o.mu_n; }},
-      {{"e_first", "number", "", "e at the first parting: when the first touch ended, whatever followed"},
+      {{"e_first", "number", "",
+        "e at the first parting: when a touch had ended and the bodies moved apart, whatever followed"},
        [](O o) { return o.e_first; }},
       {{"mu_first", "number", "", "mu at the first parting"}, [](O o) { return o.mu_first; }},
-      {{"time_first", "number", "R/c", "when the first touch ended"}, [](O o) { return o.time_first; }},
+      {{"time_first", "number", "R/c", "when the touch before the first parting ended"},
+       [](O o) { return o.time_first; }},
   };
   return columns;
 }
@@ -113,7 +115,9 @@ const Columns& of_contact() {
        [](O o) { return o.centre_offset; }},
       {{"tan_alpha", "number", "", "slope of the chord between the ends of the contact, up in the direction of motion"},
        [](O o) { return o.tan_alpha; }},
-      {{"e_alpha", "number", "", "restitution of the contact point against the normal turned by alpha"},
+      {{"e_alpha", "number", "",
+        "restitution of the contact point against the normal turned by alpha; at grazing angles the speed along that "
+        "normal passes 0, and the mean over lattices is undefined: take a median"},
        [](O o) { return o.e_alpha; }},
   };
   return columns;
@@ -178,7 +182,8 @@ const Columns& of_run() {
       {{"certified", "number", "",
         "1 if no node can come inside the other body: every rim node of both is pushed, and the energy is below that "
         "of "
-        "one on a segment; never 1 of a one-sided contact, or beside effects that bring energy"},
+        "one on a segment; never 1 of a one-sided contact, of one along springs' normals, or beside effects that bring "
+        "energy"},
        [](O o) { return o.certified; }},
       {{"time", "number", "R/c", "simulated time, from the rims' coming within reach to the end"},
        [](O o) { return o.time; }},

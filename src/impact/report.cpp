@@ -129,7 +129,7 @@ void report_impulse(const Run& run, const Solids& solids, const Flying& after, c
 }
 
 void report_first_parting(const Run& run, const Solids& solids, const Relative& start, Outcome& o) {
-  o.time_first = run.clock().first_end();
+  o.time_first = run.first_parting_time;
   if (!run.first_parting) return;
   const auto& [projectile, target] = *run.first_parting;
   const Vec3 j = impulse(run, solids, projectile);

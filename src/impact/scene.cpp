@@ -15,12 +15,18 @@
 namespace ricochet {
 namespace {
 
+// `later`: a field that came later, told only where it says something, so that older texts stay.
 template <class Struct>
-std::string text_of(const std::string& prefix, const Struct& values) {
+std::string text_of(const std::string& prefix, const Struct& values, const std::string& later = "") {
+  const Struct usual;
   std::string text;
   for (const auto& member : Struct::fields())
-    std::visit([&](auto place) { text += fmt::format("{}.{} = {}\n", prefix, member.field.name, values.*place); },
-               member.place);
+    std::visit(
+        [&](auto place) {
+          if (member.field.name != later || values.*place != usual.*place)
+            text += fmt::format("{}.{} = {}\n", prefix, member.field.name, values.*place);
+        },
+        member.place);
   return text;
 }
 
@@ -170,7 +176,8 @@ const std::vector<Member<EndRule>>& EndRule::fields() {
       {{"at",
         "string",
         "",
-        "parted: the bodies have parted for good; first_parting: the first touch has ended, whatever follows; time: at "
+        "parted: the bodies have parted for good; first_parting: a touch has ended and the bodies move apart, whatever "
+        "follows; time: at "
         "a given time, whatever the bodies do",
         any_number,
         "parted",
@@ -231,7 +238,7 @@ std::string Scene::conflict_with(const Method& method) const {
 std::string Scene::text() const {
   return fmt::format("projectile {} ka {}\ntarget {} ka {}\n", projectile->geometry_text(),
                      projectile->numbers.stiffness, target->geometry_text(), target->numbers.stiffness) +
-         motion_text(*target) + text_of("launch", launch) + text_of("contact", contact) +
+         motion_text(*target) + text_of("launch", launch) + text_of("contact", contact, "rule") +
          text_of("integration", integration) + (step_is_chosen() ? "integration.chosen\n" : "") +
          text_of("ending", ending) + (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects)) +
          text_of_units(*this) + (mirrored ? "mirrored\n" : "");

@@ -42,6 +42,7 @@ Group point_functions();
 Group scene_functions();
 Group estimate_functions();
 Group sweep_functions();
+Group resampling_functions();
 Group series_functions();
 Group wave_functions();
 Group plot_functions();

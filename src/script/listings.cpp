@@ -16,6 +16,7 @@
 #include "store/h5md.hpp"
 #include "store/table.hpp"
 #include "theory/catalogue.hpp"
+#include "theory/claims.hpp"
 #include "theory/errata.hpp"
 
 namespace ricochet {
@@ -106,6 +107,13 @@ void print_errata() {
   for (const theory::Misprint& m : theory::errata())
     putf("{}. {}\n{}{}{}\n", ++number, m.where, wrapped(std::string("printed: ") + m.printed, "   "),
          wrapped(std::string("right:   ") + m.right, "   "), wrapped(std::string("checked: ") + m.checked, "   "));
+  putf(
+      "\nWhat the paper says of its simulation, whose text leaves the model open, and what gives it "
+      "(scripts/readings.lua, "
+      "scripts/four_claims.lua):\n\n");
+  for (const theory::Claim& claim : theory::claims())
+    putf("{}\n{}{}{}\n", claim.where, wrapped(std::string("printed: ") + claim.printed, "   "),
+         wrapped(std::string("can be had: ") + claim.had, "   "), wrapped(std::string("by: ") + claim.by, "   "));
 }
 
 namespace {

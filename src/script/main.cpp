@@ -195,11 +195,12 @@ void add_effects(Commands& c) {
 }
 
 void add_theory(Commands& c) {
-  CLI::App* command = c.app.add_subcommand(
-      "theory",
-      "The theories that a script may call, with where they hold; ricochet theory errata: the paper's misprints");
+  CLI::App* command = c.app.add_subcommand("theory",
+                                           "The theories that a script may call, with where they hold; ricochet theory "
+                                           "errata: the paper's misprints and claims");
   command->add_option("NAME", c.theory,
-                      "one of them; or errata: misprints, what is printed, what is right, how it was checked");
+                      "one of them; or errata: misprints, what is printed, what is right, how it was checked; claims, "
+                      "what can be had by what");
   command->callback([&c] { c.theory == "errata" ? print_errata() : print_theories(c.theory); });
 }
 

@@ -78,6 +78,8 @@ Function heat_map_function() {
       {"x", "string", "", "column along x"},
       {"y", "string", "", "column along y"},
       {"of", "string", "", "column whose mean colours the cells", any_number, "e"},
+      {"xnames", "strings", "", "instead of the values along x, in their rising order", any_number, "", true},
+      {"ynames", "strings", "", "the same along y", any_number, "", true},
       {"log", "string", "", "axes with a logarithmic scale", any_number, "none", false, {"none", "x", "y", "xy"}}};
   for (Field& field :
        fields_of_the_file("how many impacts finished and failed, over what is averaged, and the greatest "

@@ -159,6 +159,7 @@ std::string plan_key(const Body& body, const std::vector<bool>& anchored_rim) {
   const BodyNumbers& n = body.numbers;
   std::string text = fmt::format("{} {} {} {} {} {} {};", n.interior, n.nodes, n.placement, n.seed, n.roughness,
                                  n.rim_spacing, n.margin);
+  text += fmt::format("{};", body.passed_over);
   if (n.meshed())
     text += fmt::format("{} {} {} {} {} {} {};", n.mesh, n.h_min, n.h_max, n.grade, n.fine_within,
                         body.size_field().fine_at.x(), body.size_field().fine_at.y());
@@ -185,6 +186,33 @@ std::shared_ptr<const NodePlan> planned(Session& session, const Body& body, cons
     session.planned_nodes = 0;
   }
   return plan;
+}
+
+/// The plan of a body, and which of its rim nodes are held (empty where no function says so).
+struct Planned {
+  std::shared_ptr<const NodePlan> plan;
+  std::vector<bool> anchored_rim;
+};
+
+constexpr int most_passed_over = 1000;
+
+// Of the first of its seed's lattices whose rough rim does not cross itself, where the body passes over the others.
+Planned first_planned(Session& session, Body& made, const PlaceFunction& anchored) {
+  for (;; ++made.passed_over) {
+    std::vector<bool> anchored_rim;
+    const Rim rim = plan_rim(made);
+    if (anchored.given())
+      for (const Vec2& p : rim.points) anchored_rim.push_back(anchored.truth_at(p, "anchored"));
+    try {
+      return {planned(session, made, anchored_rim), anchored_rim};
+    } catch (const CrossingRim&) {
+      if (made.numbers.crossing == "refuse") throw;
+      if (made.passed_over == most_passed_over)
+        throw FieldError("roughness", fmt::format("{} R makes the rough rims of seed {} cross themselves, all of {}; "
+                                                  "lower it, or take fewer nodes on the rim",
+                                                  made.numbers.roughness, made.numbers.seed, most_passed_over + 1));
+    }
+  }
 }
 
 // Refuses what says nothing of a rigid body. Its stiffness and density may have been given as functions.
@@ -301,11 +329,7 @@ Body read_body(lua_State* L) {
   if (made.rigid()) check_rigid(made, stiffness.given(), density.given());
   if (!std::isnan(made.numbers.mass) && (density.given() || !std::isnan(made.numbers.density)))
     throw FieldError("mass", "is that of every node, density that of the area: give one of them");
-  std::vector<bool> anchored_rim;
-  const Rim rim = plan_rim(made);
-  if (anchored.given())
-    for (const Vec2& p : rim.points) anchored_rim.push_back(anchored.truth_at(p, "anchored"));
-  const auto plan = planned(session_of(L), made, anchored_rim);
+  const auto [plan, anchored_rim] = first_planned(session_of(L), made, anchored);
   if (!made.points.empty() || made.numbers.meshed()) made.numbers.nodes = static_cast<int>(plan->points.size());
   if (anchored.given()) {
     made.anchored = anchored_rim;

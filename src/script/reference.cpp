@@ -25,7 +25,8 @@ constexpr const char* stubs_head =
     "---@class ricochet.summary\n---@field print fun(self: ricochet.summary)\n\n---@class ricochet.rows\n"
     "---@field summary fun(self: ricochet.rows, t: ricochet.rows_summary_fields): ricochet.summary\n---@field "
     "power_law fun(self: ricochet.rows, t: ricochet.rows_power_law_fields): table\n---@field paired "
-    "fun(self: ricochet.rows, t: ricochet.rows_paired_fields): table\n---@field where fun(self: "
+    "fun(self: ricochet.rows, t: ricochet.rows_paired_fields): table\n---@field peak fun(self: ricochet.rows, t: "
+    "ricochet.rows_peak_fields): table\n---@field where fun(self: "
     "ricochet.rows, columns: table): ricochet.rows\n\n"
     "local ricochet = { file = {}, theory = {}, materials = {} }\n\n";
 

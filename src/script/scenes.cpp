@@ -44,10 +44,20 @@ void check_thickness(const Scene& scene) {
                                  other, one));
 }
 
+// What else acts between surfaces acts by every segment that is near.
+void check_rule(const Scene& scene) {
+  if (scene.contact.sums()) return;
+  for (const Effect& effect : scene.effects)
+    if (std::visit([]<class E>(const E&) { return PairForceEffect<E> || PairMemory<E>; }, effect))
+      throw FieldError("contact", fmt::format("rule = {} does not go with {}, which acts by all segments; take sum",
+                                              scene.contact.rule, name_of(effect)));
+}
+
 // Throws FieldError for what no field is wrong in by itself.
 void check_scene(const Scene& scene) {
   check_launch(scene.launch);
   check_thickness(scene);
+  check_rule(scene);
   scene.integration.check();
   scene.ending.check(scene.integration);
   if (const std::string conflict = conflict_of(scene.effects); !conflict.empty()) throw FieldError("effects", conflict);
@@ -195,7 +205,7 @@ int scene_run(lua_State* L) {
                     "{}\n{}",
                     method.name, scene.units.shown(outcome.step, "R/c", 4), outcome.theta, outcome.theta_most,
                     method.stability_limit, scene.units.shown(outcome.theta / outcome.step, "c/R", 4),
-                    scale_text({scene}) + doubts_text({row_of(scene, outcome, 0)})));
+                    scale_text({scene}) + passed_over_text({scene}) + doubts_text({row_of(scene, outcome, 0)})));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
   const Row row = row_of(scene, outcome, taken.count());
   if (!session.options.check) {

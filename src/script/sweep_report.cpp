@@ -112,6 +112,19 @@ std::string scale_text(const std::vector<Scene>& scenes) {
          listed(doubts);
 }
 
+std::string passed_over_text(const std::vector<Scene>& scenes) {
+  std::map<std::string, int> passed_over;  // of each such body once, though a sweep has it in many scenes
+  for (const Scene& scene : scenes)
+    for (const Body* body : scene.bodies())
+      if (body->passed_over > 0) passed_over[body->geometry_text()] = body->passed_over;
+  int lattices = 0;
+  for (const auto& [text, count] : passed_over) lattices += count;
+  if (lattices == 0) return "";
+  return fmt::format("  passed over: {} whose rough rim crosses itself, for {}\n",
+                     lattices == 1 ? "one lattice" : fmt::format("{} lattices", lattices),
+                     passed_over.size() == 1 ? "one body" : fmt::format("{} bodies", passed_over.size()));
+}
+
 std::string doubts_text(const std::vector<Row>& rows) {
   struct Told {
     const char* column;
@@ -181,7 +194,7 @@ std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>&
         fmt::format("  {}, time step {} {}, theta {} and at most {:.3g} (stable below {:.4g}); frequency bound {} {}\n",
                     name, s.step.text(), units.name("R/c"), s.theta.text(), s.most.high,
                     method_named(name).stability_limit, s.bound.text(), units.name("c/R"));
-  return text + scale_text(scenes) + doubts_text(rows);
+  return text + scale_text(scenes) + passed_over_text(scenes) + doubts_text(rows);
 }
 
 void warn_of_limit(Session& session, const std::vector<Scene>& scenes, const std::vector<Row>& rows,

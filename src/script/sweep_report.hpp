@@ -31,6 +31,9 @@ class Progress {
 /// How fast, how deep and how long a touch of these scenes is, by the law of a line contact; empty where none holds.
 std::string scale_text(const std::vector<Scene>& scenes);
 
+/// How many lattices were passed over for bodies of these scenes (crossing = "pass_over"); empty if none was.
+std::string passed_over_text(const std::vector<Scene>& scenes);
+
 /// How many rows hold numbers that mean less than they say: over_yield, folded, penetration above 0.01 R; a line each,
 /// empty if none does.
 std::string doubts_text(const std::vector<Row>& rows);

@@ -13,4 +13,8 @@ using Triangle = std::array<int, 3>;  ///< node numbers, counter-clockwise
 /// points coincide.
 std::vector<Triangle> triangulate(const Points& points, const Cells<2>& rim);
 
+/// Delaunay triangles of `points` alone, all those of their convex hull. None is as thin as rounding: along a straight
+/// side it would join nodes across others. Throws as above.
+std::vector<Triangle> triangulate(const Points& points);
+
 }  // namespace ricochet

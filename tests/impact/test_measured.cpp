@@ -267,6 +267,19 @@ TEST_CASE("a launch along the surface that touches has no e, and nothing infinit
   for (const auto& [field, value] : Outcome::fields()) CHECK_FALSE(std::isinf(value(o)));
 }
 
+TEST_CASE("an asperity that touches before the others is no parting: the bodies still approach") {
+  for (const int seed : {2, 3, 9}) {  // two touches each, of which the first ends while the disk comes down
+    Scene scene = small_scene(seed, 8, 0.06);
+    const Outcome whole = outcome_of(scene);
+    REQUIRE(whole.status == Status::finished);
+    CHECK(whole.touches == 2);
+    CHECK(whole.e_first == Catch::Detail::Approx(whole.e).margin(2e-3));
+    CHECK(whole.time_first < whole.time);
+    scene.ending.at = "first_parting";
+    CHECK(outcome_of(scene).e == whole.e_first);
+  }
+}
+
 TEST_CASE("an impact may be over at its first parting, at a gap, or at a time") {
   Scene scene = small_scene(2, 1);
   const Outcome whole = outcome_of(scene);

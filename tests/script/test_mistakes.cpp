@@ -41,7 +41,8 @@ const std::vector<Mistake> mistakes{
     {"infinite", "local d = ricochet.disk { roughness = math.huge }",
      "error: s.lua:2: disk: 'roughness' must be a finite number, is inf"},
     {"misspelt choice", "local d = ricochet.disk { placement = 'poison_disk' }",
-     "error: s.lua:2: disk: 'placement' must be one of uniform, poisson_disk, triangular, is 'poison_disk' (did you "
+     "error: s.lua:2: disk: 'placement' must be one of uniform, poisson_disk, triangular, hull, is 'poison_disk' (did "
+     "you "
      "mean 'poisson_disk'?)"},
     {"positional table", "local d = ricochet.disk { 5 }",
      "error: s.lua:2: disk: takes named fields only, has the value 5 without a name"},
@@ -132,7 +133,7 @@ const std::vector<Mistake> mistakes{
      "error: s.lua:3: nodes that were given one by one cannot be made finer; give other points"},
     {"rough rim that crosses itself", "local d = ricochet.disk { nodes = 400,\n  roughness = 1 }",
      "error: s.lua:3: disk: 'roughness': the rough rim crosses itself (roughness 1, seed 1); lower the roughness or "
-     "take another seed"},
+     "take another seed, as crossing = \"pass_over\" does"},
     {"stiffness function without a value", "local d = ricochet.disk { nodes = 60, stiffness = function(x, y) end }",
      "error: s.lua:2: disk: 'stiffness': the function must return a positive number, gave nil at (1, 0)"},
     {"everything anchored", "local d = ricochet.disk { nodes = 60, anchored = function(x, y) return true end }",
@@ -431,12 +432,13 @@ TEST_CASE("all mistakes of a table are reported together, each at its line, with
       ended.err ==
       "error: s.lua:3: disk: unknown field 'radus' (did you mean 'radius'?)\n    3 |   radus = 0.05,\n      |   ^^^^^\n"
       "error: s.lua:4: disk: 'seed' must be between 0 and 9.0072e+15, is -1\n    4 |   seed = -1,\n      |   ^^^^\n"
-      "  valid fields: E, anchored, angle, density, fine_at, fine_within, grade, h_max, h_min, holes, interior, law, "
+      "  valid fields: E, anchored, angle, crossing, density, fine_at, fine_within, grade, h_max, h_min, holes, "
+      "interior, law, "
       "margin, mass, "
       "material, mesh, modes, modes_of, nodes, nu, placement, points, prestress, quartic, radius, rim_spacing, "
       "roughness, "
       "seed, spin, state, "
-      "stiffness, thickness, velocity\n");
+      "stiffness, thickness, triangulation, velocity\n");
 }
 
 TEST_CASE("a mistake in a sweep's scene names the values it was made with, caught errors do not") {

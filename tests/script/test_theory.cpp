@@ -74,6 +74,7 @@ TEST_CASE("ricochet theory lists what there is, ricochet theory errata the mispr
   for (const theory::Theory& t : theory::theories()) CHECK_THAT(list.out, Contains(t.name + " { "));
   CHECK_THAT(list.out, Contains("valid: ") && Contains("source: maw1976"));
   CHECK_THAT(errata.out, Contains(fmt::format("{}. ", theory::errata().size())) &&
-                             Contains("printed: D = (3/4) [(1 - nu)/E") && Contains("checked: "));
+                             Contains("printed: D = (3/4) [(1 - nu)/E") && Contains("checked: ") &&
+                             Contains("printed: mu has a peak around Psi1 = 3") && Contains("can be had: "));
   CHECK_THAT(wrong.err, Contains("did you mean 'errata'?"));
 }

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "theory/catalogue.hpp"
+#include "theory/claims.hpp"
 #include "theory/errata.hpp"
 
 using namespace ricochet;
@@ -250,4 +251,12 @@ TEST_CASE("every misprint says what is printed, what is right and how it was che
   for (const Misprint& misprint : errata())
     for (const char* text : {misprint.where, misprint.printed, misprint.right, misprint.checked})
       CHECK(std::string(text).size() > 4);
+}
+
+TEST_CASE("every claim says where it stands, what is printed, what can be had with its error, and by what") {
+  CHECK(claims().size() >= 6);
+  for (const Claim& claim : claims()) {
+    for (const char* text : {claim.where, claim.printed, claim.had, claim.by}) CHECK(std::string(text).size() > 4);
+    CHECK(std::string(claim.had).find_first_of("0123456789") != std::string::npos);
+  }
 }

@@ -87,7 +87,8 @@ void take_energy(Start& start, const Placement& arrives, const Scene& scene, con
                            rest_energy(projectile) > 0 || rest_energy(target) > 0;
   // What nobody pushes may stand inside.
   const bool all_pushed = scene.contact.two_sided() || std::holds_alternative<Plane>(target.surface);
-  start.certified = all_pushed && !more_energy && reduced * speed2 / 2 + rotation < least_V0(scene.contact, solids);
+  start.certified = all_pushed && !more_energy && scene.contact.rule != "spring_normal" &&
+                    reduced * speed2 / 2 + rotation < least_V0(scene.contact, solids);
 }
 
 // What is cut off must not show: at 0.1 c a reach of 0.1 R is far enough, below about 1e-4 c it is not.

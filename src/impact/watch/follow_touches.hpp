@@ -20,7 +20,8 @@ inline double least_load(const Start& start, const Solids& solids) {
 }
 
 /// Asks for looks at the aimed pair beside the usual ones: at the greatest load of a touch so short that it falls
-/// between two of them, and at the first parting. `nearby`: the load, about; `began`, `ended`: a touch, by this step.
+/// between two of them, and where a touch ends that may be the first parting. `nearby`: the load, about; `began`,
+/// `ended`: a touch, by this step.
 inline void ask_for_looks(Run& run, double nearby, bool began, bool ended) {
   const TouchClock& clock = run.clock();
   ContactFrame& frame = run.frame;
@@ -31,7 +32,15 @@ inline void ask_for_looks(Run& run, double nearby, bool began, bool ended) {
   const bool falls = clock.touching() && nearby < clock.greatest();
   if (!frame.asked && falls && frame.heaviest < clock.greatest() / 2) run.due.frame = frame.asked = true;
   if (ended && frame.heaviest == 0) run.due.frame = true;
-  if (ended && clock.count() == 1) run.due.parting = true;
+  if (ended && !run.first_parting && clock.last_counts()) run.due.parting = true;
+}
+
+/// When a touch has just ended, of bodies that fly so. While they still approach, it was that of an asperity before the
+/// others.
+inline void keep_first_parting(Run& run, const Flying& projectile, const Flying& target) {
+  if (!(normal(in_plane(projectile.velocity - target.velocity)) > 0)) return;
+  run.first_parting = {projectile, target};
+  run.first_parting_time = run.clock().end();
 }
 
 template <int W>

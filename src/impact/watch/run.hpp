@@ -72,7 +72,9 @@ struct Run {
   Due due, due_now;                ///< after the next step, after the last one
   Approach approach;
   ContactFrame frame;
-  std::optional<std::array<Flying, 2>> first_parting;  ///< projectile and target when the first touch had ended
+  /// Projectile and target when a touch had first ended with their centres moving apart, and when it had [R/c].
+  std::optional<std::array<Flying, 2>> first_parting;
+  double first_parting_time = Outcome::undefined;
   Indentation indentation;
   double penetration = 0;  ///< greatest depth of a surface node inside another body [R]
   double drift = 0;

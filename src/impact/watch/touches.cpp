@@ -113,12 +113,6 @@ double TouchClock::begin() const {
   return undefined;
 }
 
-double TouchClock::first_end() const {
-  for (const TouchSpan& touch : touches_)
-    if (counts(touch)) return touch.end;
-  return undefined;
-}
-
 double TouchClock::end() const {
   double last = undefined;
   for (const TouchSpan& touch : touches_)

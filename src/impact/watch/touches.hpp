@@ -46,8 +46,8 @@ class TouchClock {
   double begin() const;
   /// When the last touch began, once it has ended.
   double last_begin() const { return touches_.back().rise.front().time; }
-  /// When the first that counts ended. Undefined before.
-  double first_end() const;
+  /// Whether the last one counts, so far.
+  bool last_counts() const { return touched() && counts(touches_.back()); }
   /// When the last that counts ended. Undefined while one lasts.
   double end() const;
   /// From the first moment at which the load passed the floor to the last. Undefined before it is over.

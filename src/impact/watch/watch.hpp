@@ -120,7 +120,7 @@ class Watch {
       if (idle(lane) || !due.any() || state_.broken[at(lane)]) continue;
       if (due.frame) take_frame(lane, now);
       if (due.parting)
-        run(lane).first_parting = {at_parting(role::projectile, lane, now), at_parting(role::target, lane, now)};
+        keep_first_parting(run(lane), at_parting(role::projectile, lane, now), at_parting(role::target, lane, now));
       if (const auto ending = over(lane, now))
         ended.push_back({lane, report(run(lane), *ending, state_.solids, last_facts(lane, now))});
     }

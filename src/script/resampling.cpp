@@ -1,0 +1,77 @@
+// ricochet.bootstrap and rows:peak, written in Lua: lua/ricochet/bootstrap.lua. The draws are of the streams that
+// lattices are drawn from, not of Lua's own.
+
+#include "core/rng.hpp"
+#include "script/functions.hpp"
+
+namespace ricochet {
+namespace {
+
+constexpr std::uint32_t resampling_stream = 100;
+
+// draws(seed, count, below): a list of `count` whole numbers from 1 to `below`, each as likely.
+int draws(lua_State* L) {
+  Random random(static_cast<std::uint64_t>(luaL_checkinteger(L, 1)), resampling_stream);
+  const lua_Integer count = luaL_checkinteger(L, 2);
+  const double below = luaL_checknumber(L, 3);
+  lua_createtable(L, static_cast<int>(count), 0);
+  for (lua_Integer i = 1; i <= count; ++i) {
+    lua_pushinteger(L, 1 + static_cast<lua_Integer>(random.uniform() * below));
+    lua_rawseti(L, -2, i);
+  }
+  return 1;
+}
+
+std::vector<Field> fields_of_resampling() {
+  return {{"resamples", "integer", "", "how often it is drawn", {20, 1e5}, "2000"},
+          {"seed", "integer", "", "of the draws", {0, 9007199254740992.0}, "1"},
+          {"share", "number", "", "of the resamples that lie between low and high", {0.5, 0.999}, "0.95"}};
+}
+
+std::vector<Field> with_resampling(std::vector<Field> fields) {
+  for (Field& field : fields_of_resampling()) fields.push_back(std::move(field));
+  return fields;
+}
+
+Function bootstrap_function() {
+  return {
+      .name = "bootstrap",
+      .doc =
+          "The standard error and the interval of any statistic of numbers that are independent, by a bootstrap: a "
+          "table of `value`, `se`, `low`, `high` (quantiles of the statistic over the resamples), `count` and "
+          "`reason`, which says why there is no error (nan) where there is none. The interval is narrow where "
+          "numbers are few: that of the mean of 8 holds the true one in 89 of 100 cases instead of 95, of 40 in 94. "
+          "Undefined values (nan) are left out.",
+      .fields =
+          with_resampling({{"values", "table", "", "list of numbers"},
+                           {"of", "function", "", "function (list) that returns a number; their mean unless given",
+                            any_number, "", true}}),
+      .returns = "table",
+      .example =
+          "ricochet.bootstrap { values = { 0.9, 1.1, 1.3 }, of = function(list) return math.max(table.unpack(list)) "
+          "end }.se"};
+}
+
+Function peak_function() {
+  return {.name = "rows:peak",
+          .doc =
+              "Where the mean of a column is greatest, by a bootstrap over whole lattices: a table of `at` and "
+              "`value`, of the rows themselves; `low` and `high`, values of x between which the greatest mean of "
+              "resamples lies; `inside`, the share of resamples in which it is neither at the first nor at the last "
+              "x, so that there is a peak at all; `shares`, a list of { x, mean, share } over the values of x; "
+              "`units` and `reason`, which says why there is none (nan). Where nothing depends on x, `inside` is "
+              "the share of x that are inside, whatever the number of lattices.",
+          .fields = with_resampling({{"x", "string", "", "column of numbers"},
+                                     {"of", "string", "", "column whose mean is taken"},
+                                     {"unit", "string", "", "as in rows:power_law", any_number, "", true}}),
+          .returns = "table",
+          .example = "rows:peak { x = \"psi1\", of = \"mu\" }.inside"};
+}
+
+}  // namespace
+
+Group resampling_functions() {
+  return {.functions = {bootstrap_function(), peak_function()}, .natives = {{"draws", draws}}};
+}
+
+}  // namespace ricochet
