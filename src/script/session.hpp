@@ -78,7 +78,7 @@ class Session {
 
   RememberedSteps steps;
 
-  RunFolders folders{options};
+  RunFolders folders{options, [this](const std::string& text) { warn(text); }};
 
   std::vector<Swept> swept;                    ///< in the order in which they ran
   std::vector<std::pair<Scene, Row>> singles;  ///< that ran by themselves, the first `most_singles`

@@ -3,8 +3,10 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -51,6 +53,11 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
   const int error = errno;
   close(descriptor_);
+  descriptor_ = -1;
+  if (error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP) {
+    refusal_ = std::strerror(error);
+    return;
+  }
   if (error != EWOULDBLOCK) fail(folder, "lock", error);
   throw FileError(fmt::format("another run is writing into {}; wait for its end, or give another folder with --out",
                               folder.string()));
@@ -84,6 +91,25 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes)
   }
   if (rename(beside.c_str(), path.c_str()) != 0) fail(path, "write", errno);
   sync_folder(path.parent_path());
+}
+
+bool link_first(const std::filesystem::path& file, const std::filesystem::path& path) {
+  if (link(file.c_str(), path.c_str()) == 0) {
+    sync_folder(path.parent_path());
+    return true;
+  }
+  const int error = errno;
+  struct stat now {};
+  if (stat(file.c_str(), &now) == 0 && now.st_nlink == 2) return true;  // done, but the answer was lost on its way
+  if (error != EEXIST) fail(path, "link", error);
+  return false;
+}
+
+std::string own_name(const std::string& stem, const std::string& extension) {
+  static std::atomic<int> count = 0;
+  char host[256] = "unknown";
+  gethostname(host, sizeof host - 1);
+  return fmt::format("{}-{}-{}-{}{}", stem, host, getpid(), count++, extension);
 }
 
 void make_folder(const std::filesystem::path& path) {

@@ -19,16 +19,28 @@ void remove_file(const std::filesystem::path& path);
 /// The whole file. Throws FileError.
 std::string read_file(const std::filesystem::path& path);
 
+/// Gives a finished file the name `path` besides its own, unless that is taken: then false. Of several processes, on
+/// whatever machines, one gets true. Throws FileError.
+bool link_first(const std::filesystem::path& file, const std::filesystem::path& path);
+
+/// A name that no other process, on whatever machine, gives a file: STEM-<host>-<process>-<count>EXTENSION.
+std::string own_name(const std::string& stem, const std::string& extension);
+
 /// Holds a folder against other processes until it goes out of scope (or the process dies). Throws FileError if another
-/// holds it.
+/// holds it. Some file systems of networks give no locks: then it holds nothing.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);
-  FolderLock(FolderLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  FolderLock(FolderLock&& other) noexcept
+      : refusal_(std::move(other.refusal_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
   FolderLock& operator=(FolderLock&&) = delete;
   ~FolderLock();
 
+  /// Why the file system gave no lock; empty if it did.
+  const std::string& refusal() const { return refusal_; }
+
  private:
+  std::string refusal_;
   int descriptor_;
 };
 
