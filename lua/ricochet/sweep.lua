@@ -2,6 +2,7 @@
 local core = require "ricochet.core"
 local rounds = require "ricochet.rounds"
 local rows_of = require("ricochet.rows").rows_of
+local shards = require "ricochet.shards"
 
 local methods = {}
 local Sweep = { __name = "sweep", __metatable = false }
@@ -130,6 +131,7 @@ end)
 methods.run = core.wrap(function(self)
   local sweep = contents(self) or core.fail "is a method of a sweep: write sweep:run(), with a colon"
   if sweep.by_error then
+    if core.part() ~= "whole" then shards.refuse_rounds() end
     local own = { name = sweep.name, names = sweep.names, points = sweep.points, units = sweep.units }
     local names = { table.unpack(sweep.names) }
     names[#names + 1] = "sample"
@@ -138,6 +140,7 @@ methods.run = core.wrap(function(self)
     sweep.rows = rows_of(rounds.run(own, sweep.by_error), { names = names, units = sweep.units })
     return sweep.rows
   end
+  if shards.runs(sweep.name) then shards.run(sweep, function(point) return scene_at(sweep, point) end) end
   local scenes = {}
   for i, point in ipairs(sweep.points) do
     scenes[i] = scene_at(sweep, point)

@@ -14,6 +14,8 @@
 #include "script/render_command.hpp"
 #include "script/repl.hpp"
 #include "script/run_report.hpp"
+#include "script/shard_choice.hpp"
+#include "script/shard_end.hpp"
 #include "script/state.hpp"
 #include "script/terminal.hpp"
 
@@ -48,6 +50,12 @@ void run_in(Session& session) {
 void run(RunOptions options, const std::string& script, const std::vector<std::string>& arguments) {
   refuse_odd_arguments(arguments);
   if (options.out.empty()) throw Error("--out needs a folder", Exit::usage);
+  if (options.part != Part::whole) {
+    if (options.force || options.fresh || options.check || options.help)
+      throw Error("--shard and merge go on with what is there: they take no --force, --new, --check or --help",
+                  Exit::usage);
+    options.resume = true;
+  }
   if (options.force && (options.resume || options.fresh))
     throw Error("--resume continues earlier results, --force replaces them and --new leaves them; give one of them",
                 Exit::usage);
@@ -57,6 +65,7 @@ void run(RunOptions options, const std::string& script, const std::vector<std::s
   try {
     run_in(session);
   } catch (const Error& error) {
+    leave_shard_error(session, error);
     session.log(complaint(error.what()));
     const bool keep = error.exit == Exit::script && !stop_requested && session.folders.something_stored();
     try {
@@ -69,6 +78,7 @@ void run(RunOptions options, const std::string& script, const std::vector<std::s
     throw;
   }
   session.finish();
+  if (session.options.part == Part::shard) return tell_nothing_left(session);
   write_report(session);
   if (session.nothing_finished())
     throw Error("not one impact finished; the first ended " + session.first_failure, Exit::numerical);
@@ -81,7 +91,7 @@ struct Commands {
   RunOptions options;
   RenderOptions drawing;
   ReportOptions report;
-  std::string script, file, theory;
+  std::string script, file, theory, shard;
   std::vector<std::string> arguments;
   bool price = false, stubs = false;
 };
@@ -143,14 +153,36 @@ void add_run(Commands& c) {
                    "remember the methods and steps that trials chose in this file, rather than in run.steps of the "
                    "folder of results")
       ->type_name("FILE");
+  command->add_option(
+      "--shard", c.shard,
+      "run only share K of N of the script's sweep, K from 0: K/N; auto takes it from the variables of "
+      "a job of Slurm, MPI, PBS or Grid Engine (auto/N: N as given); ricochet merge makes results of all");
+  command->add_option("--flush", options.flush, "of a shard: seconds of rows that a kill may lose (default: 30)")
+      ->check(within(0, 86400));
   command->add_flag("!--no-report", options.report, "leave no report.html, and run no impact twice for its replays");
   command->add_flag("--traceback", options.traceback, "show where in the scripts an error came from");
   command->add_flag("--unsafe", options.unsafe, "lift the sandbox: io, os.execute, debug");
   command->add_flag("--help,-h", options.help, "this, or the script's own parameters");
   command->callback([&c] {
+    if (!c.shard.empty()) choose_shard(c.options, c.shard);
     if (!c.script.empty()) return run(c.options, c.script, c.arguments);
     if (!c.options.help) throw Error("run needs a script: ricochet run SCRIPT [name=value ...]", Exit::usage);
     put(c.run->help("ricochet"));
+  });
+}
+
+void add_merge(Commands& c) {
+  CLI::App* command = c.app.add_subcommand(
+      "merge", "Make results of the shards of a script's sweep: ricochet merge SCRIPT [name=value ...]");
+  add_script(c, command);
+  command->get_option("SCRIPT")->required();
+  add_running(c, command);
+  command->add_flag("--partial", c.options.partial, "of what is there, where impacts are missing");
+  command->add_flag("!--no-report", c.options.report, "leave no report.html");
+  command->add_flag("--unsafe", c.options.unsafe, "lift the sandbox, as run does");
+  command->callback([&c] {
+    c.options.part = Part::merge;
+    run(c.options, c.script, c.arguments);
   });
 }
 
@@ -280,8 +312,8 @@ void program(int count, char** words) {
   Commands c;
   c.app.require_subcommand(1);
   c.app.set_version_flag("--version", version_text);
-  for (const auto add :
-       {add_run, add_accuracy, add_effects, add_theory, add_repl_and_info, add_render, add_report, add_reference})
+  for (const auto add : {add_run, add_merge, add_accuracy, add_effects, add_theory, add_repl_and_info, add_render,
+                         add_report, add_reference})
     add(c);
   try {
     c.app.parse(count, words);

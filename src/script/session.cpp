@@ -68,6 +68,7 @@ Session::Session(RunOptions run_options, fs::path script_path, std::vector<std::
       start_(now_utc()) {
   if (const fs::path stem = this->script.stem(); stem == "." || stem == "..")
     throw FileError(fmt::format("{} has no name for a folder of results; rename the script", this->script.string()));
+  if (options.part == Part::plan || options.part == Part::shard) scratch_ = std::make_unique<ScratchFolder>();
   // Installed beside the program, or the source tree it was built from.
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -75,6 +76,11 @@ Session::Session(RunOptions run_options, fs::path script_path, std::vector<std::
   library = fs::exists(installed / "ricochet/init.lua", error) ? installed : fs::path(version_source_folder) / "lua";
   if (!fs::exists(library / "ricochet/init.lua", error))
     throw FileError(fmt::format("the Lua library is missing: {} has no ricochet/init.lua", library.string()));
+}
+
+fs::path Session::own_folder() const {
+  if (scratch_) return scratch_->path();
+  return folders.named(script == standard_input ? "stdin" : script.stem().string());
 }
 
 void Session::finish() {
@@ -122,8 +128,6 @@ fs::path Session::steps_file() const {
 Provenance Session::made_by() { return {{"version", version_number}, {"commit", version_commit}}; }
 
 Provenance Session::provenance() const {
-  char host[256] = "unknown";
-  gethostname(host, sizeof host - 1);
   Provenance p;
   const auto text = sources.find(script.string());
   p["script"] = text == sources.end() ? "" : text->second;
@@ -134,7 +138,7 @@ Provenance Session::provenance() const {
   for (const std::string& argument : arguments) p["arguments"] += argument + "\n";
   p.merge(made_by());
   p["compiler"] = version_compiler;
-  p["host"] = host;
+  p["host"] = host_name();
   p["start"] = start_;
   p["end"] = now_utc();
   return p;

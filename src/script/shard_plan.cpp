@@ -24,17 +24,6 @@ namespace {
 // Steps of the first impact whose outcome is compared: some hundred meet every spring, and cost a hundredth of it.
 constexpr double canary_steps = 300;
 
-// What is asked of a machine before it counts: the first impact's beginning, as a hash of its outcomes.
-std::string canary_of(const Scene& scene) {
-  Scene cut = scene;
-  cut.ending = {};
-  cut.integration.time_limit = not_given;
-  const BuiltSolids solids(cut);
-  cut.integration.time_limit = canary_steps * launch(cut, solids).step;
-  const Row row = row_of(cut, run_scene(solids, cut, stop_requested), 0);
-  return digest_of(table_of({&row}));
-}
-
 // The files beside the script that it requires. The library is the program's.
 std::string required_by(const Session& session) {
   std::string text;
@@ -62,14 +51,60 @@ constexpr Fact facts[] = {
      "where the first impact comes to other bits, so that this machine, that one or a build computes wrongly"},
 };
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
+// A line each: "40 lattice sample", "3 alike psi1".
+std::string text_of(const std::vector<SweptName>& over) {
+  std::string text;
+  for (const SweptName& name : over)
+    text += fmt::format("{} {} {}\n", name.values, name.changes_lattice ? "lattice" : "alike", name.name);
+  return text;
+}
+
+std::vector<SweptName> over_of(const std::string& text) {
+  std::vector<SweptName> over;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t first = line.find(' '), second = line.find(' ', first + 1);
+    if (second == std::string::npos) throw std::invalid_argument(line);
+    over.push_back({line.substr(second + 1), std::stoul(line), line.compare(first, second - first, " lattice") == 0});
+  }
+  return over;
 }
 
 }  // namespace
+
+std::size_t ShardPlan::points() const {
+  std::size_t count = 1;
+  for (const SweptName& name : over) count *= name.values;
+  return count;
+}
+
+std::size_t ShardPlan::lattices() const {
+  std::size_t count = 1;
+  for (const SweptName& name : over)
+    if (name.changes_lattice) count *= name.values;
+  return count;
+}
+
+std::size_t ShardPlan::shard_of(std::size_t point) const {
+  std::size_t lattice = 0, lattice_stride = 1, rest = 0, rest_stride = 1;
+  for (std::size_t n = over.size(); n-- > 0;) {
+    const std::size_t digit = point % over[n].values;
+    point /= over[n].values;
+    std::size_t& stride = over[n].changes_lattice ? lattice_stride : rest_stride;
+    (over[n].changes_lattice ? lattice : rest) += digit * stride;
+    stride *= over[n].values;
+  }
+  const std::size_t pieces = (shards + lattice_stride - 1) / lattice_stride;
+  const std::size_t card = lattice * pieces + rest % pieces;
+  return (card + card / shards) % shards;
+}
+
+std::vector<std::size_t> ShardPlan::points_of(std::size_t shard) const {
+  std::vector<std::size_t> own;
+  for (std::size_t point = 0; point < points(); ++point)
+    if (shard_of(point) == shard) own.push_back(point);
+  return own;
+}
 
 Scene ShardPlan::with_step(Scene scene, std::size_t point) const {
   if (steps.rows() == 0 || std::isnan(scene.integration.accuracy)) return scene;
@@ -92,7 +127,7 @@ Table steps_table(const std::vector<Scene>& scenes) {
   return table;
 }
 
-Provenance session_facts(const Session& session) {
+Provenance facts_of(const Session& session) {
   Provenance p = Session::made_by();
   std::vector<std::string> arguments = session.arguments;
   std::sort(arguments.begin(), arguments.end());
@@ -102,20 +137,22 @@ Provenance session_facts(const Session& session) {
   return p;
 }
 
-Provenance plan_facts(const Session& session, const std::string& over, const Scene& asked, const Scene& chosen) {
-  Provenance p = session_facts(session);
-  p["over"] = hash_text(over);
-  p["first_scene"] = asked.hash();
-  p["canary"] = canary_of(chosen);
-  return p;
+std::string canary_of(const Scene& scene) {
+  Scene cut = scene;
+  cut.ending = {};
+  cut.integration.time_limit = not_given;
+  const BuiltSolids solids(cut);
+  cut.integration.time_limit = canary_steps * launch(cut, solids).step;
+  if (stop_requested) throw Error("interrupted", Exit::interrupted);
+  const Row row = row_of(cut, run_scene(solids, cut, stop_requested), 0);
+  return digest_of(table_of({&row}));
 }
 
 void write_plan(const fs::path& folder, const ShardPlan& plan, const Provenance& provenance) {
   Provenance all = provenance;
   for (const auto& [name, text] : plan.facts) all[name] = text;
   all["shards"] = fmt::format("{}", plan.shards);
-  all["points"] = fmt::format("{}", plan.points);
-  all["lattices"] = fmt::format("{}", fmt::join(plan.lattices, "\n"));
+  all["names"] = text_of(plan.over);
   make_folder(folder);
   const fs::path own = folder / own_name("plan", ".h5");
   write_table(own, plan.steps, all);
@@ -128,8 +165,8 @@ ShardPlan read_plan(const fs::path& folder) {
   ShardPlan plan{.facts = read_provenance(path), .steps = read_table(path)};
   try {
     plan.shards = std::stoul(plan.facts.at("shards"));
-    plan.points = std::stoul(plan.facts.at("points"));
-    plan.lattices = lines_of(plan.facts.at("lattices"));
+    plan.over = over_of(plan.facts.at("names"));
+    if (plan.shards == 0 || plan.points() == 0) throw std::invalid_argument("a count");
   } catch (const std::logic_error&) {
     throw FileError(fmt::format("{} is no plan of shards; remove it, or give another --out", path.string()));
   }

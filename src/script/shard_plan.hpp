@@ -12,19 +12,36 @@
 
 namespace ricochet {
 
-struct ShardPlan {
-  std::size_t shards = 0, points = 0;
-  std::vector<std::string> lattices;  ///< the names in `over` that change the lattice
-  Provenance facts;                   ///< of the script, the program and the first point: what must be equal
-  Table steps;                        ///< of every point, if trials chose them; else empty
+/// A name in `over`, with as many values.
+struct SweptName {
+  std::string name;
+  std::size_t values;
+  bool changes_lattice;
+};
 
+/// Points are counted from 0, the last name of `over` fastest. Lattices are dealt out to the shards as cards are, each
+/// round from another one on, and where there are fewer than shards, their pieces: points of one lattice cost less
+/// together than apart.
+struct ShardPlan {
+  std::size_t shards = 0;
+  std::vector<SweptName> over;
+  Provenance facts;  ///< of the script, the program and the first point: what must be equal
+  Table steps;       ///< of every point, if trials chose them; else empty
+
+  std::size_t points() const;
+  std::size_t lattices() const;
+  std::size_t shard_of(std::size_t point) const;
+  /// In their order.
+  std::vector<std::size_t> points_of(std::size_t shard) const;
   /// The scene of a point with the step that the plan has for it.
   Scene with_step(Scene scene, std::size_t point) const;
 };
 
-/// What a session, its sweep's `over` (as text) and the first point's scene as asked tell; the scene's step: as chosen.
-/// Runs the first 300 steps of the first point.
-Provenance plan_facts(const Session& session, const std::string& over, const Scene& asked, const Scene& chosen);
+/// Of a session: its script, arguments and program.
+Provenance facts_of(const Session& session);
+
+/// The hash of what a scene's impact comes to in its first 300 steps. Throws FieldError if it cannot start.
+std::string canary_of(const Scene& scene);
 
 /// Steps of all points of a sweep, as trials chose them.
 Table steps_table(const std::vector<Scene>& scenes);
@@ -35,11 +52,8 @@ void write_plan(const std::filesystem::path& folder, const ShardPlan& plan, cons
 /// The plan in a sweep's folder; throws FileError if there is none or it cannot be read.
 ShardPlan read_plan(const std::filesystem::path& folder);
 
-/// Throws FileError that says what differs: the script, its arguments, the program, or what it computes. Facts that are
-/// not among `own` are not compared.
+/// Throws FileError that says what differs in one of these facts: the script, its arguments, the program, or what it
+/// computes.
 void refuse_other(const ShardPlan& plan, const Provenance& own, const std::filesystem::path& folder);
-
-/// Facts of a session alone.
-Provenance session_facts(const Session& session);
 
 }  // namespace ricochet

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 #include <unordered_set>
 
@@ -28,6 +29,16 @@ void warn_of_twins(Session& session, const std::string& name, const std::vector<
 }
 
 }  // namespace
+
+void check_steps(const Session& session, const std::vector<Scene>& scenes) {
+  std::vector<bool> by_step(scenes.size());
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const Integration& given = scenes[i].integration;
+    const bool found_to_start = scenes[i].step_is_chosen();
+    by_step[i] = !found_to_start && (i == 0 || !std::isnan(given.step) || !std::isnan(given.theta));
+  }
+  check_scenes(scenes, by_step, options_of(session), stop_requested);
+}
 
 bool run_rows(Session& session, RowStore& store, const SweepWork& work, SweepUse& use) {
   const std::vector<Scene>& scenes = work.scenes;

@@ -38,6 +38,9 @@ struct SweepWork {
 
 SweepOptions options_of(const Session& session);
 
+/// Refuses a step that some lattice does not take, before anything is written. Throws SceneError.
+void check_steps(const Session& session, const std::vector<Scene>& scenes);
+
 /// Runs the scenes that the store does not know. `use`: what it made of the machine. Returns false if it was
 /// interrupted.
 bool run_rows(Session& session, RowStore& store, const SweepWork& work, SweepUse& use);

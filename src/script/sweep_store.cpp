@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "script/digest.hpp"
+#include "script/shard_store.hpp"
 #include "script/sweep_table.hpp"
 #include "store/files.hpp"
 #include "store/run_names.hpp"
@@ -29,8 +30,12 @@ Store::Store(Session& session, const std::string& name, const std::vector<std::s
       folder_(session.folders.named(name)),
       parts_(run_names::parts(folder_)),
       parameters_(parameters) {
-  session.folders.claim(folder_);
   std::error_code error;
+  merges_ = session.options.part == Part::merge;
+  if (!merges_ && !session.options.force && fs::exists(run_names::plan(folder_), error))
+    throw FileError(fmt::format(
+        "{} holds shards of this sweep; ricochet merge makes results of them, --force drops them", folder_.string()));
+  session.folders.claim(folder_);
   if (session.options.force || (session.options.resume && fs::exists(run_names::new_parts(folder_), error)))
     parts_ = run_names::new_parts(folder_);
   if (earlier.taken) load(earlier.strangers);
@@ -51,7 +56,8 @@ void Store::add(const std::vector<std::pair<std::size_t, Row>>& batch) {
 
 bool Store::replaces() const {
   std::error_code error;
-  return parts_ == run_names::new_parts(folder_) && fs::exists(run_names::readable_results(folder_), error);
+  return parts_ == run_names::new_parts(folder_) &&
+         (fs::exists(run_names::readable_results(folder_), error) || fs::exists(run_names::plan(folder_), error));
 }
 
 void Store::stop_early() {
@@ -71,6 +77,7 @@ std::string Store::assemble() {
   write_everywhere(run_names::results(folder_), table, session_.provenance());
   for (const fs::path& parts : {run_names::parts(folder_), run_names::new_parts(folder_)})
     run_names::remove_parts(parts);
+  if (count() == rows().size()) run_names::remove_shards(folder_);
   session_.folders.results_are_whole(folder_);
   return digest_of(table);
 }
@@ -90,8 +97,13 @@ void Store::add_parameter(Table& table, std::size_t p, const std::vector<std::si
 }
 
 void Store::load(bool strangers_too) {
-  std::size_t strangers = 0;
-  for (const fs::path& file : run_names::stored(folder_)) strangers += known_.load(file, session_.made_by());
+  const auto files = [this] {
+    std::vector<fs::path> list = run_names::stored(folder_);
+    if (!merges_) return list;
+    for (const fs::path& file : run_names::shard_files(folder_)) list.push_back(file);
+    return list;
+  };
+  const std::size_t strangers = load_while_they_change(known_, files, session_.made_by());
   if (strangers > 0 && !strangers_too)
     throw FileError(fmt::format(
         "{} holds {} rows of other scenes than this sweep's, which --resume would lose; use the same parameters (and "

@@ -59,6 +59,7 @@ class Store : public RowStore {
 
   Session& session_;
   std::filesystem::path folder_, parts_;
+  bool merges_ = false;  // takes up the rows of shards
   const Parameters& parameters_;
 };
 

@@ -8,6 +8,7 @@
 #include "script/fields.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
+#include "script/shard_merge.hpp"
 #include "script/step_choice.hpp"
 #include "script/sweep_descriptions.hpp"
 #include "script/sweep_read.hpp"
@@ -17,6 +18,9 @@
 #include "store/run_names.hpp"
 
 namespace ricochet {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -102,24 +106,12 @@ std::vector<Row> check_only(Session& session, const Request& sweep) {
   return rows;
 }
 
-// A step that some lattice refuses is refused before anything is written.
-void check_steps(const Session& session, const std::vector<Scene>& scenes) {
-  std::vector<bool> by_step(scenes.size());
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const Integration& given = scenes[i].integration;
-    const bool found_to_start = scenes[i].step_is_chosen();
-    by_step[i] = !found_to_start && (i == 0 || !std::isnan(given.step) || !std::isnan(given.theta));
-  }
-  check_scenes(scenes, by_step, options_of(session), stop_requested);
-}
-
-void tell_end(Session& session, const Request& sweep, const Store& store, const std::string& digest,
-              const SweepUse* use) {
-  const std::vector<Row>& rows = store.rows();
+void tell_end(Session& session, const Request& sweep, const fs::path& folder, const std::vector<Row>& rows,
+              const std::string& digest, const SweepUse* use) {
   std::size_t finished = 0;
   for (const Row& row : rows) finished += row.finished();
   std::string text = fmt::format("{}: {} of {} impacts finished; {}\n{}", sweep.name, finished, rows.size(),
-                                 run_names::readable_results(store.folder()).string(), steps_text(sweep.scenes, rows));
+                                 run_names::readable_results(folder).string(), steps_text(sweep.scenes, rows));
   text += fmt::format("  digest of outcomes {}\n", digest);
   if (use)
     text += fmt::format("  {:.3g} s on {} thread{}, {:.2g} % of their time idle, {:.2g} % of the lanes' steps idle\n",
@@ -131,22 +123,27 @@ void tell_end(Session& session, const Request& sweep, const Store& store, const 
   if (session.options.quiet) warn_of_doubts(session, rows);
 }
 
-std::vector<Row> run(Session& session, Request& sweep) {
+std::vector<Scene> with_steps(Session& session, const Request& sweep) {
   const Telling telling = printed(session, sweep.scene_name());
-  sweep.scenes = sweep.stage == Stage::whole ? with_chosen_steps(session, sweep.scenes, telling)
-                                             : with_steps_of_rounds(session, sweep.name, sweep.scenes, telling);
+  if (session.options.part != Part::whole) return with_planned_steps(session, sweep.name, sweep.scenes, telling);
+  return sweep.stage == Stage::whole ? with_chosen_steps(session, sweep.scenes, telling)
+                                     : with_steps_of_rounds(session, sweep.name, sweep.scenes, telling);
+}
+
+std::vector<std::string> hashes_of(const std::vector<Scene>& scenes) {
   std::vector<std::string> hashes;
-  for (const Scene& scene : sweep.scenes) hashes.push_back(scene.hash());
-  check_steps(session, sweep.scenes);
-  Store store(session, sweep.name, hashes, sweep.parameters, sweep.earlier(session.options.resume));
-  const std::size_t before = store.count();
+  for (const Scene& scene : scenes) hashes.push_back(scene.hash());
+  return hashes;
+}
+
+// Runs what is not stored yet.
+SweepUse run_rest(Session& session, Store& store, Request& sweep, const std::vector<std::string>& hashes) {
   SweepUse use;
   try {
     const Storing storing;
-    if (!run_rows(session, store, {sweep.name, sweep.scenes, hashes, sweep.scene_name()}, use)) {
-      store.stop_early();
-      throw Error("interrupted: " + store.left_behind(), Exit::interrupted);
-    }
+    if (run_rows(session, store, {sweep.name, sweep.scenes, hashes, sweep.scene_name()}, use)) return use;
+    store.stop_early();
+    throw Error("interrupted: " + store.left_behind(), Exit::interrupted);
   } catch (const FileError& error) {
     throw FileError(fmt::format("{}\n  {}", error.what(), store.left_behind()));
   } catch (const SceneError&) {
@@ -154,11 +151,28 @@ std::vector<Row> run(Session& session, Request& sweep) {
     sweep.stored = "\n  " + store.left_behind();
     throw;
   }
+}
+
+std::vector<Row> run(Session& session, Request& sweep) {
+  sweep.scenes = with_steps(session, sweep);
+  const std::vector<std::string> hashes = hashes_of(sweep.scenes);
+  const bool merges = session.options.part == Part::merge;
+  if (session.options.part == Part::shard || session.options.part == Part::plan)
+    return merged_rows(session, sweep.name, hashes);
+  if (!merges) check_steps(session, sweep.scenes);
+  Store store(session, sweep.name, hashes, sweep.parameters, sweep.earlier(session.options.resume));
+  const std::size_t before = store.count();
+  SweepUse use;
+  if (merges)
+    refuse_missing(session, sweep.name, store);
+  else
+    use = run_rest(session, store, sweep, hashes);
   if (sweep.goes_on()) return store.rows();
   const std::string digest = store.assemble();
-  tell_end(session, sweep, store, digest, store.count() > before ? &use : nullptr);
+  const std::vector<Row> rows = store.count() < hashes.size() ? with_missing(store, sweep.scenes) : store.rows();
+  tell_end(session, sweep, store.folder(), rows, digest, store.count() > before ? &use : nullptr);
   session.swept.push_back({sweep.name, store.folder(), sweep.scenes});
-  return store.rows();
+  return rows;
 }
 
 // Pushes the rows of a sweep, with its own values over an outcome of the same name.

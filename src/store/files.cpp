@@ -47,6 +47,13 @@ void sync_folder(const std::filesystem::path& folder) {
 
 }  // namespace
 
+ScratchFolder::ScratchFolder() : path_(std::filesystem::temp_directory_path() / own_name("ricochet", "")) {}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
 FolderLock::FolderLock(const std::filesystem::path& folder)
     : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (descriptor_ < 0) fail(folder, "open", errno);
@@ -89,7 +96,11 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes)
       fail(path, "write", error);
     }
   }
-  if (rename(beside.c_str(), path.c_str()) != 0) fail(path, "write", errno);
+  rename_over(beside, path);
+}
+
+void rename_over(const std::filesystem::path& file, const std::filesystem::path& path) {
+  if (rename(file.c_str(), path.c_str()) != 0) fail(path, "write", errno);
   sync_folder(path.parent_path());
 }
 
@@ -105,11 +116,15 @@ bool link_first(const std::filesystem::path& file, const std::filesystem::path& 
   return false;
 }
 
-std::string own_name(const std::string& stem, const std::string& extension) {
-  static std::atomic<int> count = 0;
+std::string host_name() {
   char host[256] = "unknown";
   gethostname(host, sizeof host - 1);
-  return fmt::format("{}-{}-{}-{}{}", stem, host, getpid(), count++, extension);
+  return host;
+}
+
+std::string own_name(const std::string& stem, const std::string& extension) {
+  static std::atomic<int> count = 0;
+  return fmt::format("{}-{}-{}-{}{}", stem, host_name(), getpid(), count++, extension);
 }
 
 void make_folder(const std::filesystem::path& path) {
