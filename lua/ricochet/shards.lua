@@ -50,8 +50,8 @@ local function names_of(sweep, first, make)
   end
   local _, _, again = core.lattice(make(values_at(sweep, 0)))
   if again ~= hash then
-    core.fail_in(sweep.scene, "scene", "the function returned two different scenes for the same values: in shards it " ..
-      "must depend on `at` alone, not on what it was called for before")
+    core.fail_in(sweep.scene, "scene", "the function returned two different scenes for the same values: in shards " ..
+      "it must depend on `at` alone, not on what it was called for before")
   end
   return names
 end

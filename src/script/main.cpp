@@ -16,6 +16,8 @@
 #include "script/run_report.hpp"
 #include "script/shard_choice.hpp"
 #include "script/shard_end.hpp"
+#include "script/shard_status.hpp"
+#include "script/slurm.hpp"
 #include "script/state.hpp"
 #include "script/terminal.hpp"
 
@@ -47,7 +49,8 @@ void run_in(Session& session) {
     session.print(fmt::format("{} declares no parameters.\n", session.script.string()));
 }
 
-void run(RunOptions options, const std::string& script, const std::vector<std::string>& arguments) {
+void run(RunOptions options, const std::string& script, const std::vector<std::string>& arguments,
+         const QueueOptions* queue = nullptr) {
   refuse_odd_arguments(arguments);
   if (options.out.empty()) throw Error("--out needs a folder", Exit::usage);
   if (options.part != Part::whole) {
@@ -78,6 +81,7 @@ void run(RunOptions options, const std::string& script, const std::vector<std::s
     throw;
   }
   session.finish();
+  if (queue) return submit_shards(session, *queue);
   if (session.options.part == Part::shard) return tell_nothing_left(session);
   write_report(session);
   if (session.nothing_finished())
@@ -91,6 +95,7 @@ struct Commands {
   RunOptions options;
   RenderOptions drawing;
   ReportOptions report;
+  QueueOptions queue;
   std::string script, file, theory, shard;
   std::vector<std::string> arguments;
   bool price = false, stubs = false;
@@ -184,6 +189,44 @@ void add_merge(Commands& c) {
     c.options.part = Part::merge;
     run(c.options, c.script, c.arguments);
   });
+}
+
+void add_submit(Commands& c) {
+  CLI::App* command = c.app.add_subcommand(
+      "submit",
+      "Submit the shards of a script's sweep that are not there, and their merging: ricochet submit SCRIPT "
+      "[name=value ...] --slurm");
+  QueueOptions& wanted = c.queue;
+  add_script(c, command);
+  command->get_option("SCRIPT")->required();
+  command->add_flag("--slurm", wanted.slurm, "to Slurm, as an array of jobs");
+  command->add_option("--shards", c.options.shards, "in so many; one a thousand impacts unless given or planned before")
+      ->check(count_within(1, 10'000'000));
+  command->add_option("--time", wanted.time,
+                      "of a task, as sbatch takes it; near its end a task stores and goes on anew");
+  command->add_option("--partition", wanted.partition, "of the cluster");
+  command->add_option("--cpus", wanted.cpus, "threads of each task (default: 1)")->check(count_within(1, 1024));
+  command->add_option("--max-running", wanted.running, "tasks at a time, at most")->check(count_within(0, 1'000'000));
+  command
+      ->add_option("--warning", wanted.warning,
+                   "seconds before the end of its time in which a task stores what is done")
+      ->check(count_within(1, 86400));
+  command->add_option("--sbatch", wanted.sbatch, "a further option of sbatch for both jobs: --sbatch=--mem=2G");
+  command->add_flag("--dry-run", wanted.dry_run, "write the plan and the scripts, submit nothing");
+  command->add_option("--out", c.options.out, fmt::format("folder of the results (default: {})", RunOptions{}.out));
+  command->add_flag("--quiet", c.options.quiet, "print what the script prints, and warnings, alone");
+  command->add_option("--round", wanted.round)->group("");  // by the merging job
+  command->callback([&c, &wanted] {
+    if (!wanted.slurm) throw Error("submit needs to know where to: --slurm", Exit::usage);
+    c.options.part = Part::plan;
+    run(c.options, c.script, c.arguments, &wanted);
+  });
+}
+
+void add_status(Commands& c) {
+  CLI::App* command = c.app.add_subcommand("status", "How far the sweeps of a folder are, shards or not");
+  command->add_option("DIR", c.file, "a sweep's folder, or that of several")->required();
+  command->callback([&c] { print_status(c.file); });
 }
 
 void add_accuracy(Commands& c) {
@@ -312,8 +355,8 @@ void program(int count, char** words) {
   Commands c;
   c.app.require_subcommand(1);
   c.app.set_version_flag("--version", version_text);
-  for (const auto add : {add_run, add_merge, add_accuracy, add_effects, add_theory, add_repl_and_info, add_render,
-                         add_report, add_reference})
+  for (const auto add : {add_run, add_merge, add_submit, add_status, add_accuracy, add_effects, add_theory,
+                         add_repl_and_info, add_render, add_report, add_reference})
     add(c);
   try {
     c.app.parse(count, words);

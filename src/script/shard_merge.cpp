@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "impact/outcome.hpp"
 #include "script/shard_plan.hpp"
+#include "script/shell.hpp"
 #include "store/files.hpp"
 #include "store/run_names.hpp"
 
@@ -18,15 +19,6 @@ namespace {
 
 // So many shards are told one by one.
 constexpr std::size_t most_told = 10;
-
-// As a shell takes it.
-std::string quoted(const std::string& word) {
-  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:%@";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
 
 bool has_plan(const fs::path& folder) {
   std::error_code error;
@@ -61,9 +53,10 @@ std::string line_of(const fs::path& folder, std::size_t shard, const Tally& tall
 }  // namespace
 
 std::string command_of(const Session& session, const std::string& command, const std::string& options) {
-  std::string text = fmt::format("ricochet {} {}", command, quoted(session.script.string()));
-  for (const std::string& argument : session.arguments) text += " " + quoted(argument);
-  return fmt::format("{} {}{}--out {}", text, options, options.empty() ? "" : " ", quoted(session.options.out));
+  std::vector<std::string> words{session.script.string()};
+  words.insert(words.end(), session.arguments.begin(), session.arguments.end());
+  return fmt::format("ricochet {} {} {}{}--out {}", command, shell_words(words), options, options.empty() ? "" : " ",
+                     shell_words(session.options.out));
 }
 
 std::vector<Scene> with_planned_steps(Session& session, const std::string& sweep, const std::vector<Scene>& scenes,

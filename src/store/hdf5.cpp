@@ -103,7 +103,11 @@ Handle open_file(const std::filesystem::path& path) {
     throw FileError(
         fmt::format("{} is damaged: its bytes are not those that were written (the seal does not match); {}",
                     path.string(), damage_remedy));
-  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  // One process writes a file, and gives it its name when it is whole: no lock is needed, and some file systems have
+  // none.
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
+  check(H5Pset_file_locking(access, 0, 1), "do without locks");
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   if (id < 0) throw FileError(fmt::format("{} is sealed, but HDF5 cannot open it; {}", path.string(), damage_remedy));
   return {id, H5Fclose, "open a file"};
 }
