@@ -211,7 +211,8 @@ void add_submit(Commands& c) {
       ->add_option("--warning", wanted.warning,
                    "seconds before the end of its time in which a task stores what is done")
       ->check(count_within(1, 86400));
-  command->add_option("--sbatch", wanted.sbatch, "a further option of sbatch for both jobs: --sbatch=--mem=2G");
+  command->add_option("--sbatch", wanted.sbatch, "a further option of sbatch for both jobs: --sbatch=--mem=2G")
+      ->allow_extra_args(false);
   command->add_flag("--dry-run", wanted.dry_run, "write the plan and the scripts, submit nothing");
   command->add_option("--out", c.options.out, fmt::format("folder of the results (default: {})", RunOptions{}.out));
   command->add_flag("--quiet", c.options.quiet, "print what the script prints, and warnings, alone");

@@ -72,7 +72,9 @@ Handle memory_file() {
   quiet();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
   check(H5Pset_fapl_core(access, 1 << 20, 0), "use memory");
-  return {H5Fcreate("memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "make a file in memory"};
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "make properties");
+  check(H5Pset_userblock(creation, seal_size), "leave room for the seal");
+  return {H5Fcreate("memory", H5F_ACC_TRUNC, creation, access), H5Fclose, "make a file in memory"};
 }
 
 std::string image(const Handle& file) {
@@ -81,7 +83,7 @@ std::string image(const Handle& file) {
   if (size < 0) throw FileError("HDF5 cannot give a file's image");
   std::string bytes(static_cast<std::size_t>(size), '\0');
   if (H5Fget_file_image(file, bytes.data(), bytes.size()) < 0) throw FileError("HDF5 cannot give a file's image");
-  return seal_of(bytes) + bytes;
+  return bytes.replace(0, seal_size, seal_of(std::string_view(bytes).substr(seal_size)));
 }
 
 std::string seal_of(std::string_view bytes) {

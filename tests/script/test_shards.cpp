@@ -113,7 +113,7 @@ TEST_CASE("1, 3, 4 and 7 shards are merged to the digest of one run, and leave o
 TEST_CASE("merge leaves what run leaves, and info the same digest") {
   const Workplace here;
   here.write("s.lua", std::string(small_sweep) +
-                          "ricochet.plot { rows = rows, x = \"psi1\", y = { \"e\" } }\n"
+                          "ricochet.plot { rows = rows, x = \"psi1\", y = { \"e\" }, name = \"e\" }\n"
                           "ricochet.file.write(\"note.txt\", \"done\")\n");
   REQUIRE(here.run("s.lua --quiet --out calm samples=1").status == 0);
   REQUIRE(run_shards(here, 2, "samples=1").status == 0);
@@ -123,7 +123,7 @@ TEST_CASE("merge leaves what run leaves, and info the same digest") {
   CHECK_THAT(here.shell("ricochet info out").out, Contains("digest of outcomes " + digest(here, "calm/s")));
 }
 
-TEST_CASE("--shard auto takes the number from the variables of the job that it runs in") {
+TEST_CASE("a shard given as auto takes its number from the variables of the job that it runs in") {
   const Workplace here;
   const std::string expected = undisturbed(here, "samples=2");
   const char* jobs[][2] = {{"OMPI_COMM_WORLD_RANK=0 OMPI_COMM_WORLD_SIZE=2", "PMI_RANK=1 PMI_SIZE=2"},
