@@ -40,7 +40,7 @@ local function names_of(sweep, first, make)
     local list = sweep.over[name]
     local changes = false
     for _, k in ipairs { 2, #list } do
-      if list[k] ~= list[1] then
+      if list[k] ~= nil and list[k] ~= list[1] then
         local values = values_at(sweep, 0)
         values[name] = list[k]
         changes = changes or core.lattice(make(values)) ~= group

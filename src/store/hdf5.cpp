@@ -83,7 +83,7 @@ std::string image(const Handle& file) {
   if (size < 0) throw FileError("HDF5 cannot give a file's image");
   std::string bytes(static_cast<std::size_t>(size), '\0');
   if (H5Fget_file_image(file, bytes.data(), bytes.size()) < 0) throw FileError("HDF5 cannot give a file's image");
-  return bytes.replace(0, seal_size, seal_of(std::string_view(bytes).substr(seal_size)));
+  return seal_of(bytes) + bytes;  // an image begins behind the user block
 }
 
 std::string seal_of(std::string_view bytes) {
