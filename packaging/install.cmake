@@ -25,4 +25,6 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS "slurm-client, fonts-noto-cjk")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "workbench for the impact of elastic bodies
  Random lattices of springs, finite elements or modes collide in sweeps over
  thousands of impacts. Scripts in Lua; results as HDF5, CSV, plots and films.")
+# The tests are no part of it, and need not be built for it.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 include(CPack)

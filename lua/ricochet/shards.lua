@@ -9,44 +9,54 @@ function shards.refuse_rounds()
     "of samples in over.sample, as an earlier run found them", "samples")
 end
 
--- The values of `over` at a point, counted from 0: the last name is the fastest.
+-- How many values a factor has.
+local function values_of(sweep, factor) return #sweep.over[factor.names[1]] end
+
+-- Sets the names of a factor to their k-th values.
+local function set(sweep, factor, values, k)
+  for _, name in ipairs(factor.names) do values[name] = sweep.over[name][k] end
+end
+
+-- The values of `over` at a point, counted from 0: the last factor is the fastest.
 local function values_at(sweep, point)
   local values = {}
-  for k = #sweep.names, 1, -1 do
-    local list = sweep.over[sweep.names[k]]
-    values[sweep.names[k]] = list[point % #list + 1]
-    point = point // #list
+  for i = #sweep.factors, 1, -1 do
+    local factor = sweep.factors[i]
+    local count = values_of(sweep, factor)
+    set(sweep, factor, values, point % count + 1)
+    point = point // count
   end
   return values
 end
 
--- All values, exactly.
+-- All values, exactly, those that go together in a line each.
 local function text_of(sweep)
   local lines = {}
-  for _, name in ipairs(sweep.names) do
-    local values = {}
-    for k, value in ipairs(sweep.over[name]) do values[k] = ("%q"):format(value) end
-    lines[#lines + 1] = name .. " = " .. table.concat(values, ", ")
+  for _, factor in ipairs(sweep.factors) do
+    for k = 1, values_of(sweep, factor) do
+      local values = {}
+      for i, name in ipairs(factor.names) do values[i] = ("%s = %q"):format(name, sweep.over[name][k]) end
+      lines[#lines + 1] = table.concat(values, ", ")
+    end
   end
   return table.concat(lines, "\n")
 end
 
--- A list of { name =, values =, changes_lattice = }: does another value of the name alone make another lattice? Where
--- this is wrong, shards take longer, and come to the same.
+-- A list of { name =, values =, changes_lattice = }, one a factor: does another value of it alone make another lattice?
+-- Where this is wrong, shards take longer, and come to the same.
 local function names_of(sweep, first, make)
   local group, _, hash = core.lattice(first)
   local names = {}
-  for i, name in ipairs(sweep.names) do
-    local list = sweep.over[name]
-    local changes = false
-    for _, k in ipairs { 2, #list } do
-      if list[k] ~= nil and list[k] ~= list[1] then
+  for i, factor in ipairs(sweep.factors) do
+    local count, changes = values_of(sweep, factor), false
+    for _, k in ipairs { 2, count } do
+      if k > 1 and k <= count then
         local values = values_at(sweep, 0)
-        values[name] = list[k]
+        set(sweep, factor, values, k)
         changes = changes or core.lattice(make(values)) ~= group
       end
     end
-    names[i] = { name = name, values = #list, changes_lattice = changes }
+    names[i] = { name = table.concat(factor.names, " "), values = count, changes_lattice = changes }
   end
   local _, _, again = core.lattice(make(values_at(sweep, 0)))
   if again ~= hash then

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/hash.hpp"
 #include "script/fields.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
@@ -56,7 +57,7 @@ std::string canary_of_first(lua_State* L, int index, const Scene& chosen) {
 
 Provenance facts_of_sweep(lua_State* L, const std::string& over, const Scene& first) {
   Provenance facts = facts_of(session_of(L));
-  facts["over"] = over;
+  facts["over"] = hash_text(over);
   facts["first_scene"] = first.hash();
   return facts;
 }

@@ -13,7 +13,8 @@ Function sweep_function() {
               "returns the rows. A sample that did not finish is counted and never averaged in.",
           .fields =
               {{"name", "string", "", "names the folder of its results"},
-               {"over", "table", "", "name = list of values, each a number, string or boolean"},
+               {"over", "table", "",
+                "name = list of values, each a number, string or boolean; and what zip or latin_hypercube returns"},
                {"units", "table", "", "name = unit of a value of 'over', for axes: { gap = \"R\" }", any_number, "{}"},
                {"scene", "function", "", "function (at) that returns the scene at the values at.name"},
                {"samples",
@@ -72,6 +73,12 @@ std::vector<Function> rows_functions() {
                   {"unit", "string", "", "as in rows:power_law", any_number, "", true}},
        .returns = "table",
        .example = "rows:paired { by = \"psi1\", of = \"e\", at = { 0, 1 } }"},
+      {.name = "rows:save",
+       .doc = "Writes columns of the rows into the run's folder, as NAME.csv and NAME.h5, with their units.",
+       .fields = {{"name", "string", "", "file name without extension"},
+                  {"columns", "strings", "", "in this order, those that the script added among them"}},
+       .returns = "nothing",
+       .example = "rows:where { psi1 = 1 }:save { name = \"grazing\", columns = { \"sample\", \"e\" } }"},
       {.name = "rows:where",
        .doc = "The rows whose columns have the given values.",
        .returns = "rows",
@@ -88,10 +95,36 @@ Function range_function() {
                         {"step", "number", "", "", any_number, "", true}}};
 }
 
+// lua/ricochet/designs.lua
+std::vector<Function> design_functions() {
+  return {
+      {.name = "logspace",
+       .doc = "The list of `count` values from first to last, each the same number of times the one before.",
+       .returns = "table",
+       .example = "ricochet.logspace(0.01, 1, 3) -- {0.01, 0.1, 1}",
+       .arguments = {{"first", "number"}, {"last", "number"}, {"count", "integer"}}},
+      {.name = "zip",
+       .doc = "Values of several names that go together by their places in lists of equal length, instead of each "
+              "with every other: for `over`, alone or beside names.",
+       .returns = "table",
+       .example = "local over = { sample = ricochet.range(4), ricochet.zip { speed = { 0.1, 0.2 }, psi1 = { 0, 2 } } }",
+       .arguments = {{"lists", "table"}}},
+      {.name = "latin_hypercube",
+       .doc = "As many points spread at random, for `over`, so that each n-th of every range holds one. The same "
+              "seed gives the same points everywhere.",
+       .fields = {{"n", "integer", "", "points", {1, 1e6}},
+                  {"ranges", "table", "", "name = { low, high }"},
+                  {"seed", "integer", "", "of the random numbers", any_number, "1"}},
+       .returns = "table",
+       .example =
+           "local over = ricochet.latin_hypercube { n = 100, ranges = { speed = { 0.01, 0.3 }, psi1 = { 0, 3 } } }"}};
+}
+
 }  // namespace
 
 std::vector<Function> sweep_descriptions() {
-  return std::vector<Function>{sweep_function()} + rows_functions() + std::vector<Function>{range_function()};
+  return std::vector<Function>{sweep_function()} + rows_functions() + std::vector<Function>{range_function()} +
+         design_functions();
 }
 
 }  // namespace ricochet

@@ -6,6 +6,7 @@
 
 #include "impact/sweep.hpp"
 #include "script/fields.hpp"
+#include "script/filmed.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
 #include "script/shard_merge.hpp"
@@ -16,6 +17,7 @@
 #include "script/sweep_run.hpp"
 #include "script/sweep_store.hpp"
 #include "store/run_names.hpp"
+#include "store/sinks.hpp"
 
 namespace ricochet {
 
@@ -220,6 +222,34 @@ int run_sweep_from_lua(lua_State* L) {
   return 1;
 }
 
+// save_rows(name, columns, rows): a list of { name =, unit = } of rows, as files of every format.
+int save_rows(lua_State* L) {
+  Session& session = session_of(L);
+  const std::string name = luaL_checkstring(L, 1);
+  Table table;
+  each_element(L, 2, [&](lua_Integer) {
+    lua_getfield(L, -1, "name");
+    lua_getfield(L, -2, "unit");
+    const Field field{lua_tostring(L, -2), "", lua_tostring(L, -1)};
+    lua_pop(L, 2);
+    NumberColumn numbers{field, {}};
+    TextColumn texts{field, {}};
+    each_element(L, 3, [&](lua_Integer) {
+      lua_getfield(L, -1, field.name.c_str());
+      numbers.values.push_back(lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : not_given);
+      texts.values.push_back(luaL_tolstring(L, -1, nullptr));
+      if (lua_type(L, -2) != LUA_TNUMBER) numbers.field.type = "string";
+      lua_pop(L, 2);
+    });
+    numbers.field.type.empty() ? table.numbers.push_back(numbers) : table.texts.push_back(texts);
+  });
+  if (session.options.check) return 0;
+  const fs::path path = claimed_files(L, "name", name, rows_sinks());
+  write_everywhere(fs::path(path).replace_extension(), table, session.provenance());
+  session.inform(fmt::format("rows: {} in {}\n", table.rows(), path.string()));
+  return 0;
+}
+
 // clock(): wall seconds since some moment.
 int clock_seconds(lua_State* L) {
   lua_pushnumber(L, std::chrono::duration<double>(Clock::now().time_since_epoch()).count());
@@ -243,6 +273,7 @@ Group sweep_functions() {
   return {.functions = sweep_descriptions(),
           .natives = {{"run_sweep", guarded<run_sweep_from_lua>},
                       {"columns", columns},
+                      {"save_rows", guarded<save_rows>},
                       {"pilot", guarded<pilot>},
                       {"with_chosen_step", guarded<with_chosen_step>},
                       {"struck_from_other_side", guarded<struck_from_other_side>},
