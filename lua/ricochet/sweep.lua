@@ -195,8 +195,8 @@ local function sweep(given)
     if type(unit) ~= "string" then core.fail(("units.%s must be a text, is a %s"):format(name, type(unit)), "units") end
   end
   local self = setmetatable({}, Sweep)
-  held[self] = { name = t.name, scene = t.scene, over = over, factors = factors, names = names, points = points, units = t.units,
-    by_error = rounds.checked(t) }
+  held[self] = { name = t.name, scene = t.scene, over = over, factors = factors, names = names, points = points,
+    units = t.units, by_error = rounds.checked(t) }
   return self
 end
 

@@ -13,17 +13,17 @@ namespace ricochet {
 
 namespace {
 
-using Number = std::optional<std::size_t>;
+using Whole = std::optional<std::size_t>;
 
-Number number_in(std::string_view text) {
+Whole whole_number_in(std::string_view text) {
   std::size_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() ? Number(value) : std::nullopt;
+  return error == std::errc() && end == text.data() + text.size() ? Whole(value) : std::nullopt;
 }
 
-Number number_of(const char* variable) {
+Whole number_in_variable(const char* variable) {
   const char* text = variable ? std::getenv(variable) : nullptr;
-  return text ? number_in(text) : std::nullopt;
+  return text ? whole_number_in(text) : std::nullopt;
 }
 
 /// What a process is told of itself: its number, of the first (0 unless named), and of how many, if that is told.
@@ -50,14 +50,14 @@ constexpr const char* forms =
 }
 
 // With a count that was given, the number is meant as it is: an array of what is missing has gaps.
-void choose_by_launcher(RunOptions& options, const std::string& given, Number count) {
+void choose_by_launcher(RunOptions& options, const std::string& given, Whole count) {
   for (const Launcher& launcher : launchers) {
-    const Number number = number_of(launcher.number);
+    const Whole number = number_in_variable(launcher.number);
     if (!number) continue;
-    const Number total = count ? count : number_of(launcher.count);
+    const Whole total = count ? count : number_in_variable(launcher.count);
     if (!total)
       refuse(given, fmt::format("{} = {} tells which, but nothing tells of how many", launcher.number, *number));
-    options.shard = *number - (count ? 0 : number_of(launcher.first).value_or(0));
+    options.shard = *number - (count ? 0 : number_in_variable(launcher.first).value_or(0));
     options.shards = *total;
     return;
   }
@@ -71,12 +71,13 @@ void choose_by_launcher(RunOptions& options, const std::string& given, Number co
 void choose_shard(RunOptions& options, const std::string& given) {
   const std::size_t slash = given.find('/');
   const std::string first = given.substr(0, slash);
-  const Number count = slash == std::string::npos ? std::nullopt : number_in(std::string_view(given).substr(slash + 1));
+  const Whole count =
+      slash == std::string::npos ? std::nullopt : whole_number_in(std::string_view(given).substr(slash + 1));
   if (slash != std::string::npos && !count) refuse(given, "this is no number of shards");
   if (first == "auto") {
     choose_by_launcher(options, given, count);
   } else {
-    const Number shard = number_in(first);
+    const Whole shard = whole_number_in(first);
     if (!shard || !count) refuse(given, "this names no shard");
     options.shard = *shard;
     options.shards = *count;

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // So many errors of shards are told.
-constexpr std::size_t most_told = 5;
+constexpr std::size_t most_errors_told = 5;
 
 /// What files of rows hold.
 struct Stored {
@@ -56,7 +56,7 @@ Stored stored_in(const std::vector<fs::path>& files) {
   return stored;
 }
 
-std::string listed(const std::vector<std::size_t>& shards) {
+std::string shards_listed(const std::vector<std::size_t>& shards) {
   if (shards.empty()) return "";
   const std::vector<std::size_t> first(shards.begin(),
                                        shards.begin() + static_cast<long>(std::min<std::size_t>(shards.size(), 10)));
@@ -94,10 +94,10 @@ int running_of(const std::string& states) {
 
 // Of the queue: what is at work, and how long it may take.
 void print_queue(const fs::path& folder, const Stored& stored, std::size_t points) {
-  const std::string array = submitted_array(folder);
-  if (array.empty()) return;
-  const std::string states = states_of(array);
-  putf("  job {}: {}\n", array, states.empty() ? "none of its tasks is in the queue (any more)" : states);
+  const std::string list = submitted_jobs(folder);
+  if (list.empty()) return;
+  const std::string states = states_of(list);
+  putf("  jobs {}: {}\n", list, states.empty() ? "none of them is in the queue (any more)" : states);
   const int running = running_of(states);
   if (running == 0 || stored.scenes.empty()) return;
   const double each = stored.seconds / static_cast<double>(stored.scenes.size());
@@ -114,9 +114,9 @@ void print_shards(const fs::path& folder) {
       "{} "
       "not begun{}\n",
       folder.filename().string(), stored.scenes.size(), plan.points(), stored.failed, plan.shards, standing.done.size(),
-      standing.begun.size(), listed(standing.begun), standing.failed.size(), listed(standing.failed),
-      standing.untouched.size(), listed(standing.untouched));
-  for (std::size_t i = 0; i < std::min(most_told, standing.failed.size()); ++i)
+      standing.begun.size(), shards_listed(standing.begun), standing.failed.size(), shards_listed(standing.failed),
+      standing.untouched.size(), shards_listed(standing.untouched));
+  for (std::size_t i = 0; i < std::min(most_errors_told, standing.failed.size()); ++i)
     putf("  shard {} ended with: {}\n", standing.failed[i],
          read_file(run_names::shard_error(folder, standing.failed[i])));
   print_queue(folder, stored, plan.points());

@@ -124,7 +124,7 @@ std::vector<Scene> planned_scenes(const ShardPlan& plan, std::vector<Scene> scen
   return scenes;
 }
 
-void tell_end(Session& session, const std::string& name, const RowStore& store) {
+void tell_shard_end(Session& session, const std::string& name, const RowStore& store) {
   std::size_t finished = 0;
   for (const Row& row : store.rows()) finished += row.finished();
   session.inform(fmt::format("shard {}/{} of '{}' is done: {} of {} impacts finished; {}\n", session.options.shard,
@@ -155,7 +155,7 @@ void run_points(Session& session, const std::string& name, const std::vector<Sce
     throw;
   }
   store.finish();
-  tell_end(session, name, store);
+  tell_shard_end(session, name, store);
 }
 
 // run_shard(name, names, values, scenes, points, units): runs the points of this shard, which have these values of

@@ -172,18 +172,26 @@ std::string submit(const std::vector<std::string>& words) {
   return answer.text.substr(0, answer.text.find(';'));
 }
 
+// Those of shards that are not there, and the one that merges them.
 void submit_scripts(const Scripts& s) {
   const fs::path folder = s.folder();
-  const std::string array = submit({"sbatch", "--parsable", (folder / shard_script).string()});
-  write_atomically(folder / jobs, fmt::format("array {}\n", array));
+  const std::string name = s.session.sharded.filename().string();
+  std::string array, after;
+  if (!s.shards.empty()) {
+    array = submit({"sbatch", "--parsable", (folder / shard_script).string()});
+    write_atomically(folder / jobs, array + "\n");
+    after = "--dependency=afterany:" + array;
+    putf("{} shards of '{}' in {} tasks: job {}\n", s.shards.size(), name, s.tasks, array);
+  }
+  const std::string script = (folder / merge_script).string();
   const std::string merge =
-      submit({"sbatch", "--parsable", "--dependency=afterany:" + array, (folder / merge_script).string()});
+      after.empty() ? submit({"sbatch", "--parsable", script}) : submit({"sbatch", "--parsable", after, script});
+  write_atomically(folder / jobs, fmt::format("{}{}{}\n", array, array.empty() ? "" : ",", merge));
   putf(
-      "{} shards of '{}' in {} tasks: job {}; then job {} merges them\n"
-      "  look: ricochet status {}; stop: scancel {} {}; go on: the same command again\n"
+      "job {} merges the shards of '{}'\n  look: ricochet status {}; stop: scancel {} {}; go on: the same command "
+      "again\n"
       "  what they say: {}\n",
-      s.shards.size(), s.session.sharded.filename().string(), s.tasks, array, merge, shell_words(s.session.options.out),
-      array, merge, (folder / "*.log").string());
+      merge, name, shell_words(s.session.options.out), array, merge, (folder / "*.log").string());
 }
 
 void warn_of_build(Session& session) {
@@ -195,19 +203,17 @@ void warn_of_build(Session& session) {
 
 }  // namespace
 
-std::string submitted_array(const fs::path& folder) {
+std::string submitted_jobs(const fs::path& folder) {
   const fs::path file = run_names::queue(folder) / jobs;
   std::error_code error;
   if (!fs::exists(file, error)) return "";
-  std::istringstream words(read_file(file));
-  std::string name, array;
-  words >> name >> array;
-  return array;
+  std::string list = read_file(file);
+  return list.substr(0, list.find('\n'));
 }
 
-std::string states_of(const std::string& array) {
-  if (array.empty()) return "";
-  const Answer answer = ask({"squeue", "-h", "-r", "-j", array, "-o", "%T"});
+std::string states_of(const std::string& list) {
+  if (list.empty()) return "";
+  const Answer answer = ask({"squeue", "-h", "-r", "-j", list, "-o", "%T"});
   if (answer.status != 0) return "";
   std::map<std::string, int> counts;
   std::istringstream words(answer.text);
@@ -226,19 +232,16 @@ void submit_shards(Session& session, const QueueOptions& wanted) {
     return;
   }
   const ShardPlan plan = read_plan(session.sharded);
-  const std::string array = submitted_array(session.sharded), states = states_of(array);
-  if (!states.empty())
+  const std::string list = submitted_jobs(session.sharded);
+  // A merging job that submits what is lost is at work itself.
+  if (const std::string states = wanted.round > 0 ? "" : states_of(list); !states.empty())
     throw Error(
-        fmt::format("job {} is at work on these shards ({}); wait for it, or scancel {}", array, states, array));
+        fmt::format("jobs {} are at work on these shards ({}); wait for them, or scancel {}", list, states, list));
   Scripts scripts{session, wanted, plan, missing_shards(session, plan), 0};
   refuse_errors(session, wanted, scripts.shards);
-  if (scripts.shards.empty()) {
-    putf("all shards are there; merge them: {}\n", call(scripts, "merge"));
-    return;
-  }
   scripts.tasks = std::min(scripts.shards.size(), most_tasks());
   make_folder(scripts.folder());
-  write_atomically(scripts.folder() / shard_script, shard_text(scripts));
+  if (!scripts.shards.empty()) write_atomically(scripts.folder() / shard_script, shard_text(scripts));
   write_atomically(scripts.folder() / merge_script, merge_text(scripts));
   warn_of_build(session);
   if (!wanted.dry_run) return submit_scripts(scripts);

@@ -18,14 +18,16 @@ struct QueueOptions {
   int round = 0;                    ///< how often lost shards were submitted again without being asked
 };
 
-/// Writes the scripts for those shards of a planned sweep that are not there, and submits them unless it is a dry run.
+/// Writes the scripts for those shards of a planned sweep that are not there and for their merging, and submits them
+/// unless it is a dry run.
 /// Throws Error.
 void submit_shards(Session& session, const QueueOptions& wanted);
 
-/// The number of the array that was submitted for a sweep's folder; empty if none was.
-std::string submitted_array(const std::filesystem::path& folder);
+/// The numbers of the jobs that were submitted last for a sweep's folder, "12,13"; empty if none were.
+std::string submitted_jobs(const std::filesystem::path& folder);
 
-/// Its tasks by state: "2 running, 5 pending"; empty if the queue knows of none (any more), or there is no Slurm here.
-std::string states_of(const std::string& array);
+/// Their tasks by state: "5 pending, 2 running"; empty if the queue knows of none (any more), or there is no Slurm
+/// here.
+std::string states_of(const std::string& list);
 
 }  // namespace ricochet

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <map>
+#include <random>
 #include <set>
 #include <thread>
 
@@ -344,4 +345,46 @@ TEST_CASE(
                     "scene = scene }, standard_error = 0.1 }:run()")
                  .err,
              Contains("ricochet.plan") && Contains("run it by itself"));
+}
+
+// A minute: ricochet_tests "40 kills*".
+TEST_CASE("40 kills of shards and merges lose no row that was stored, and all come to the digest of one run",
+          "[.slow]") {
+  const Workplace here;
+  const std::string expected = undisturbed(here, "samples=20");
+  const fs::path shards = here.path / "out/s/shards";
+  std::mt19937 random(7);
+  int killed = 0, merges_killed = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    INFO("trial " << trial);
+    fs::remove_all(here.path / "out");
+    std::vector<pid_t> running;
+    for (const char* shard : {"0/3", "1/3", "2/3"})
+      running.push_back(
+          start(here, {"run", "s.lua", "samples=20", "--quiet", "--threads", "1", "--shard", shard, "--flush", "0"}));
+    std::this_thread::sleep_for(std::chrono::milliseconds(50 + random() % 1200));
+    kill(running[random() % 3], SIGKILL);
+    for (const pid_t shard : running) {
+      const int status = ended(shard);
+      killed += status == -SIGKILL;
+      CHECK((status == 0 || status == -SIGKILL));
+    }
+    std::map<std::string, double> stored;
+    for (const std::string& name : files_in(shards))
+      if (name.ends_with(".h5")) stored.merge(seconds_in(shards / name));
+    REQUIRE(run_shards(here, 3, "samples=20").status == 0);
+    std::map<std::string, double> now;
+    for (const char* name : {"000.h5", "001.h5", "002.h5"}) now.merge(seconds_in(shards / name));
+    for (const auto& [scene, seconds] : stored) CHECK(now.at(scene) == seconds);
+    const pid_t merging = start(here, {"merge", "s.lua", "samples=20", "--quiet", "--no-report"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 250));
+    kill(merging, SIGKILL);
+    merges_killed += ended(merging) == -SIGKILL;
+    const Ended merged = merge(here, "samples=20");
+    INFO(merged.err);
+    CHECK(merged.status == 0);
+    CHECK(digest(here, "out/s") == expected);
+  }
+  CHECK(killed >= 10);
+  CHECK(merges_killed >= 10);
 }

@@ -79,7 +79,8 @@ class Cluster {
   /// Until nothing is in the queue.
   void wait(int seconds = 85) const {
     for (int i = 0; i < 4 * seconds; ++i) {
-      if (shell("squeue -h -o %i").out.empty()) return;
+      const Ended queue = shell("squeue -h -o %i");
+      if (queue.status == 0 && queue.out.empty()) return;
       std::this_thread::sleep_for(std::chrono::milliseconds(250));
     }
     FAIL("still in the queue: " << shell("squeue; sinfo -N").out << logs());
@@ -242,6 +243,27 @@ TEST_CASE("a node that is out of sight while its job lives on: two copies of a s
   CHECK(cluster.digest() == expected);
 }
 
+TEST_CASE("the queue itself is killed and comes back: the shards do not notice, and are merged", "[.slurm]") {
+  const Cluster cluster;
+  if (!cluster) return;
+  const std::string expected = undisturbed(cluster, slow_sweep(), "samples=24");
+  cluster.submit("--shards 6 samples=24");
+  for (int kill_number = 0; kill_number < 5; ++kill_number) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(700 + 300 * kill_number));
+    kill(std::stoi(cluster.here.read("slurm/state/pid")), SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    REQUIRE(cluster.shell("/usr/sbin/slurmctld").status == 0);
+  }
+  cluster.wait();
+  INFO(cluster.logs());
+  // A job of its last seconds may be forgotten with it: the same command submits what is missing, be it the merging.
+  if (!fs::exists(cluster.here.path / "out/s/results.h5")) {
+    cluster.submit("--shards 6 samples=24");
+    cluster.wait();
+  }
+  CHECK(cluster.digest() == expected);
+}
+
 TEST_CASE("a task whose time ends stores, is queued again and goes on; a cancelled one stays so", "[.slurm]") {
   const Cluster cluster;
   if (!cluster) return;
@@ -255,7 +277,7 @@ TEST_CASE("a task whose time ends stores, is queued again and goes on; a cancell
   cluster.shell("scancel 1 2");
   cluster.wait();
   CHECK_THAT(cluster.logs(), !Contains("queued again"));
-  CHECK_THAT(cluster.shell("ricochet status out").out, Contains("none of its tasks is in the queue"));
+  CHECK_THAT(cluster.shell("ricochet status out").out, Contains("none of them is in the queue"));
   fs::remove_all(cluster.here.path / "out");
   const std::string expected = undisturbed(cluster, slow_sweep(), "samples=300");
   cluster.submit("--shards 3 samples=300 --time 1 --warning 30");
