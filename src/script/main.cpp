@@ -10,6 +10,7 @@
 #include "core/spelling.hpp"
 #include "script/doctor.hpp"
 #include "script/listings.hpp"
+#include "script/option_checks.hpp"
 #include "script/reference.hpp"
 #include "script/render_command.hpp"
 #include "script/repl.hpp"
@@ -100,26 +101,6 @@ struct Commands {
   std::vector<std::string> arguments;
   bool price = false, stubs = false;
 };
-
-// CLI::Range lets what is no number pass.
-CLI::Validator within(double low, double high) {
-  const auto mistake = [=](const std::string& text) -> std::string {
-    double value = 0;
-    const bool right = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
-    return right ? "" : fmt::format("{} is no number of {:g} to {:g}", text, low, high);
-  };
-  return CLI::Validator(mistake, fmt::format("{:g} to {:g}", low, high));
-}
-
-// The same of whole numbers.
-CLI::Validator count_within(int low, int high) {
-  const auto mistake = [=](const std::string& text) -> std::string {
-    long long value = 0;
-    const bool right = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
-    return right ? "" : fmt::format("{} is no whole number of {} to {}", text, low, high);
-  };
-  return CLI::Validator(mistake, fmt::format("{} to {}", low, high));
-}
 
 void add_script(Commands& c, CLI::App* command) {
   command->add_option("SCRIPT", c.script, "the Lua script; - reads it from standard input");

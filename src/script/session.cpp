@@ -127,7 +127,7 @@ void Session::warn(const std::string& text) {
 }
 
 void Session::write_log() const {
-  if (folders.any_claimed().empty() || options.check) return;
+  if (folders.any_claimed().empty() || options.check || scratch_) return;
   const fs::path place = folders.claimed(own_folder()) ? own_folder() : folders.any_claimed();
   write_atomically(place / run_names::log, log_);
   steps.write(steps_file());
