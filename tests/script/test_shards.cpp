@@ -288,10 +288,10 @@ TEST_CASE("merge tells a shard's own error, and --partial makes results of what 
   CHECK(digest(here, "out/s") == undisturbed(here));
 }
 
-TEST_CASE("steps that trials choose are those of one run; a second sweep follows where the first is merged") {
+TEST_CASE("steps that trials choose are those of one run, and a second sweep follows where the first is merged") {
   const Workplace here;
   std::string text = small_sweep;
-  text.replace(text.find("launch = { psi1"), 0, "integration = { accuracy = 1e-2 }, ");
+  text.replace(text.find("launch = { psi1"), 0, "accuracy = 1e-2, ");
   text +=
       "local mean = rows:summary { by = \"psi1\", of = { \"e\" } }[1].e.mean\n"
       "ricochet.sweep { name = \"second\", over = { sample = ricochet.range(2) }, scene = function(at)\n"
