@@ -636,7 +636,7 @@ function ricochet.estimate(scene) end
 
 ---@class ricochet.sweep_fields
 ---@field name string names the folder of its results
----@field over table name = list of values, each a number, string or boolean
+---@field over table name = list of values, each a number, string or boolean; and what zip or latin_hypercube returns
 ---@field units? table name = unit of a value of 'over', for axes: { gap = "R" } (default {})
 ---@field scene function function (at) that returns the scene at the values at.name
 ---@field samples? "by_error" by_error: as many samples of every point as a wanted error of `of` takes, in rounds; the scene's function gets their running number as at.sample, from 1
@@ -666,6 +666,10 @@ function ricochet.sweep(t) end
 ---@field at number[] the two values
 ---@field unit? string as in rows:power_law
 
+---@class ricochet.rows_save_fields
+---@field name string file name without extension
+---@field columns string[] in this order, those that the script added among them
+
 
 --- The list first, first + step ... last; range(n) is 1 ... n.
 ---@param first number
@@ -673,6 +677,27 @@ function ricochet.sweep(t) end
 ---@param step? number
 ---@return table
 function ricochet.range(first, last, step) end
+
+--- The list of `count` values from first to last, each the same number of times the one before.
+---@param first number
+---@param last number
+---@param count integer
+---@return table
+function ricochet.logspace(first, last, count) end
+
+--- Values of several names that go together by their places in lists of equal length, instead of each with every other: for `over`, alone or beside names.
+---@param lists table
+---@return table
+function ricochet.zip(lists) end
+
+---@class ricochet.latin_hypercube_fields
+---@field n integer points
+---@field ranges table name = { low, high }
+---@field seed? integer of the random numbers (default 1)
+--- As many points spread at random, for `over`, so that each n-th of every range holds one. The same seed gives the same points everywhere.
+---@param t ricochet.latin_hypercube_fields
+---@return table
+function ricochet.latin_hypercube(t) end
 
 ---@class ricochet.bootstrap_fields
 ---@field values table list of numbers

@@ -32,6 +32,10 @@ ricochet.dem = core.wrap(require("ricochet.dem").dem)
 ricochet.compare = core.wrap(require("ricochet.compare").compare)
 ricochet.lesson = core.wrap(require("ricochet.lesson").lesson)
 
+for name, design in pairs(require "ricochet.designs") do
+  if name ~= "of" then ricochet[name] = core.wrap(design) end
+end
+
 --- refined(scene, factor): the same scene on finer lattices, or coarser ones.
 ricochet.refined = core.wrap(function(scene, factor)
   if type(factor) ~= "number" or not (factor > 0 and factor <= 64) then

@@ -57,6 +57,11 @@ end
 local function checked_sweep(t)
   local sweep = sweeps.contents(t.sweep) or core.fail("'sweep' must be a sweep (from ricochet.sweep)", "sweep")
   outcomes.check({ t.of }, "of")
+  for _, factor in ipairs(sweep.factors) do
+    if #factor.names > 1 then
+      core.fail("a plan takes every value with every other: no zip or latin_hypercube in 'over'", "sweep")
+    end
+  end
   if sweep.by_error then
     if t.samples ~= "sample" then
       core.fail("the sweep's samples = \"by_error\" counts them as 'sample'; leave 'samples' out", "samples")

@@ -22,7 +22,7 @@ Rows.__index = function(rows, name)
   if #rows > 0 and rawget(rows[1], name) ~= nil then
     core.fail_here(("'%s' is a column of each row: rows[i].%s"):format(name, name))
   end
-  core.unknown("the table of rows", name, { "summary", "where", "power_law", "paired", "peak" })
+  core.unknown("the table of rows", name, { "summary", "where", "power_law", "paired", "peak", "save" })
 end
 Rows.__call = function() core.fail_here "rows are a list; write: for _, row in ipairs(rows) do" end
 
@@ -179,6 +179,19 @@ Rows.where = core.wrap(function(self, wanted)
     if alike then list[#list + 1] = row end
   end
   return rows_of(list, varied[self])
+end)
+
+--- Columns as files.
+Rows.save = core.wrap(function(self, given)
+  if not core.is(self, Rows) then core.fail "is a method of rows: write rows:save { ... }, with a colon" end
+  local t = core.check("rows:save", given)
+  if #t.columns == 0 then core.fail("'columns' is empty; name at least one", "columns") end
+  local units, columns = core.columns(self[1] and rawget(self[1], "units")), {}
+  for i, name in ipairs(t.columns) do
+    known_column(self, name, "columns")
+    columns[i] = { name = name, unit = unit_of(self, name) or units[name] or "" }
+  end
+  core.save_rows(t.name, columns, self)
 end)
 
 local function shown(value)

@@ -1,7 +1,9 @@
 -- ricochet.sweep: scenes over every combination of some values.
 local core = require "ricochet.core"
+local designs = require "ricochet.designs"
 local rounds = require "ricochet.rounds"
 local rows_of = require("ricochet.rows").rows_of
+local shards = require "ricochet.shards"
 
 local methods = {}
 local Sweep = { __name = "sweep", __metatable = false }
@@ -25,11 +27,10 @@ for _, name in ipairs { "psi1", "seed", "step" } do outcome[name] = nil end
 
 local most_combinations = 1e7
 
--- Names in order, and the list of points: every combination, the last name fastest.
-local function combinations(over, counts)
-  local names, count = {}, 1
+-- Names in order, and the list of points: every combination of the factors' values, the last factor fastest.
+local function combinations(over, factors, counts)
+  local names = {}
   for name, values in pairs(over) do
-    if type(name) ~= "string" then core.fail("'over' takes name = list of values", "over") end
     if name == "" or name == "." or name:find "[%c/]" then
       core.fail(("over: '%s' cannot name a column of results; use letters, digits and _"):format(name:gsub("%c", "?")),
         "over")
@@ -63,8 +64,9 @@ local function combinations(over, counts)
       if value ~= value then core.fail(("over.%s: value %d is not a number (nan)"):format(name, i), "over", name) end
     end
     names[#names + 1] = name
-    count = count * #values
   end
+  local count = 1
+  for _, factor in ipairs(factors) do count = count * #over[factor.names[1]] end
   if count > most_combinations then
     core.fail(("'over' has %.3g combinations; a sweep takes at most %.0g of them: give shorter lists, or several " ..
       "sweeps"):format(count, most_combinations), "over")
@@ -72,13 +74,13 @@ local function combinations(over, counts)
   if #names == 0 and not counts then core.fail("'over' is empty; give at least one name = list of values", "over") end
   table.sort(names)
   local points = { {} }
-  for _, name in ipairs(names) do
+  for _, factor in ipairs(factors) do
     local longer = {}
     for _, point in ipairs(points) do
-      for _, value in ipairs(over[name]) do
+      for k = 1, #over[factor.names[1]] do
         local copy = {}
-        for k, v in pairs(point) do copy[k] = v end
-        copy[name] = value
+        for name, v in pairs(point) do copy[name] = v end
+        for _, name in ipairs(factor.names) do copy[name] = over[name][k] end
         longer[#longer + 1] = copy
       end
     end
@@ -130,6 +132,7 @@ end)
 methods.run = core.wrap(function(self)
   local sweep = contents(self) or core.fail "is a method of a sweep: write sweep:run(), with a colon"
   if sweep.by_error then
+    if core.part() ~= "whole" then shards.refuse_rounds() end
     local own = { name = sweep.name, names = sweep.names, points = sweep.points, units = sweep.units }
     local names = { table.unpack(sweep.names) }
     names[#names + 1] = "sample"
@@ -138,6 +141,7 @@ methods.run = core.wrap(function(self)
     sweep.rows = rows_of(rounds.run(own, sweep.by_error), { names = names, units = sweep.units })
     return sweep.rows
   end
+  if shards.runs(sweep.name) then shards.run(sweep, function(point) return scene_at(sweep, point) end) end
   local scenes = {}
   for i, point in ipairs(sweep.points) do
     scenes[i] = scene_at(sweep, point)
@@ -182,16 +186,17 @@ local function sweep(given)
   if not t.name:match "^[%w_%-]+$" then
     core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name")
   end
-  local names, points = combinations(t.over, t.samples)
+  local over, factors = designs.of(t.over)
+  local names, points = combinations(over, factors, t.samples)
   for name, unit in pairs(t.units) do
-    if not t.over[name] then
+    if not over[name] then
       core.fail(("'units' names '%s', which is not among 'over'"):format(tostring(name)), "units")
     end
     if type(unit) ~= "string" then core.fail(("units.%s must be a text, is a %s"):format(name, type(unit)), "units") end
   end
   local self = setmetatable({}, Sweep)
-  held[self] = { name = t.name, scene = t.scene, over = t.over, names = names, points = points, units = t.units,
-    by_error = rounds.checked(t) }
+  held[self] = { name = t.name, scene = t.scene, over = over, factors = factors, names = names, points = points,
+    units = t.units, by_error = rounds.checked(t) }
   return self
 end
 

@@ -248,7 +248,8 @@ Function plan_function() {
                   "scene's own change",
                   any_number, "false"}},
       .returns = "plan",
-      .example = "ricochet.plan { sweep = sweep, standard_error = 0.01 }:run()"};
+      .example = "ricochet.plan { sweep = sweep, standard_error = 0.01 }:run()",
+      .is_adaptive = true};
 }
 
 void add_accuracy_outcomes(lua_State* L) {

@@ -23,6 +23,7 @@ struct Function {
   lua_CFunction call = nullptr;       ///< none if it is written in Lua
   std::vector<Field> results = {};    ///< what the returned table holds, where that is listed
   std::vector<Field> arguments = {};  ///< if they are not one table of named fields
+  bool is_adaptive = false;           ///< decides by what it runs, so that no shard can call it
   bool is_table = false;              ///< no function, but a table of named fields inside another: `launch`
 
   bool is_method() const { return name.find(':') != std::string::npos; }
@@ -43,6 +44,7 @@ Group scene_functions();
 Group estimate_functions();
 Group sweep_functions();
 Group resampling_functions();
+Group shard_functions();
 Group series_functions();
 Group wave_functions();
 Group plot_functions();

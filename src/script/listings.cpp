@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/spelling.hpp"
 #include "effect/catalogue.hpp"
+#include "script/digest.hpp"
 #include "script/fields.hpp"
 #include "script/terminal.hpp"
 #include "store/h5md.hpp"
@@ -135,6 +136,11 @@ std::string meant(const fs::path& path) {
   throw FileError(fmt::format("the folder {} holds {} results: name one of {}", path.string(), found.size(), names));
 }
 
+void print_results(const Table& table) {
+  print_table(table);
+  if (table.text("scene_hash")) putf("digest of outcomes {}\n", digest_of(table));
+}
+
 }  // namespace
 
 void print_info(const std::string& given) {
@@ -144,7 +150,7 @@ void print_info(const std::string& given) {
   if (is_trajectory(path))
     putf("a trajectory (H5MD)\n");
   else
-    print_table(read_table(path));
+    print_results(read_table(path));
 }
 
 }  // namespace ricochet

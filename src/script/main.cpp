@@ -10,10 +10,15 @@
 #include "core/spelling.hpp"
 #include "script/doctor.hpp"
 #include "script/listings.hpp"
+#include "script/option_checks.hpp"
 #include "script/reference.hpp"
 #include "script/render_command.hpp"
 #include "script/repl.hpp"
 #include "script/run_report.hpp"
+#include "script/shard_choice.hpp"
+#include "script/shard_end.hpp"
+#include "script/shard_status.hpp"
+#include "script/slurm.hpp"
 #include "script/state.hpp"
 #include "script/terminal.hpp"
 
@@ -45,9 +50,16 @@ void run_in(Session& session) {
     session.print(fmt::format("{} declares no parameters.\n", session.script.string()));
 }
 
-void run(RunOptions options, const std::string& script, const std::vector<std::string>& arguments) {
+void run(RunOptions options, const std::string& script, const std::vector<std::string>& arguments,
+         const QueueOptions* queue = nullptr) {
   refuse_odd_arguments(arguments);
   if (options.out.empty()) throw Error("--out needs a folder", Exit::usage);
+  if (options.part != Part::whole) {
+    if (options.force || options.fresh || options.check || options.help)
+      throw Error("--shard and merge go on with what is there: they take no --force, --new, --check or --help",
+                  Exit::usage);
+    options.resume = true;
+  }
   if (options.force && (options.resume || options.fresh))
     throw Error("--resume continues earlier results, --force replaces them and --new leaves them; give one of them",
                 Exit::usage);
@@ -57,6 +69,7 @@ void run(RunOptions options, const std::string& script, const std::vector<std::s
   try {
     run_in(session);
   } catch (const Error& error) {
+    leave_shard_error(session, error);
     session.log(complaint(error.what()));
     const bool keep = error.exit == Exit::script && !stop_requested && session.folders.something_stored();
     try {
@@ -69,6 +82,8 @@ void run(RunOptions options, const std::string& script, const std::vector<std::s
     throw;
   }
   session.finish();
+  if (queue) return submit_shards(session, *queue);
+  if (session.options.part == Part::shard) return tell_nothing_left(session);
   write_report(session);
   if (session.nothing_finished())
     throw Error("not one impact finished; the first ended " + session.first_failure, Exit::numerical);
@@ -81,30 +96,11 @@ struct Commands {
   RunOptions options;
   RenderOptions drawing;
   ReportOptions report;
-  std::string script, file, theory;
+  QueueOptions queue;
+  std::string script, file, theory, shard;
   std::vector<std::string> arguments;
   bool price = false, stubs = false;
 };
-
-// CLI::Range lets what is no number pass.
-CLI::Validator within(double low, double high) {
-  const auto mistake = [=](const std::string& text) -> std::string {
-    double value = 0;
-    const bool right = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
-    return right ? "" : fmt::format("{} is no number of {:g} to {:g}", text, low, high);
-  };
-  return CLI::Validator(mistake, fmt::format("{:g} to {:g}", low, high));
-}
-
-// The same of whole numbers.
-CLI::Validator count_within(int low, int high) {
-  const auto mistake = [=](const std::string& text) -> std::string {
-    long long value = 0;
-    const bool right = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
-    return right ? "" : fmt::format("{} is no whole number of {} to {}", text, low, high);
-  };
-  return CLI::Validator(mistake, fmt::format("{} to {}", low, high));
-}
 
 void add_script(Commands& c, CLI::App* command) {
   command->add_option("SCRIPT", c.script, "the Lua script; - reads it from standard input");
@@ -143,15 +139,76 @@ void add_run(Commands& c) {
                    "remember the methods and steps that trials chose in this file, rather than in run.steps of the "
                    "folder of results")
       ->type_name("FILE");
+  command->add_option(
+      "--shard", c.shard,
+      "run only share K of N of the script's sweep, K from 0: K/N; auto takes it from the variables of "
+      "a job of Slurm, MPI, PBS or Grid Engine (auto/N: N as given); ricochet merge makes results of all");
+  command->add_option("--flush", options.flush, "of a shard: seconds of rows that a kill may lose (default: 30)")
+      ->check(within(0, 86400));
   command->add_flag("!--no-report", options.report, "leave no report.html, and run no impact twice for its replays");
   command->add_flag("--traceback", options.traceback, "show where in the scripts an error came from");
   command->add_flag("--unsafe", options.unsafe, "lift the sandbox: io, os.execute, debug");
   command->add_flag("--help,-h", options.help, "this, or the script's own parameters");
   command->callback([&c] {
+    if (!c.shard.empty()) choose_shard(c.options, c.shard);
     if (!c.script.empty()) return run(c.options, c.script, c.arguments);
     if (!c.options.help) throw Error("run needs a script: ricochet run SCRIPT [name=value ...]", Exit::usage);
     put(c.run->help("ricochet"));
   });
+}
+
+void add_merge(Commands& c) {
+  CLI::App* command = c.app.add_subcommand(
+      "merge", "Make results of the shards of a script's sweep: ricochet merge SCRIPT [name=value ...]");
+  add_script(c, command);
+  command->get_option("SCRIPT")->required();
+  add_running(c, command);
+  command->add_flag("--partial", c.options.partial, "of what is there, where impacts are missing");
+  command->add_flag("!--no-report", c.options.report, "leave no report.html");
+  command->add_flag("--unsafe", c.options.unsafe, "lift the sandbox, as run does");
+  command->callback([&c] {
+    c.options.part = Part::merge;
+    run(c.options, c.script, c.arguments);
+  });
+}
+
+void add_submit(Commands& c) {
+  CLI::App* command = c.app.add_subcommand(
+      "submit",
+      "Submit the shards of a script's sweep that are not there, and their merging: ricochet submit SCRIPT "
+      "[name=value ...] --slurm");
+  QueueOptions& wanted = c.queue;
+  add_script(c, command);
+  command->get_option("SCRIPT")->required();
+  command->add_flag("--slurm", wanted.slurm, "to Slurm, as an array of jobs");
+  command->add_option("--shards", c.options.shards, "in so many; one a thousand impacts unless given or planned before")
+      ->check(count_within(1, 10'000'000));
+  command->add_option("--time", wanted.time,
+                      "of a task, as sbatch takes it; near its end a task stores and goes on anew");
+  command->add_option("--partition", wanted.partition, "of the cluster");
+  command->add_option("--cpus", wanted.cpus, "threads of each task (default: 1)")->check(count_within(1, 1024));
+  command->add_option("--max-running", wanted.running, "tasks at a time, at most")->check(count_within(0, 1'000'000));
+  command
+      ->add_option("--warning", wanted.warning,
+                   "seconds before the end of its time in which a task stores what is done")
+      ->check(count_within(1, 86400));
+  command->add_option("--sbatch", wanted.sbatch, "a further option of sbatch for both jobs: --sbatch=--mem=2G")
+      ->allow_extra_args(false);
+  command->add_flag("--dry-run", wanted.dry_run, "write the plan and the scripts, submit nothing");
+  command->add_option("--out", c.options.out, fmt::format("folder of the results (default: {})", RunOptions{}.out));
+  command->add_flag("--quiet", c.options.quiet, "print what the script prints, and warnings, alone");
+  command->add_option("--round", wanted.round)->group("");  // by the merging job
+  command->callback([&c, &wanted] {
+    if (!wanted.slurm) throw Error("submit needs to know where to: --slurm", Exit::usage);
+    c.options.part = Part::plan;
+    run(c.options, c.script, c.arguments, &wanted);
+  });
+}
+
+void add_status(Commands& c) {
+  CLI::App* command = c.app.add_subcommand("status", "How far the sweeps of a folder are, shards or not");
+  command->add_option("DIR", c.file, "a sweep's folder, or that of several")->required();
+  command->callback([&c] { print_status(c.file); });
 }
 
 void add_accuracy(Commands& c) {
@@ -281,8 +338,8 @@ void program(int count, char** words) {
   Commands c;
   c.app.require_subcommand(1);
   c.app.set_version_flag("--version", version_text);
-  for (const auto add :
-       {add_run, add_accuracy, add_effects, add_theory, add_repl_and_info, add_render, add_report, add_reference})
+  for (const auto add : {add_run, add_merge, add_submit, add_status, add_accuracy, add_effects, add_theory,
+                         add_repl_and_info, add_render, add_report, add_reference})
     add(c);
   try {
     c.app.parse(count, words);

@@ -70,7 +70,9 @@ void RunFolders::claim(const fs::path& folder) {
                     "refused once all impacts are done; move them, or use --new, which goes to {}",
                     folder.string(), next_free(folder).string()));
   make_folder(folder);
-  locks_.emplace_back(folder);
+  if (const std::string& refusal = locks_.emplace_back(folder).refusal(); !refusal.empty())
+    warn_(fmt::format("{} cannot be locked ({}), so that a second run into it would not be noticed; start none",
+                      folder.string(), refusal));
   refuse_earlier(folder);  // what another run left while this one waited to begin
   claimed_[folder].before = run_names::made_in(folder);
 }

@@ -3,9 +3,11 @@
 // its own in the folder (run_names::list); nothing else is ever replaced or removed.
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "store/files.hpp"
@@ -16,7 +18,9 @@ struct RunOptions;
 
 class RunFolders {
  public:
-  explicit RunFolders(const RunOptions& options) : options_(options) {}
+  using Warn = std::function<void(const std::string& text)>;
+
+  RunFolders(const RunOptions& options, Warn warn) : options_(options), warn_(std::move(warn)) {}
 
   /// The folder of a name: OUT/<name>; with --new the first of OUT/<name>, <name>-2, <name>-3 ... that holds nothing;
   /// with --new --resume the last that holds something.
@@ -25,7 +29,8 @@ class RunFolders {
   /// Refuses a folder that holds what earlier runs made, unless --resume or --force is given. Throws FileError.
   void refuse_earlier(const std::filesystem::path& folder) const;
 
-  /// Makes a folder ready for writing, once, and locks it against other runs. Throws FileError.
+  /// Makes a folder ready for writing, once, and locks it against other runs; warns where the file system has no locks.
+  /// Throws FileError.
   void claim(const std::filesystem::path& folder);
   /// Puts a file or a folder of frames below a claimed folder on its list. Throws FileError if one is there that is
   /// not of an earlier run's making.
@@ -52,6 +57,7 @@ class RunFolders {
   };
 
   const RunOptions& options_;
+  Warn warn_;
   mutable std::map<std::string, std::filesystem::path> named_;
   std::map<std::filesystem::path, Made> claimed_;
   std::set<std::filesystem::path> results_;

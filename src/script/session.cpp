@@ -61,6 +61,24 @@ std::string version_text() {
                      EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
 }
 
+namespace {
+
+// As it is installed (PREFIX/bin beside PREFIX/share), or in a checkout or a folder of builds, somewhere above: a
+// program that is copied with its library takes that, and none of another place.
+fs::path library_of(const fs::path& program) {
+  std::error_code error;
+  for (fs::path above = program.parent_path(); above != above.root_path(); above = above.parent_path())
+    for (const char* place : {"share/ricochet/lua", "lua"})
+      if (fs::exists(above / place / "ricochet/init.lua", error)) return above / place;
+  throw FileError(
+      fmt::format("the Lua library is missing: in none of the folders above {} is a lua/ricochet/init.lua or "
+                  "share/ricochet/lua/ricochet/init.lua; install the program with cmake --install, or copy "
+                  "the folder lua beside it",
+                  program.string()));
+}
+
+}  // namespace
+
 Session::Session(RunOptions run_options, fs::path script_path, std::vector<std::string> script_arguments)
     : options(std::move(run_options)),
       script(std::move(script_path)),
@@ -68,13 +86,13 @@ Session::Session(RunOptions run_options, fs::path script_path, std::vector<std::
       start_(now_utc()) {
   if (const fs::path stem = this->script.stem(); stem == "." || stem == "..")
     throw FileError(fmt::format("{} has no name for a folder of results; rename the script", this->script.string()));
-  // Installed beside the program, or the source tree it was built from.
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path installed = program.parent_path().parent_path() / "share/ricochet/lua";
-  library = fs::exists(installed / "ricochet/init.lua", error) ? installed : fs::path(version_source_folder) / "lua";
-  if (!fs::exists(library / "ricochet/init.lua", error))
-    throw FileError(fmt::format("the Lua library is missing: {} has no ricochet/init.lua", library.string()));
+  if (options.part == Part::plan || options.part == Part::shard) scratch_ = std::make_unique<ScratchFolder>();
+  library = library_of(fs::read_symlink("/proc/self/exe"));
+}
+
+fs::path Session::own_folder() const {
+  if (scratch_) return scratch_->path();
+  return folders.named(script == standard_input ? "stdin" : script.stem().string());
 }
 
 void Session::finish() {
@@ -109,7 +127,7 @@ void Session::warn(const std::string& text) {
 }
 
 void Session::write_log() const {
-  if (folders.any_claimed().empty() || options.check) return;
+  if (folders.any_claimed().empty() || options.check || scratch_) return;
   const fs::path place = folders.claimed(own_folder()) ? own_folder() : folders.any_claimed();
   write_atomically(place / run_names::log, log_);
   steps.write(steps_file());
@@ -122,8 +140,6 @@ fs::path Session::steps_file() const {
 Provenance Session::made_by() { return {{"version", version_number}, {"commit", version_commit}}; }
 
 Provenance Session::provenance() const {
-  char host[256] = "unknown";
-  gethostname(host, sizeof host - 1);
   Provenance p;
   const auto text = sources.find(script.string());
   p["script"] = text == sources.end() ? "" : text->second;
@@ -134,7 +150,7 @@ Provenance Session::provenance() const {
   for (const std::string& argument : arguments) p["arguments"] += argument + "\n";
   p.merge(made_by());
   p["compiler"] = version_compiler;
-  p["host"] = host;
+  p["host"] = host_name();
   p["start"] = start_;
   p["end"] = now_utc();
   return p;

@@ -20,6 +20,9 @@
 
 namespace ricochet {
 
+/// What of its script's sweeps a process does: all; only the plan for shards; one shard; or the merging of them.
+enum class Part { whole, plan, shard, merge };
+
 struct RunOptions {
   int threads = 0;
   int batch = 0;  ///< 0: as many lanes as there are
@@ -30,6 +33,11 @@ struct RunOptions {
   std::string steps;       ///< file of the methods and steps that trials chose; empty: run.steps in `out`
   std::string study;       ///< Lua that studies `first_scene`: the script is then only checked
   double max_seconds = 0;  ///< of the whole run; 0: no limit
+
+  Part part = Part::whole;
+  std::size_t shard = 0, shards = 0;  ///< which, from 0, of how many; 0 of a plan: as it sees fit
+  double flush = 30;                  ///< seconds of a shard's rows that a kill may lose
+  bool partial = false;               ///< merge what is there
 };
 
 /// The name of a script that is read from standard input.
@@ -66,9 +74,10 @@ class Session {
   std::map<std::string, std::string> sources;  ///< text of every Lua file read, by the name in messages
   std::vector<std::string> arguments;          ///< name=value, as given
   bool parameters_declared = false;
-  bool repl = false;   ///< what is typed may be made again under the same name
-  bool done = false;   ///< the script ended early without an error: after --help
-  std::string making;  ///< the values of a sweep's point while its scene is being made: "psi1 = 2"
+  bool repl = false;              ///< what is typed may be made again under the same name
+  bool done = false;              ///< the script ended early without an error: after --help
+  std::filesystem::path sharded;  ///< folder of the sweep of which this process makes the plan or runs a shard
+  std::string making;             ///< the values of a sweep's point while its scene is being made: "psi1 = 2"
   std::map<std::string, std::shared_ptr<const NodePlan>> plans;  ///< planned nodes of bodies, by their geometry
   double planned_nodes = 0;                                      ///< in `plans`
 
@@ -78,7 +87,7 @@ class Session {
 
   RememberedSteps steps;
 
-  RunFolders folders{options};
+  RunFolders folders{options, [this](const std::string& text) { warn(text); }};
 
   std::vector<Swept> swept;                    ///< in the order in which they ran
   std::vector<std::pair<Scene, Row>> singles;  ///< that ran by themselves, the first `most_singles`
@@ -86,10 +95,9 @@ class Session {
   PageWish page;
   std::vector<std::pair<std::string, PagePlot>> plotted;  ///< by the scene's hash of one of the rows
 
-  /// The script's own folder, named as its file is.
-  std::filesystem::path own_folder() const {
-    return folders.named(script == standard_input ? "stdin" : script.stem().string());
-  }
+  /// The script's own folder, named as its file is. A shard's pictures and files are nobody's: they go to a folder that
+  /// goes with it.
+  std::filesystem::path own_folder() const;
 
   /// After a script without mistakes: removes what it replaced, and writes run.log.
   void finish();
@@ -131,6 +139,7 @@ class Session {
 
  private:
   std::set<std::filesystem::path> pictures_;
+  std::unique_ptr<const ScratchFolder> scratch_;  ///< of a shard
   std::set<std::string> sweeps_, warned_, told_;
   int failed_ = 0, finished_ = 0;
   std::string log_, start_;

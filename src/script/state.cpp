@@ -75,6 +75,10 @@ int wrap(lua_State* L) {
 // filled in, and a plain one of what was given alone.
 int check(lua_State* L) {
   const Function& function = function_named(luaL_checkstring(L, 1));
+  if (function.is_adaptive && session_of(L).options.part != Part::whole)
+    throw at_this_call(L,
+                       "decides by what it runs, and shards must all do the same: run it by itself, and write what it "
+                       "found into the script of the sweep");
   check_table(L, 2, function, lua_toboolean(L, 3));
   lua_newtable(L);
   for (const Field& field : function.fields) {

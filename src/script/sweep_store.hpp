@@ -3,12 +3,11 @@
 
 #include <filesystem>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "record/row.hpp"
 #include "script/session.hpp"
+#include "script/sweep_run.hpp"
 #include "store/table.hpp"
 
 namespace ricochet {
@@ -29,27 +28,22 @@ struct Earlier {
   bool strangers;  ///< rows of other scenes may be among them: later rounds will ask for those
 };
 
-/// All columns of rows, in the units of the first.
-Table table_of(const std::vector<const Row*>& rows);
-
 /// Rows of a sweep as they come in, and their files.
-class Store {
+class Store : public RowStore {
  public:
   /// Takes what is stored if it is to be taken up. Throws FileError for what is damaged, or not of these scenes, or of
   /// another version.
   Store(Session& session, const std::string& name, const std::vector<std::string>& hashes, const Parameters& parameters,
         const Earlier& earlier);
 
-  const std::vector<bool>& done() const { return done_; }
-  const std::vector<Row>& rows() const { return rows_; }
-  std::size_t count() const { return count_; }
   const std::filesystem::path& folder() const { return folder_; }
 
   /// Keeps a finished batch as a part file: from then on it survives a kill.
-  void add(const std::vector<std::pair<std::size_t, Row>>& batch);
+  void add(const std::vector<std::pair<std::size_t, Row>>& batch) override;
 
   /// The results, in every format, of every row there is, in the sweep's order; then the parts are not needed any more.
-  void assemble();
+  /// Returns their digest of outcomes.
+  std::string assemble();
   /// The same of a sweep that stops early, unless it would replace earlier results with less: then the parts stay
   /// beside them.
   void stop_early();
@@ -59,20 +53,14 @@ class Store {
  private:
   // True if earlier results stay until all new rows are there.
   bool replaces() const;
-  // Fills in the row at every scene that it is of: rows of equal scenes are the same row. False if there is none.
-  bool accept(const Row& row);
   // Puts the column of parameter `p` before all others.
   void add_parameter(Table& table, std::size_t p, const std::vector<std::size_t>& scenes) const;
   void load(bool strangers_too);
 
   Session& session_;
   std::filesystem::path folder_, parts_;
-  const std::vector<std::string>& hashes_;
+  bool merges_ = false;  // takes up the rows of shards
   const Parameters& parameters_;
-  std::unordered_map<std::string, std::vector<std::size_t>> scenes_;  // by hash
-  std::vector<Row> rows_;
-  std::vector<bool> done_;
-  std::size_t count_ = 0;
 };
 
 }  // namespace ricochet

@@ -3,8 +3,10 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -45,12 +47,24 @@ void sync_folder(const std::filesystem::path& folder) {
 
 }  // namespace
 
+ScratchFolder::ScratchFolder() : path_(std::filesystem::temp_directory_path() / own_name("ricochet", "")) {}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
 FolderLock::FolderLock(const std::filesystem::path& folder)
     : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (descriptor_ < 0) fail(folder, "open", errno);
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
   const int error = errno;
   close(descriptor_);
+  descriptor_ = -1;
+  if (error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP) {
+    refusal_ = std::strerror(error);
+    return;
+  }
   if (error != EWOULDBLOCK) fail(folder, "lock", error);
   throw FileError(fmt::format("another run is writing into {}; wait for its end, or give another folder with --out",
                               folder.string()));
@@ -82,8 +96,35 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes)
       fail(path, "write", error);
     }
   }
-  if (rename(beside.c_str(), path.c_str()) != 0) fail(path, "write", errno);
+  rename_over(beside, path);
+}
+
+void rename_over(const std::filesystem::path& file, const std::filesystem::path& path) {
+  if (rename(file.c_str(), path.c_str()) != 0) fail(path, "write", errno);
   sync_folder(path.parent_path());
+}
+
+bool link_first(const std::filesystem::path& file, const std::filesystem::path& path) {
+  if (link(file.c_str(), path.c_str()) == 0) {
+    sync_folder(path.parent_path());
+    return true;
+  }
+  const int error = errno;
+  struct stat now {};
+  if (stat(file.c_str(), &now) == 0 && now.st_nlink == 2) return true;  // done, but the answer was lost on its way
+  if (error != EEXIST) fail(path, "link", error);
+  return false;
+}
+
+std::string host_name() {
+  char host[256] = "unknown";
+  gethostname(host, sizeof host - 1);
+  return host;
+}
+
+std::string own_name(const std::string& stem, const std::string& extension) {
+  static std::atomic<int> count = 0;
+  return fmt::format("{}-{}-{}-{}{}", stem, host_name(), getpid(), count++, extension);
 }
 
 void make_folder(const std::filesystem::path& path) {

@@ -19,16 +19,47 @@ void remove_file(const std::filesystem::path& path);
 /// The whole file. Throws FileError.
 std::string read_file(const std::filesystem::path& path);
 
+/// Gives a finished file another name, in place of what has that. Throws FileError.
+void rename_over(const std::filesystem::path& file, const std::filesystem::path& path);
+
+/// Gives a finished file the name `path` besides its own, unless that is taken: then false. Of several processes, on
+/// whatever machines, one gets true. Throws FileError.
+bool link_first(const std::filesystem::path& file, const std::filesystem::path& path);
+
+/// The name of this machine.
+std::string host_name();
+
+/// A name that no other process, on whatever machine, gives a file: STEM-<host>-<process>-<count>EXTENSION.
+std::string own_name(const std::string& stem, const std::string& extension);
+
+/// A folder where temporary files go, made when it is first written into, and removed with all in it at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ~ScratchFolder();
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 /// Holds a folder against other processes until it goes out of scope (or the process dies). Throws FileError if another
-/// holds it.
+/// holds it. Some file systems of networks give no locks: then it holds nothing.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);
-  FolderLock(FolderLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  FolderLock(FolderLock&& other) noexcept
+      : refusal_(std::move(other.refusal_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
   FolderLock& operator=(FolderLock&&) = delete;
   ~FolderLock();
 
+  /// Why the file system gave no lock; empty if it did.
+  const std::string& refusal() const { return refusal_; }
+
  private:
+  std::string refusal_;
   int descriptor_;
 };
 

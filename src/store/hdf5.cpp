@@ -72,7 +72,9 @@ Handle memory_file() {
   quiet();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
   check(H5Pset_fapl_core(access, 1 << 20, 0), "use memory");
-  return {H5Fcreate("memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "make a file in memory"};
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "make properties");
+  check(H5Pset_userblock(creation, seal_size), "leave room for the seal");
+  return {H5Fcreate("memory", H5F_ACC_TRUNC, creation, access), H5Fclose, "make a file in memory"};
 }
 
 std::string image(const Handle& file) {
@@ -81,7 +83,7 @@ std::string image(const Handle& file) {
   if (size < 0) throw FileError("HDF5 cannot give a file's image");
   std::string bytes(static_cast<std::size_t>(size), '\0');
   if (H5Fget_file_image(file, bytes.data(), bytes.size()) < 0) throw FileError("HDF5 cannot give a file's image");
-  return seal_of(bytes) + bytes;
+  return seal_of(bytes) + bytes;  // an image begins behind the user block
 }
 
 std::string seal_of(std::string_view bytes) {
@@ -103,7 +105,11 @@ Handle open_file(const std::filesystem::path& path) {
     throw FileError(
         fmt::format("{} is damaged: its bytes are not those that were written (the seal does not match); {}",
                     path.string(), damage_remedy));
-  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  // One process writes a file, and gives it its name when it is whole: no lock is needed, and some file systems have
+  // none.
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
+  check(H5Pset_file_locking(access, 0, 1), "do without locks");
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   if (id < 0) throw FileError(fmt::format("{} is sealed, but HDF5 cannot open it; {}", path.string(), damage_remedy));
   return {id, H5Fclose, "open a file"};
 }

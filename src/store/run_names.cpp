@@ -18,6 +18,10 @@ namespace {
 constexpr const char* new_extension = ".new";
 constexpr const char* results_stem = "results";
 constexpr const char* parts_name = "parts";
+constexpr const char* plan_stem = "plan";
+constexpr const char* shards_name = "shards";
+constexpr const char* queue_name = "slurm";
+constexpr const char* error_extension = ".error";
 
 fs::path with(fs::path path, const char* extension) { return path += extension; }
 
@@ -71,8 +75,57 @@ std::vector<fs::path> stored(const fs::path& folder) {
   return files;
 }
 
+fs::path plan(const fs::path& folder) { return with(folder / plan_stem, rows_sinks().front().extension); }
+
+fs::path shards(const fs::path& folder) { return folder / shards_name; }
+
+fs::path queue(const fs::path& folder) { return folder / queue_name; }
+
+namespace {
+
+std::string shard_stem(std::size_t k) { return fmt::format("{:03}", k); }
+
+// Those of the shards' folder that hold rows, in order.
+std::vector<fs::path> rows_of_shards(const fs::path& folder, const std::string& stem) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(shards(folder), error)) {
+    const std::string name = entry.path().stem();
+    if (!has_extension_of(entry.path(), {rows_sinks().front().extension})) continue;
+    if (stem.empty() || name == stem || name.starts_with(stem + "-")) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+fs::path shard(const fs::path& folder, std::size_t k) {
+  return with(shards(folder) / shard_stem(k), rows_sinks().front().extension);
+}
+
+fs::path shard_part(const fs::path& folder, std::size_t k) {
+  return shards(folder) / own_name(shard_stem(k), rows_sinks().front().extension);
+}
+
+fs::path shard_error(const fs::path& folder, std::size_t k) {
+  return with(shards(folder) / shard_stem(k), error_extension);
+}
+
+std::vector<fs::path> shard_files(const fs::path& folder, std::size_t k) {
+  return rows_of_shards(folder, shard_stem(k));
+}
+
+std::vector<fs::path> shard_files(const fs::path& folder) { return rows_of_shards(folder, ""); }
+
+void remove_shards(const fs::path& folder) {
+  remove_those(shards(folder), [](fs::path name) { return is_part(name) || name.extension() == error_extension; });
+  remove_file(plan(folder));
+}
+
 bool holds_results(const fs::path& folder) {
   std::error_code error;
+  if (fs::exists(plan(folder), error)) return true;
   return fs::exists(readable_results(folder), error) || fs::exists(parts(folder), error) ||
          fs::exists(new_parts(folder), error);
 }
@@ -81,6 +134,7 @@ void remove_results(const fs::path& folder) {
   for (const RowsSink& sink : rows_sinks()) remove_file(with(results(folder), sink.extension));
   remove_parts(parts(folder));
   remove_parts(new_parts(folder));
+  remove_shards(folder);
 }
 
 void remove_parts(const fs::path& parts) { remove_those(parts, is_part); }
@@ -95,6 +149,7 @@ bool is_of_the_run(const fs::path& name) {
   fs::path first = *name.begin();
   if (has_extension_of(first, {new_extension})) first = first.stem();
   if (first == log || first == report || first == list || first == parts_name) return true;
+  if (first == plan("").filename() || first == shards_name || first == queue_name) return true;
   return std::any_of(rows_sinks().begin(), rows_sinks().end(),
                      [&](const RowsSink& sink) { return first == with(results_stem, sink.extension); });
 }

@@ -28,9 +28,25 @@ std::filesystem::path new_parts(const std::filesystem::path& folder);
 std::filesystem::path part(const std::filesystem::path& parts, const std::string& key);
 /// The results and parts in a folder that can be read back: the new ones if there are some.
 std::vector<std::filesystem::path> stored(const std::filesystem::path& folder);
-/// True if a folder holds any of them.
+
+/// Of a sweep that is run in shards: what all of them were told; the folder of their rows; of one, all its rows, and
+/// those of a while until they are there, which several processes may leave; and why it ended early.
+std::filesystem::path plan(const std::filesystem::path& folder);
+std::filesystem::path shards(const std::filesystem::path& folder);
+std::filesystem::path shard(const std::filesystem::path& folder, std::size_t k);
+std::filesystem::path shard_part(const std::filesystem::path& folder, std::size_t k);
+std::filesystem::path shard_error(const std::filesystem::path& folder, std::size_t k);
+/// The files of rows of one shard, or of all, whole or not.
+std::vector<std::filesystem::path> shard_files(const std::filesystem::path& folder, std::size_t k);
+std::vector<std::filesystem::path> shard_files(const std::filesystem::path& folder);
+/// Removes the shards' rows and the plan. Throws FileError.
+void remove_shards(const std::filesystem::path& folder);
+/// The folder of the scripts and logs of a queue that runs the shards.
+std::filesystem::path queue(const std::filesystem::path& folder);
+
+/// True if a folder holds results or parts of them, or shards.
 bool holds_results(const std::filesystem::path& folder);
-/// Removes results and parts, in all formats. Throws FileError.
+/// Removes results, parts and shards, in all formats. Throws FileError.
 void remove_results(const std::filesystem::path& folder);
 /// Removes a folder of parts. Throws FileError.
 void remove_parts(const std::filesystem::path& parts);

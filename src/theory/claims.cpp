@@ -5,7 +5,7 @@ namespace ricochet::theory {
 namespace {
 
 // Of 100 lattices a point, by scripts/four_claims.lua with full=true, unless told otherwise.
-constexpr Claim list[] = {
+constexpr Claim claim_list[] = {
     {"figure fig2, e on the soft wall", "the mean e has a peak around Psi1 = 6",
      "a peak at 4.5 (3 to 4.5 with 95 %), and 0.88 +- 0.02, 0.77 +- 0.03, 0.67 +- 0.04 at 6, 8, 10, where the "
      "collision "
@@ -41,6 +41,6 @@ constexpr Claim list[] = {
 
 }  // namespace
 
-std::span<const Claim> claims() { return list; }
+std::span<const Claim> claims() { return claim_list; }
 
 }  // namespace ricochet::theory

@@ -1,6 +1,7 @@
 // Loaded before the system's library (LD_PRELOAD): calls that fail as a broken machine's would, as $FAULT asks.
 // FAULT=write   what goes to a regular file or a pipe is never taken: write() returns 0
 // FAULT=flock   locks are granted to everyone, as on some network file systems
+// FAULT=enolck, enosys, eopnotsupp   locks are refused so: NFS without its daemon, Lustre mounted without them
 // FAULT=open    files and folders whose path contains $FAULT_PATH cannot be opened: an error of the disk
 // FAULT=sin     a mathematics library that gives NaN
 #include <dlfcn.h>
@@ -50,7 +51,9 @@ ssize_t write(int descriptor, const void* bytes, size_t count) {
 }
 
 int flock(int descriptor, int operation) noexcept {
-  return asked("flock") ? 0 : static_cast<int>(syscall(SYS_flock, descriptor, operation));
+  if (asked("flock")) return 0;
+  errno = asked("enolck") ? ENOLCK : asked("enosys") ? ENOSYS : asked("eopnotsupp") ? EOPNOTSUPP : 0;
+  return errno != 0 ? -1 : static_cast<int>(syscall(SYS_flock, descriptor, operation));
 }
 
 int open(const char* path, int flags, ...) {

@@ -9,8 +9,8 @@
 #include <random>
 #include <thread>
 
-#include "core/hash.hpp"
 #include "impact/outcome.hpp"
+#include "script/digest.hpp"
 #include "script/program.hpp"
 #include "store/files.hpp"
 #include "store/table.hpp"
@@ -19,18 +19,6 @@ using namespace ricochet;
 using namespace ricochet::test;
 
 namespace {
-
-/// Everything about the rows but the time they took.
-std::string rows_hash(const fs::path& file) {
-  const Table table = read_table(file);
-  std::string text;
-  for (const auto& column : table.numbers)
-    if (column.field.name != "wall_seconds")
-      for (const double v : column.values) text += fmt::format("{:a};", v);
-  for (const auto& column : table.texts)
-    for (const std::string& v : column.values) text += v + ";";
-  return hash_text(text);
-}
 
 /// Starts the program, waits, and sends it a signal; the exit status, or minus the signal.
 int run_and_kill(const Workplace& here, const std::vector<std::string>& arguments, const std::function<void()>& wait,
@@ -64,7 +52,7 @@ TEST_CASE(
   REQUIRE(here.run("s.lua samples=10 --quiet --out calm --batch 1").status == 0);
   const std::chrono::duration<double, std::milli> whole = std::chrono::steady_clock::now() - began;
   const auto window = static_cast<unsigned>(whole.count() / 2);  // however fast the machine, most kills find it at work
-  const std::string expected = rows_hash(here.path / "calm/s/results.h5");
+  const std::string expected = digest_of(read_table(here.path / "calm/s/results.h5"));
   std::mt19937 random(1);
   int killed = 0;
   std::size_t stored = 0;
@@ -93,7 +81,27 @@ TEST_CASE(
   INFO(last.err);
   REQUIRE(last.status == 0);
   CHECK(read_table(here.path / "out/s/results.h5").rows() == 30);
-  CHECK(rows_hash(here.path / "out/s/results.h5") == expected);
+  CHECK(digest_of(read_table(here.path / "out/s/results.h5")) == expected);
+}
+
+TEST_CASE("run and info print one digest of outcomes, which tells a changed bit and not how long an impact took") {
+  const Workplace here;
+  const Ended ended = here.script(small_sweep, "samples=1");
+  REQUIRE(ended.status == 0);
+  const fs::path results = here.path / "out/s/results.h5";
+  Table table = read_table(results);
+  const std::string digest = digest_of(table), line = "digest of outcomes " + digest + "\n";
+  CHECK(digest.size() == 32);
+  CHECK_THAT(ended.out, Catch::Matchers::Contains(line));
+  CHECK_THAT(here.shell("ricochet info out").out, Catch::Matchers::Contains(line));
+  const auto column = [&](const char* name) -> std::vector<double>& {
+    return std::find_if(table.numbers.begin(), table.numbers.end(), [&](const auto& c) { return c.field.name == name; })
+        ->values;
+  };
+  column("wall_seconds")[1] = 7;
+  CHECK(digest_of(table) == digest);
+  column("beta")[2] = std::nextafter(column("beta")[2], 1);
+  CHECK(digest_of(table) != digest);
 }
 
 TEST_CASE("^C stores what is done, says how to resume, and exits with 130") {
@@ -142,8 +150,8 @@ TEST_CASE("threads and batch size do not change a row") {
   REQUIRE(here.run("s.lua --quiet --out a --threads 1 --batch 1").status == 0);
   REQUIRE(here.run("s.lua --quiet --out b --threads 3 --batch 3").status == 0);
   REQUIRE(here.run("s.lua --quiet --out c").status == 0);
-  CHECK(rows_hash(here.path / "a/s/results.h5") == rows_hash(here.path / "b/s/results.h5"));
-  CHECK(rows_hash(here.path / "a/s/results.h5") == rows_hash(here.path / "c/s/results.h5"));
+  CHECK(digest_of(read_table(here.path / "a/s/results.h5")) == digest_of(read_table(here.path / "b/s/results.h5")));
+  CHECK(digest_of(read_table(here.path / "a/s/results.h5")) == digest_of(read_table(here.path / "c/s/results.h5")));
 }
 
 // 200 trials, some minutes: ricochet_tests "200 trials*".
@@ -154,7 +162,7 @@ TEST_CASE(
   const Workplace here;
   here.write("s.lua", small_sweep);
   REQUIRE(here.run("s.lua samples=40 --quiet --out calm").status == 0);
-  const std::string expected = rows_hash(here.path / "calm/s/results.h5");
+  const std::string expected = digest_of(read_table(here.path / "calm/s/results.h5"));
   const std::vector<std::string> command{"run", "s.lua", "samples=40", "--quiet", "--resume", "--batch", "1"};
   const bool may_mount =
       geteuid() == 0 &&
@@ -175,7 +183,7 @@ TEST_CASE(
     INFO(last.err);
     CHECK(last.status == 0);
     CHECK(stored() == 120);
-    CHECK(rows_hash(here.path / "out/s/results.h5") == expected);
+    CHECK(digest_of(read_table(here.path / "out/s/results.h5")) == expected);
   };
   const auto killed_at_random = [&](int signal) {
     return run_and_kill(

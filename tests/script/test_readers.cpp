@@ -1,6 +1,7 @@
 // Other programs read our files. ricochet_tests "[.slow]" needs python3-h5py python3-mdanalysis paraview.
 
 #include <catch2/catch.hpp>
+#include <sstream>
 
 #include "script/program.hpp"
 
@@ -29,6 +30,25 @@ print(len(f["rows/e"]), f["rows/vn"].attrs["unit"].decode(), f["rows/status"][0]
 )");
   INFO(ended.err);
   CHECK(ended.out == "12 c finished s.lua\n");
+}
+
+TEST_CASE("pandas reads the rows of several runs, and a file that h5py opened to write is as it was", "[.slow]") {
+  const Workplace here;
+  REQUIRE(here.script(small_sweep, "samples=2 --quiet --no-report --out a").status == 0);
+  REQUIRE(here.run("s.lua samples=4 --quiet --no-report --out b").status == 0);
+  const std::string before = here.read("b/s/results.h5");
+  const Ended touched = python(here, "import h5py\nh5py.File('b/s/results.h5', 'r+').close()\n");
+  INFO(touched.err);
+  CHECK(touched.status == 0);
+  CHECK(here.read("b/s/results.h5") == before);
+  const Ended joined = here.shell("/usr/bin/python3 '" RICOCHET_SOURCE "/examples/read_results.py' a/s b/s");
+  INFO(joined.err);
+  CHECK_THAT(joined.out, Catch::Matchers::StartsWith("12 impacts of 2 runs; vn in c\n"));
+  // The program's own means.
+  std::istringstream ours(here.shell("ricochet run s.lua samples=4 --quiet --resume --out b").out);
+  for (std::string line; std::getline(ours, line);)
+    if (line.find("+-") != std::string::npos && line.find("psi1") == std::string::npos)
+      CHECK_THAT(joined.out, Catch::Matchers::Contains(line.substr(line.find('.') - 1, 5)));
 }
 
 TEST_CASE("trajectory.h5 opens in MDAnalysis", "[.slow]") {

@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "store/table.hpp"
+
+namespace ricochet {
+
+/// The digest of outcomes: 32 hexadecimal digits of the names and bits of all columns but `wall_seconds`, the only one
+/// that the machine has a part in, in the order of the rows. Equal digests are what "the same bits" means, wherever the
+/// impacts ran; files differ by times and host besides. NaN is one value.
+std::string digest_of(const Table& table);
+
+}  // namespace ricochet
