@@ -22,7 +22,9 @@ end
 function sampling.goal(count, sd, wanted, most)
   local needed = (sd / wanted) ^ 2
   if needed <= count and count >= math.min(sampling.least, most) then return count end
-  return math.min(math.max(sampling.least, math.ceil(needed) + spare), math.ceil(most_growth * count), most)
+  -- A deviation by few may be too large as well: what is far off is approached from below.
+  local next = needed > 1.25 * count and math.max(0.8 * needed, count + 2) or needed + spare
+  return math.min(math.max(sampling.least, math.ceil(next)), math.ceil(most_growth * count), most)
 end
 
 --- By how many times fewer impacts pairs do than single ones for the same standard error: `pairs`, list of the two

@@ -303,6 +303,8 @@ void add_report(Commands& c) {
   command->add_option("DIR", wanted.path, "a results.h5, or a folder with some in it or below")->required();
   command->add_option("--replays", wanted.replays, "at most so many, of those in an earlier report (default: 6)")
       ->check(count_within(0, 1000));
+  command->add_option("--frames", wanted.frames, "at most so many moments of each replay (default: all that it has)")
+      ->check(count_within(2, 2000));
   command->add_option("--title", wanted.title, "of the page (default: the first line of the script, if a comment)");
   command->add_option("--out", wanted.out, "the file (default: report.html in DIR)");
   command->callback([&wanted] { report_of_results(wanted); });

@@ -11,6 +11,7 @@
 #include "script/replays.hpp"
 #include "script/sweep_store.hpp"
 #include "script/terminal.hpp"
+#include "script/thinned.hpp"
 #include "store/files.hpp"
 #include "store/run_names.hpp"
 
@@ -189,14 +190,14 @@ std::map<std::string, std::string> earlier_replays(const fs::path& results, cons
   return replays;
 }
 
-PageSection section_of(const fs::path& file, std::size_t most) {
+PageSection section_of(const fs::path& file, std::size_t most, int frames) {
   const fs::path folder = fs::absolute(file).parent_path();
   PageSection section{folder.filename(), read_table(file), read_provenance(file)};
   const std::map<std::string, std::string> replays = earlier_replays(file, section.provenance);
   if (const TextColumn* hashes = section.table.text("scene_hash"))
     for (const std::string& hash : hashes->values)
       if (const auto replay = replays.find(hash); replay != replays.end() && section.replays.size() < most)
-        section.replays.push_back(replay->second);
+        section.replays.push_back(frames > 0 ? thinned(replay->second, frames) : replay->second);
   if (section.replays.empty() && most > 0)
     section.told = "No report of an earlier run with replays of these impacts was found; ricochet run makes them.";
   return section;
@@ -223,7 +224,8 @@ void report_of_results(const ReportOptions& options) {
   Page page;
   const std::size_t all = static_cast<std::size_t>(options.replays);
   for (const fs::path& file : files)
-    page.sections.push_back(section_of(file, all == 0 ? 0 : std::max<std::size_t>(1, all / files.size())));
+    page.sections.push_back(
+        section_of(file, all == 0 ? 0 : std::max<std::size_t>(1, all / files.size()), options.frames));
   const Provenance& provenance = page.sections.front().provenance;
   page.title = options.title.empty() ? title_of(text_in(provenance, "script"), text_in(provenance, "script_name"))
                                      : options.title;

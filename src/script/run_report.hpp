@@ -17,6 +17,7 @@ void write_report(Session& session);
 struct ReportOptions {
   std::string path, title, out;
   int replays = 6;
+  int frames = 0;  ///< at most so many of each replay; 0: as many as it has
 };
 
 /// Makes a report of a results.h5, or of all in a folder or below, with the replays of an earlier report of theirs.

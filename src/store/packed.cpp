@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 #include "core/error.hpp"
@@ -13,6 +14,7 @@ namespace ricochet {
 namespace {
 
 constexpr double greatest = 32767;
+constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 // Of bodies that have an inside: the ends of a plane are drawn as far away as one likes.
 double reach_of(const Trajectory& trajectory) {
@@ -107,8 +109,34 @@ std::string deflated(const std::string& bytes) {
   return small;
 }
 
+std::optional<std::string> inflated(const std::string& bytes, std::size_t size) {
+  const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
+      libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+  if (!decompressor) throw Error("libdeflate has no memory");
+  std::string whole(size, '\0');
+  std::size_t written = 0;
+  const libdeflate_result result =
+      libdeflate_zlib_decompress(decompressor.get(), bytes.data(), bytes.size(), whole.data(), whole.size(), &written);
+  return result == LIBDEFLATE_SUCCESS && written == size ? std::optional(whole) : std::nullopt;
+}
+
+std::string from_base64(const std::string& text) {
+  std::string bytes;
+  std::uint32_t word = 0;
+  int bits = 0;
+  for (const char c : text) {
+    const char* place = std::strchr(letters, c);
+    if (!place || c == '\0') break;
+    word = word << 6 | static_cast<std::uint32_t>(place - letters);
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes.push_back(static_cast<char>(word >> bits & 255));
+  }
+  return bytes;
+}
+
 std::string base64(const std::string& bytes) {
-  static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   text.reserve(4 * (bytes.size() + 2) / 3);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {

@@ -2,6 +2,7 @@
 // A recorded impact as a page carries it: places as whole numbers of a grid, differences in time node after node, the
 // low bytes before the high ones, deflated. A fifteenth of what a trajectory file takes.
 
+#include <optional>
 #include <string>
 
 #include "store/trajectory.hpp"
@@ -23,8 +24,14 @@ PackedReplay packed(const Trajectory& trajectory);
 /// By deflate (RFC 1950) at level 6: level 9 takes ten times as long for a tenth less.
 std::string deflated(const std::string& bytes);
 
+/// What was deflated, if it is whole and of so many bytes.
+std::optional<std::string> inflated(const std::string& bytes, std::size_t size);
+
 /// RFC 4648, in one line.
 std::string base64(const std::string& bytes);
+
+/// What base64() made a text of, up to the first character that it does not write.
+std::string from_base64(const std::string& text);
 
 /// `size` bytes each, as the lowest bytes of all numbers, then the next ones: deflate finds far more in that.
 std::string byte_planes(const std::vector<std::uint32_t>& numbers, int size);

@@ -15,6 +15,7 @@
 #include "script/page_text.hpp"
 #include "script/program.hpp"
 #include "script/replays.hpp"
+#include "script/thinned.hpp"
 
 using namespace ricochet;
 using namespace ricochet::test;
@@ -175,6 +176,46 @@ TEST_CASE("a page carries an impact's frames: places to half of 1e-3 R, and its 
   }
 }
 
+TEST_CASE("a thinned replay has some moments of the whole one, in all that it carries") {
+  const Scene scene = small_scene();
+  const std::string whole = replay_json(scene, {.until = 6, .step = 0.01, .frames = 31});
+  const std::string thin = thinned(whole, 7);
+  CHECK(thinned(whole, 31) == whole);
+  CHECK(thinned(whole, 500) == whole);
+  const auto count = [](const std::string& json, const std::string& name) {
+    return std::stoul(json.substr(json.find("\"" + name + "\":") + name.size() + 3));
+  };
+  CHECK(count(thin, "frames") == 7);
+  const std::size_t nodes = count(whole, "nodes");
+  const auto places = [&](const std::string& json, std::size_t frames) {
+    const std::string planes = unpacked(json, "place", 4 * nodes * frames);
+    std::vector<std::vector<std::int16_t>> all(frames, std::vector<std::int16_t>(2 * nodes));
+    for (std::size_t k = 0; k < 2 * nodes; ++k) {
+      std::int16_t q = 0;
+      for (std::size_t f = 0; f < frames; ++f) {
+        const std::size_t at = k * frames + f;
+        q = static_cast<std::int16_t>(q + (static_cast<unsigned char>(planes[at]) |
+                                           static_cast<unsigned char>(planes[2 * nodes * frames + at]) << 8));
+        all[f][k] = q;
+      }
+    }
+    return all;
+  };
+  const auto of_whole = places(whole, 31), of_thin = places(thin, 7);
+  for (std::size_t f = 0; f < 7; ++f) CHECK(of_thin[f] == of_whole[5 * f]);
+  CHECK(unpacked(thin, "colour", nodes * 7).size() == nodes * 7);
+  const auto times = [](const std::string& json) {
+    const std::size_t begins = json.find("\"time\":[") + 8;
+    return json.substr(begins, json.find(']', begins) - begins);
+  };
+  CHECK(std::ranges::count(times(thin), ',') == 6);
+  CHECK(times(thin).substr(0, times(thin).find(',')) == times(whole).substr(0, times(whole).find(',')));
+  CHECK(times(thin).substr(times(thin).rfind(',')) == times(whole).substr(times(whole).rfind(',')));
+  std::string damaged = whole;
+  damaged[damaged.find("\"place\":\"") + 40] = '*';
+  CHECK_THROWS_WITH(thinned(damaged, 7), Contains("a replay of the earlier report is damaged"));
+}
+
 TEST_CASE("a replay of a mirrored row moves as the row tells it") {
   const Viewing viewing{.from = -1, .until = 4, .step = 0.01, .frames = 24};
   const auto first_x = [&](const Scene& of) {
@@ -234,6 +275,9 @@ TEST_CASE("a run leaves a report with replays of its rows, unless told not to") 
   const std::string again = place.read("out/report.html");
   CHECK_THAT(again, Contains("<h1>Again</h1>"));
   CHECK(replays_in(again).size() == 2);
+  CHECK(place.shell("ricochet report out --frames 5 --out few.html").status == 0);
+  for (const auto& [hash, replay] : replays_in(place.read("few.html")))
+    CHECK(replay.find("\"frames\":5,") != std::string::npos);
   CHECK(place.shell("ricochet report nowhere").status == 4);
   const Workplace bare;
   CHECK(bare.script(sweep, "--no-report").status == 0);
