@@ -953,7 +953,7 @@ function ricochet.report(t) end
 ---@field results ricochet.result_fields[] what is told of an impact after the guess
 ---@field guess ricochet.guess_fields what is to be guessed
 ---@field graph ricochet.graph_fields what the guessed result is drawn against
----@field intuition ricochet.intuition_fields what many people think, shown after the first result
+---@field intuition ricochet.intuition_fields what many people think, shown after five results
 ---@field questions ricochet.question_fields[] with answers that are folded away
 ---@field teacher string[] paragraphs for the teacher: how to use it, what goes wrong
 ---@field minutes? number that it takes in class [min] (default 10)

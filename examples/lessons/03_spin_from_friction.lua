@@ -61,7 +61,7 @@ ricochet.lesson {
   intuition = {
     wrong = "“The more friction, the more spin, and the more energy is lost.”",
     right = "Friction that is weak lets the ball slide, and then more friction does give more spin. But once the "
-      .. "ball grips, more friction changes little. At 15° a friction of 0.2 gives {turns angle=15 friction=0.2} "
+      .. "ball grips, more friction gives no more spin. At 15° a friction of 0.2 gives {turns angle=15 friction=0.2} "
       .. "turns a second, and a friction of 1 gives {turns angle=15 friction=1}. And what grips does not rub: at 60° "
       .. "a friction of 1 takes {heat angle=60 friction=1} % of the energy, a friction of 0.5 takes "
       .. "{heat angle=60 friction=0.5} %.",

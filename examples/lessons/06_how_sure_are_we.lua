@@ -70,7 +70,8 @@ ricochet.lesson {
       answer = "No. It is {scatter:2 ball=4} cm/s for the first 4 balls, {scatter:2 ball=16} cm/s for 16 and "
         .. "{scatter:2 ball=32} cm/s for 32." },
     { ask = "How many balls would you need to halve the error that 16 balls have? Try it, as far as there are balls.",
-      answer = "Four times 16, which is 64. With 32 it is {error:2 ball=32} cm/s." },
+      answer = "Four times 16, which is 64. With 32 it is {error:2 ball=32} cm/s. One over the square root is a rule "
+        .. "for many tries: one slow ball among the last 16 widens the error again." },
     { ask = "Somebody says: “The mean of my 4 balls is {mean ball=4}, yours of 32 is {mean ball=32}. One of us is "
       .. "wrong.” What do you say?",
       answer = "Neither is wrong. The mean of 4 balls is only known to about {error:2 ball=4} cm/s. About one time "

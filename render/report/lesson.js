@@ -1,6 +1,7 @@
 "use strict";
 // A lesson: a setting is chosen with sliders, its result guessed and then shown. What was tried stands in the graph, in the
 // link, and in a copy of the page.
+const triesBefore = 5;  // what many people think is named once a pupil has had a chance to find out
 const pristine = document.documentElement.outerHTML;
 const lesson = pageData.lesson, grid = pageData.sections[0];
 const asked = lesson.results[lesson.guess.result];
@@ -95,7 +96,7 @@ async function present(time = null) {
   for (const id of ["result", "after"]) byId(id).hidden = !done;
   for (const bar of document.querySelectorAll("#stage .bar")) bar.hidden = !done;
   byId("waiting").hidden = Boolean(done);
-  byId("intuition").hidden = !tried.length;
+  byId("intuition").hidden = tried.length < Math.min(triesBefore, lesson.places.length);
   byId("next").hidden = tried.length === lesson.places.length;
   byId("more").hidden = byId("next").hidden || !countsTries();
   byId("said").textContent = !done ? "" : done.guess == null ? `${asked.label}: ${withUnitOf(asked, asked.values[row])}.`

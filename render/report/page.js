@@ -32,7 +32,8 @@ function tools(section) {
     input.dataset.show = key;
     return element("label", {}, input, " " + text);
   };
-  const choices = Object.values(section.columns).filter(c => typeof c.values[0] === "number" && new Set(c.values).size > 1 && (c.parameter || ["psi1", "contact_time", "indentation"].includes(c.name)));
+  const asked = Object.values(section.columns).filter(c => c.parameter).map(c => plainName(c.name));
+  const choices = Object.values(section.columns).filter(c => (c.parameter || !asked.includes(c.name)) && typeof c.values[0] === "number" && new Set(c.values).size > 1 && (c.parameter || ["psi1", "contact_time", "indentation"].includes(c.name)));
   const select = element("select", { onchange: () => {
     section.x = section.columns[select.value];
     section.groups = groupsOf(section);
@@ -87,6 +88,8 @@ function showHeader() {
     byId("chips").append(element("li", { className: section.rows && done === section.rows ? "ok" : "bad" }, `${name}${done} of ${section.rows} finished`));
     const pressed = section.columns.over_yield ? section.columns.over_yield.values.filter(v => v > 0).length : 0;
     if (pressed) byId("chips").append(element("li", { className: "bad" }, `${name}${pressed} pressed beyond what yields`));
+    const folded = section.columns.folded ? section.columns.folded.values.filter(v => v > 0).length : 0;
+    if (folded) byId("chips").append(element("li", { className: "bad" }, `${name}${folded} of ${section.rows} folded: see below`));
     const closure = greatest(section.columns.energy_closure);
     if (closure >= 0) byId("chips").append(element("li", { className: closure < 1e-2 ? "ok" : "bad" }, `${name}energy balances to ${shown(closure, 2)}`));
   }

@@ -108,7 +108,7 @@ function chart(box, lines, unit, label) {
   const { replay } = player, colours = palette().concat("#888", "#555");
   const times = timesOf(replay), along = powerOf(times, replay.unit.time), up = powerOf(lines.flatMap(line => replay.series[line[0]]), unit);
   const dashes = [[], [], [6, 4], [2, 3], [8, 3, 2, 3], [], [2, 2], [6, 2]];
-  const made = new uPlot({ width: box.clientWidth, height: 210, legend: { live: false },
+  const made = new uPlot({ width: box.clientWidth, height: 210, legend: keyWithDashes,
     cursor: { y: false, drag: { setScale: false, x: false, y: false } }, scales: { x: { time: false } },
     axes: [axisOf(along, { label: withUnit("time", scaledUnit(replay.unit.time, along)), labelSize: 20 }),
       axisOf(up, { label: withUnit(label, scaledUnit(unit, up)), labelSize: 20, size: axisWidth })],

@@ -169,7 +169,7 @@ function drawPlot(section, quantity) {
     return [from - pad, to + pad];
   };
   const canLog = log && marks.dots.every(d => d.y > 0);
-  const u = new uPlot({ width: box.clientWidth, height: 300, title: labelOf(column), series, legend: { live: false },
+  const u = new uPlot({ width: box.clientWidth, height: 300, title: labelOf(column), series, legend: keyWithDashes,
     cursor: { drag: { x: true, y: true, uni: 20 }, points: { show: false } },
     scales: { x: { time: false, range: (_, a, b) => { const pad = 0.05 * (b - a) || 1; return section.zoom ? [a, b] : [a - pad, b + pad]; } },
       y: canLog ? { distr: 3, range } : { range: (u, a, b) => u.zoomed ? [a, b] : range(u, a, b) } },

@@ -123,3 +123,9 @@ function tellFailure(error, page) {
   document.body.prepend(element("p", { className: "warn" }, `This ${page} could not be drawn: ${error.message} (a browser of 2023 or later is needed)`));
   throw error;
 }
+
+// Keys of plots tell dashes as their lines do.
+const keyWithDashes = { live: false, markers: { width: 2, dash: (u, i) => {
+  const dash = u.series[i].dash || [];
+  return !dash.length ? "solid" : dash[0] < 4 ? "dotted" : "dashed";
+} } };

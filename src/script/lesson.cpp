@@ -162,7 +162,7 @@ Function lesson_function() {
                  {"results", "result[]", "", "what is told of an impact after the guess"},
                  {"guess", "guess", "", "what is to be guessed"},
                  {"graph", "graph", "", "what the guessed result is drawn against"},
-                 {"intuition", "intuition", "", "what many people think, shown after the first result"},
+                 {"intuition", "intuition", "", "what many people think, shown after five results"},
                  {"questions", "question[]", "", "with answers that are folded away"},
                  {"teacher", "strings", "", "paragraphs for the teacher: how to use it, what goes wrong"},
                  {"minutes", "number", "min", "that it takes in class", positive, "10"},

@@ -103,7 +103,7 @@ export async function lessons({ check, open, until, faults, pixels, readCsv, pro
     const back = 100 * rows[row].after_projectile_translation / rows[row].before_total;
     check(await page.locator("#said").textContent() === `You guessed 70.0 %. It was ${back.toFixed(1)} %.`, `lesson: ${await page.locator("#said").textContent()}`);
     check(bare !== await pixels(page, "#graph") && await page.evaluate("report.graph.spots.length") === 1, "lesson: the graph has its first point");
-    check(await page.locator("#intuition").isVisible(), "lesson: what many people think is named after the first result");
+    check(!await page.locator("#intuition").isVisible(), "lesson: what many people think is not given away by the first result");
     await until(page, "report.player.playing && report.player.at > 2");
     await page.evaluate("report.play(false)");
     check(true, "lesson: the replay plays once it was let go");
@@ -115,6 +115,7 @@ export async function lessons({ check, open, until, faults, pixels, readCsv, pro
       await setTo(page, setting);
       await letGo(page, guess);
     }
+    check(await page.locator("#intuition").isVisible(), "lesson: what many people think is named after five results");
     check(await page.evaluate("report.graph.spots.length") === 5 && await page.locator("#tries tbody tr").count() === 5, "lesson: five tries are five points and five lines");
     await page.evaluate("report.play(false)");
     const share = column => row => 100 * row[column] / row.before_total;
