@@ -12,14 +12,24 @@
 
 namespace ricochet::render {
 
-namespace {
+const char* const usual_font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
-constexpr const char* usual = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+namespace {
 
 // Of fonts-noto-cjk, fonts-wqy-microhei and fonts-droid-fallback.
 constexpr const char* fallbacks[] = {"/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
                                      "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc",
                                      "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf"};
+
+// UTF-8.
+std::string encoded(char32_t c) {
+  const auto byte = [](char32_t bits) { return static_cast<char>(bits); };
+  const auto more = [&](int shift) { return byte(0x80 | (c >> shift & 0x3f)); };
+  if (c < 0x80) return {byte(c)};
+  if (c < 0x800) return {byte(0xc0 | c >> 6), more(0)};
+  if (c < 0x10000) return {byte(0xe0 | c >> 12), more(6), more(0)};
+  return {byte(0xf0 | c >> 18), more(12), more(6), more(0)};
+}
 
 }  // namespace
 
@@ -51,7 +61,7 @@ Font::Font(const char* path) : face_(std::make_unique<Face>()), atlas_(static_ca
   if (FT_Init_FreeType(&face_->library)) throw Error("FreeType cannot start");
   const char* const own = std::getenv("RICOCHET_FONT");
   const bool by_user = !path && own && *own;
-  const char* const file = path ? path : by_user ? own : usual;
+  const char* const file = path ? path : by_user ? own : usual_font;
   if (face_->add(file)) return;
   if (by_user)
     throw FileError(
@@ -98,6 +108,24 @@ const Font::Glyph& Font::glyph(char32_t character, int size) {
   row_height_ = std::max(row_height_, glyph.height);
   ++version_;
   return glyphs_.emplace(std::pair{size, character}, glyph).first->second;
+}
+
+std::string Font::drawable(const std::string& utf8) {
+  constexpr char32_t box = 0x25a1;
+  std::string text;
+  for (const char32_t c : characters(utf8)) {
+    const bool is_there = c < 0x80 || face_->of(c);
+    if (!is_there) missing_.insert(c);
+    text += encoded(is_there ? c : box);
+  }
+  return text;
+}
+
+std::string Font::missing() const {
+  std::string list;
+  for (const char32_t c : missing_)
+    list += fmt::format("{}U+{:04X}", list.empty() ? "" : ", ", static_cast<unsigned>(c));
+  return list;
 }
 
 std::u32string characters(const std::string& utf8) {

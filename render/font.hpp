@@ -28,8 +28,11 @@ class Font {
   /// The glyph of a character of `size` pixels an em. What the font lacks is its box for missing ones.
   const Glyph& glyph(char32_t character, int size);
 
-  /// The characters that were asked for and that no font has.
-  const std::set<char32_t>& missing() const { return missing_; }
+  /// The text with a box (U+25A1) for every character that no font has; broken UTF-8 becomes U+FFFD.
+  std::string drawable(const std::string& utf8);
+
+  /// The characters that were asked for and that no font has: "U+65E5, U+672C".
+  std::string missing() const;
 
   static constexpr int side = 2048;  ///< of the atlas
   const std::vector<std::uint8_t>& atlas() const { return atlas_; }
@@ -43,6 +46,9 @@ class Font {
   std::vector<std::uint8_t> atlas_;
   int pen_x_ = 0, pen_y_ = 0, row_height_ = 0, version_ = 0;
 };
+
+/// DejaVu Sans, whatever $RICOCHET_FONT says.
+extern const char* const usual_font;
 
 /// The characters of UTF-8 text; a broken sequence becomes U+FFFD.
 std::u32string characters(const std::string& utf8);

@@ -113,13 +113,10 @@ bool is_drawn(const fs::path& path, const render::Texts& texts) {
 
 void warn_of_missing(const Shooting& shooting, const render::Font& font) {
   if (font.missing().empty()) return;
-  std::string list;
-  for (const char32_t character : font.missing())
-    list += fmt::format("{}U+{:04X}", list.empty() ? "" : ", ", static_cast<unsigned>(character));
   shooting.warn(
       fmt::format("the font of pictures lacks {} and draws boxes; for Chinese, Japanese and Korean: apt-get "
                   "install fonts-noto-cjk, for others give a font by RICOCHET_FONT",
-                  list));
+                  font.missing()));
 }
 
 // As many frames as the shortest source has.

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "render/font.hpp"
 #include "script/gnuplot.hpp"
 #include "script/reader.hpp"
 #include "script/run_files.hpp"
@@ -17,6 +18,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// A script whose texts gnuplot can draw: of a character that no font has, Pango draws a sign that covers the picture.
+std::string drawable(Session& session, const std::string& script) {
+  render::Font font(render::usual_font);
+  std::string text = font.drawable(script);
+  if (!font.missing().empty())
+    session.warn(
+        fmt::format("the font of plots lacks {} and draws boxes; for Chinese, Japanese and Korean: apt-get "
+                    "install fonts-noto-cjk",
+                    font.missing()));
+  return text;
+}
+
 // gnuplot(name, text): writes NAME.gp into the run's folder and lets gnuplot draw NAME.svg and NAME.png.
 int gnuplot(lua_State* L) {
   Session& session = session_of(L);
@@ -25,7 +38,7 @@ int gnuplot(lua_State* L) {
   session.folders.claim(session.own_folder());
   for (const char* kind : {run_names::plot_script, run_names::picture, run_names::vector_picture})
     session.folders.own(beside(kind));
-  write_atomically(script, luaL_checkstring(L, 2));
+  write_atomically(script, drawable(session, luaL_checkstring(L, 2)));
   for (const char* kind : {run_names::picture, run_names::vector_picture})  // gnuplot would write through a link
     if (fs::is_symlink(beside(kind))) fs::remove(beside(kind));
   const int status = run_gnuplot(script.parent_path(), "./" + script.filename().string(), !session.options.unsafe);

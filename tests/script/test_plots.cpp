@@ -165,3 +165,15 @@ TEST_CASE("histograms and heat maps say what is wrong with a column") {
   CHECK_THAT(told("ricochet.heat_map { rows = rows, x = 'status', y = 'gap', name = 'p' }"),
              Contains("heat_map: 'x'") && Contains("must be a column of numbers"));
 }
+
+TEST_CASE("a character that no font has is a box in a plot, and is told") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+ricochet.plot { x = "x", y = { "y" }, name = "odd", title = "e \u{10FF00} \u{E4}",
+  theory = { y = { { name = "a line", points = { { 0, 1 }, { 1, 2 } } } } } }
+)");
+  INFO(ended.out << ended.err);
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.err, Catch::Matchers::Contains("the font of plots lacks U+10FF00 and draws boxes"));
+  CHECK_THAT(here.read("out/s/odd.gp"), Catch::Matchers::Contains("e □ ä"));
+}
