@@ -149,6 +149,7 @@ function underPointer(u, section, quantity, marks, event) {
   };
   const values = section.columns[quantity].values;
   for (const row of section.replays.keys()) consider(section.x.values[row], values[row], { row }, 0.3);
+  if (best && least < 0.3 * 6 * 6) return best;  // within a ring, whatever dots lie there too
   if (section.show.dots) for (const dot of marks.dots) consider(dot.x, dot.y, { row: dot.row });
   for (const series of marks.series.filter(s => s.stats)) {
     section.groups[series.group].points.forEach((p, k) => consider(p.x, series.stats[k].mean, { stats: series.stats[k], x: p.x }, 0.7));

@@ -16,6 +16,7 @@
 #include "script/program.hpp"
 #include "script/replays.hpp"
 #include "script/thinned.hpp"
+#include "store/h5md.hpp"
 
 using namespace ricochet;
 using namespace ricochet::test;
@@ -67,6 +68,23 @@ std::string unpacked(const std::string& json, const std::string& name, std::size
   REQUIRE(result == LIBDEFLATE_SUCCESS);
   REQUIRE(written == size);
   return whole;
+}
+
+// [frame][2 node + k] as the page decodes them. [R]
+std::vector<std::vector<double>> places_of(const std::string& json, std::size_t frames, std::size_t coordinates) {
+  const std::size_t count = coordinates * frames;
+  const std::string planes = unpacked(json, "place", 2 * count);
+  std::vector<std::vector<double>> all(frames, std::vector<double>(coordinates));
+  for (std::size_t k = 0; k < coordinates; ++k) {
+    std::int16_t q = 0;
+    for (std::size_t f = 0; f < frames; ++f) {
+      const std::size_t at = k * frames + f;
+      q = static_cast<std::int16_t>(
+          q + (static_cast<unsigned char>(planes[at]) | static_cast<unsigned char>(planes[count + at]) << 8));
+      all[f][k] = 1e-3 * q;
+    }
+  }
+  return all;
 }
 
 const std::string sweep = R"(-- Walls.
@@ -145,7 +163,7 @@ TEST_CASE("typical rows are the middle ones of the points, extremes the lowest a
   CHECK(rows_to_replay(results({0}, {-1}), "typical", 6).empty());
 }
 
-TEST_CASE("a page carries an impact's frames: places to half of 1e-3 R, and its numbers at the same times") {
+TEST_CASE("a page carries the frames that a trajectory file keeps: places to half of 1e-3 R") {
   for (const int seed : {1, 2, 3}) {
     const Scene scene = small_scene(seed, seed - 1);
     const BuiltSolids solids(scene);
@@ -153,24 +171,21 @@ TEST_CASE("a page carries an impact's frames: places to half of 1e-3 R, and its 
     const Course course = follow_course(solids, scene, stop);
     const Viewing viewing{.until = course.outcome.time, .step = course.step, .frames = 40};
     const std::string json = replay_json(scene, viewing);
-    std::vector<Frame> frames;
+    Trajectory trajectory(frame_mesh(scene, solids));
     film_scene(solids, scene, equal_times(viewing.from, viewing.until, viewing.frames, viewing.step), stop,
-               [&](const Frame& frame) { frames.push_back(frame); });
+               [&](const Frame& frame) { trajectory.add(frame); });
+    const Workplace place;
+    write_h5md(place.path / "trajectory.h5", trajectory, {});
+    const Trajectory stored = read_trajectory(place.path / "trajectory.h5");
+    const std::vector<Frame>& frames = stored.frames();
     REQUIRE(frames.size() == 40);
     CHECK(json.find("\"frames\":40,\"grid\":0.001,") != std::string::npos);
     CHECK(json.find(scene.hash()) != std::string::npos);
-    const std::size_t coordinates = frames[0].position.size(), count = coordinates * frames.size();
-    const std::string place = unpacked(json, "place", 2 * count);
+    const std::vector<std::vector<double>> shown = places_of(json, frames.size(), frames[0].position.size());
     double worst = 0;
-    for (std::size_t k = 0; k < coordinates; ++k) {
-      std::int16_t q = 0;
-      for (std::size_t f = 0; f < frames.size(); ++f) {
-        const std::size_t at = k * frames.size() + f;
-        q = static_cast<std::int16_t>(
-            q + (static_cast<unsigned char>(place[at]) | static_cast<unsigned char>(place[count + at]) << 8));
-        worst = std::max(worst, std::abs(1e-3 * q - static_cast<double>(frames[f].position[k])));
-      }
-    }
+    for (std::size_t f = 0; f < frames.size(); ++f)
+      for (std::size_t k = 0; k < shown[f].size(); ++k)
+        worst = std::max(worst, std::abs(shown[f][k] - static_cast<double>(frames[f].position[k])));
     CHECK(worst <= 0.5e-3 * (1 + 1e-6));
     CHECK(json == replay_json(scene, viewing));
   }
@@ -187,21 +202,7 @@ TEST_CASE("a thinned replay has some moments of the whole one, in all that it ca
   };
   CHECK(count(thin, "frames") == 7);
   const std::size_t nodes = count(whole, "nodes");
-  const auto places = [&](const std::string& json, std::size_t frames) {
-    const std::string planes = unpacked(json, "place", 4 * nodes * frames);
-    std::vector<std::vector<std::int16_t>> all(frames, std::vector<std::int16_t>(2 * nodes));
-    for (std::size_t k = 0; k < 2 * nodes; ++k) {
-      std::int16_t q = 0;
-      for (std::size_t f = 0; f < frames; ++f) {
-        const std::size_t at = k * frames + f;
-        q = static_cast<std::int16_t>(q + (static_cast<unsigned char>(planes[at]) |
-                                           static_cast<unsigned char>(planes[2 * nodes * frames + at]) << 8));
-        all[f][k] = q;
-      }
-    }
-    return all;
-  };
-  const auto of_whole = places(whole, 31), of_thin = places(thin, 7);
+  const auto of_whole = places_of(whole, 31, 2 * nodes), of_thin = places_of(thin, 7, 2 * nodes);
   for (std::size_t f = 0; f < 7; ++f) CHECK(of_thin[f] == of_whole[5 * f]);
   CHECK(unpacked(thin, "colour", nodes * 7).size() == nodes * 7);
   const auto times = [](const std::string& json) {

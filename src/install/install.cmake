@@ -6,8 +6,8 @@ install(TARGETS ricochet)
 install(DIRECTORY lua scripts examples DESTINATION ${own})
 install(FILES README.md CHANGELOG.md DESTINATION ${papers})
 install(FILES LICENSE DESTINATION ${papers} RENAME copyright)
-install(FILES packaging/ricochet.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES packaging/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ricochet)
+install(FILES src/install/ricochet.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES src/install/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ricochet)
 
 # `cpack --config .build/portable/CPackConfig.cmake`: a package for every x86-64 processor that the portable build is for.
 set(CPACK_GENERATOR DEB)
