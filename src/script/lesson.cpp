@@ -108,6 +108,7 @@ std::vector<std::string> replays_of_all(lua_State* L, const Table& table, const 
 std::string page_of_lesson(const std::string& title, const std::string& words, const PageSection& section) {
   using namespace page_source;
   PageParts parts{.frame = page_source::lesson_html,
+                  .kind = "lesson",
                   .styles = {uplot_uPlot_min_css, page_css, lesson_css},
                   .code = {uplot_uPlot_iife_js, decode_js, words_js, replay_js, player_js, lesson_graph_js, lesson_js},
                   .title = title,

@@ -190,6 +190,7 @@ std::string script_in(const PageSection& section) {
 
 std::string assembled(const PageParts& parts) {
   std::string html = parts.frame;
+  put_in(html, "<!--HEAD-->", page_source::head_html);
   put_in(html, "<!--PLAYER-->", page_source::player_html);
   put_in(html, "<!--CODE-->", elements("script", parts.code));
   put_in(html, "<!--DATA-->",
@@ -198,7 +199,7 @@ std::string assembled(const PageParts& parts) {
   put_in(html, "<!--LEAD-->", parts.lead);
   put_in(html, "<!--HEADING-->", html_text(parts.title));
   put_in(html, "<!--STYLE-->", elements("style", parts.styles));
-  put_in(html, "<!--TITLE-->", html_text(parts.title));
+  put_in(html, "<!--TITLE-->", fmt::format("{} – Ricochet {}", html_text(parts.title), parts.kind));
   put_in(html, "<!--POLICY-->",
          fmt::format("default-src 'none'; script-src{}; style-src{}; img-src data: blob:", hashes(parts.code),
                      hashes(parts.styles)));
@@ -216,6 +217,7 @@ std::string html_of(const Page& page) {
   for (const PageSection& section : page.sections) told.push_back(section.told);
   PageParts parts{
       .frame = page_html,
+      .kind = "report",
       .styles = {uplot_uPlot_min_css, page_css},
       .code = {uplot_uPlot_iife_js, decode_js, words_js, replay_js, player_js, plots_js, tables_js, page_js},
       .title = page.title,

@@ -54,6 +54,7 @@ std::string html_of(const Page& page);
 /// What any page is put together of: its frame, styles and scripts (of render/report), and what stands in them.
 struct PageParts {
   const char* frame;
+  const char* kind;  ///< "report" or "lesson"
   std::vector<PagePart> styles, code;
   std::string title, lead{}, data{}, replays{}, script{};
 };

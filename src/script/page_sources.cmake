@@ -2,7 +2,7 @@
 # Styles and scripts stand in an element of their own, after a new line, and bring the hash of that by which the page's policy knows
 # them.
 set(text "#pragma once\n// Made of render/report by page_sources.cmake.\n\n#include \"script/page_part.hpp\"\n\nnamespace ricochet::page_source {\n")
-foreach(file page.html player.html page.css uplot/uPlot.min.css uplot/uPlot.iife.js decode.js words.js replay.js player.js plots.js
+foreach(file head.html page.html player.html page.css uplot/uPlot.min.css uplot/uPlot.iife.js decode.js words.js replay.js player.js plots.js
     tables.js page.js lesson.html lesson.css lesson_graph.js lesson.js)
   file(READ ${SOURCE}/${file} content)
   string(REGEX REPLACE "[^a-zA-Z]" "_" name "${file}")

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 namespace ricochet::test {
 
@@ -60,6 +61,34 @@ class Workplace {
 
   fs::path path;
 };
+
+/// Starts the program here in the background, silent; its process.
+inline pid_t start(const Workplace& here, const std::vector<std::string>& arguments) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  if (chdir(here.path.c_str()) != 0) _exit(99);
+  const int null = open("/dev/null", O_WRONLY);
+  dup2(null, 1);
+  dup2(null, 2);
+  std::vector<char*> words{const_cast<char*>(RICOCHET_PROGRAM)};
+  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+  words.push_back(nullptr);
+  execv(RICOCHET_PROGRAM, words.data());
+  _exit(99);
+}
+
+/// The exit status of a process that was started, or minus the signal that ended it.
+inline int ended(pid_t child) {
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+/// The line of the output that begins with "bits: "; nothing of a run that failed.
+inline std::string bits_of(const Ended& run) {
+  const std::size_t from = run.status == 0 ? run.out.find("bits: ") : std::string::npos;
+  return from == std::string::npos ? "" : run.out.substr(from, run.out.find('\n', from) - from);
+}
 
 /// Before a command: the machine is broken in a way that tests/script/faults.cpp knows.
 inline std::string with_fault(const std::string& fault, const std::string& path = "") {

@@ -38,14 +38,6 @@ end
 print("bits: " .. table.concat(list, ";"))
 )lua";
 
-std::string bits_of(const Ended& ended) {
-  INFO(ended.out << ended.err);
-  REQUIRE(ended.status == 0);
-  const std::size_t from = ended.out.find("bits: ");
-  REQUIRE(from != std::string::npos);
-  return ended.out.substr(from, ended.out.find('\n', from) - from);
-}
-
 /// coverage(draw, mean, wanted, pilot, has_sides): of 3000 sweeps by error of one point, whose lattices give draw()
 /// and, from the other side, its second value, the share of 95 % intervals that hold the mean, and impacts on average.
 const char* coverage = R"lua(local sampling = require "ricochet.sampling"
@@ -125,6 +117,7 @@ TEST_CASE("a sweep by error has the same bits on one thread, in one lane, and re
   const Workplace here;
   const std::string script = by_error("standard_error = 0.04", "psi1 = at.psi1", ", accuracy = 1e-2") + every_bit;
   const std::string whole = bits_of(here.script(script, "--quiet"));
+  REQUIRE(!whole.empty());
   CHECK(bits_of(here.run("s.lua --quiet --force --threads 1 --batch 1")) == whole);
   CHECK(bits_of(here.run("s.lua --quiet --resume")) == whole);
   // An earlier run that stopped sooner: what it has is taken up, and the rest follows.

@@ -23,23 +23,10 @@ namespace {
 /// Starts the program, waits, and sends it a signal; the exit status, or minus the signal.
 int run_and_kill(const Workplace& here, const std::vector<std::string>& arguments, const std::function<void()>& wait,
                  int signal) {
-  const pid_t child = fork();
-  if (child == 0) {
-    if (chdir(here.path.c_str()) != 0) _exit(99);
-    const int null = open("/dev/null", O_WRONLY);
-    dup2(null, 1);
-    dup2(null, 2);
-    std::vector<char*> words{const_cast<char*>(RICOCHET_PROGRAM)};
-    for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
-    words.push_back(nullptr);
-    execv(RICOCHET_PROGRAM, words.data());
-    _exit(99);
-  }
+  const pid_t child = start(here, arguments);
   wait();
   kill(child, signal);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  return ended(child);
 }
 
 }  // namespace

@@ -51,27 +51,6 @@ std::set<std::string> files_in(const fs::path& folder) {
   return names;
 }
 
-/// Starts the program in the background; its process.
-pid_t start(const Workplace& here, const std::vector<std::string>& arguments) {
-  const pid_t child = fork();
-  if (child != 0) return child;
-  if (chdir(here.path.c_str()) != 0) _exit(99);
-  const int null = open("/dev/null", O_WRONLY);
-  dup2(null, 1);
-  dup2(null, 2);
-  std::vector<char*> words{const_cast<char*>(RICOCHET_PROGRAM)};
-  for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
-  words.push_back(nullptr);
-  execv(RICOCHET_PROGRAM, words.data());
-  _exit(99);
-}
-
-int ended(pid_t child) {
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-}
-
 /// wall_seconds by scene: whoever runs an impact again takes another time for it.
 std::map<std::string, double> seconds_in(const fs::path& file) {
   const Table table = read_table(file);
