@@ -37,6 +37,22 @@ void drift(Motion<W>& body, const Lane<W>& by) {
   for (int c = 0; c < body.solid->free_coordinates(); ++c) body.q[c] += by * body.v[c];
 }
 
+/// Whether a team sweeps it sooner than one thread. Modes are few, and what yields sums what it loses in one order.
+inline bool worth_sharing(const Solid& solid) {
+  if (const Springs* springs = solid.springs()) return springs->list.size() >= least_shared;
+  return solid.elements() && solid.elements()->nodes.size() >= least_shared;
+}
+
+/// How a team shares the sweep over a body of springs or elements that do not yield.
+inline Sharing sharing_of(const Solid& solid, Team& team) {
+  const auto sharing = [&](const std::vector<int>& first, const auto& nodes) {
+    return Sharing{&team, shares_of(first, solid.free, solid.nodes(), team.size(), nodes)};
+  };
+  if (const Elements* elements = solid.elements()) return sharing(elements->first, elements->nodes.data());
+  const Springs& springs = std::get<Springs>(solid.interior);
+  return sharing(springs.first, springs.list.ends());
+}
+
 /// What other parts may read of a body between two steps: of one of modes, the nodes inside it are placed.
 template <int W>
 void settle(Motion<W>& body) {

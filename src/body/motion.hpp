@@ -3,6 +3,7 @@
 
 #include "body/elements/flow.hpp"
 #include "body/modal/motion.hpp"
+#include "body/shares.hpp"
 #include "body/solid.hpp"
 #include "core/coordinates.hpp"
 
@@ -18,8 +19,9 @@ struct Motion {
   Lane<W> stiffness = Lane<W>::Zero();  ///< of each lane: ka of springs, E of elements [m0 c^2/R^2]
   /// Sum of the free coordinates' velocities at the last kick: finite as long as they all are.
   Lane<W> pulse = Lane<W>::Zero();
-  Flow<W>* flow = nullptr;  ///< of elements that yield; whoever lets them keeps it
-  ModalMotion<W> modal{};   ///< of a body of modes: where its nodes are follows from it
+  Flow<W>* flow = nullptr;           ///< of elements that yield; whoever lets them keeps it
+  const Sharing* sharing = nullptr;  ///< whose threads share its sweep; nobody's: that of the caller
+  ModalMotion<W> modal{};            ///< of a body of modes: where its nodes are follows from it
 };
 
 /// The bodies of a scene, by index.

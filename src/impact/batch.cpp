@@ -5,6 +5,7 @@
 #include "body/kept_solids.hpp"
 #include "core/error.hpp"
 #include "impact/engine.hpp"
+#include "impact/parallel.hpp"
 
 namespace ricochet {
 namespace {
@@ -22,9 +23,9 @@ struct Work {
   std::optional<SceneError>& refused;  ///< the first scene that could not start: nothing is begun after it
 
   template <int W>
-  Engine<W> engine() const {
+  Engine<W> engine(int threads = 1) const {
     const Scene& any = scenes[queue.first()];
-    return Engine<W>(solids, any.method(), any.effects);
+    return Engine<W>(solids, any.method(), any.effects, threads);
   }
 };
 
@@ -94,7 +95,7 @@ BuiltSolids::operator Solids() const {
   return solids;
 }
 
-bool run_queue(const Solids& solids, const std::vector<Scene>& scenes, Queue& queue, int width,
+bool run_queue(const Solids& solids, const std::vector<Scene>& scenes, Queue& queue, int width, int threads,
                const std::atomic<bool>& stop, const Finished& finished, LaneUse& use) {
   std::optional<SceneError> refused;
   const Work work{solids, scenes, queue, stop, finished, use, refused};
@@ -102,13 +103,14 @@ bool run_queue(const Solids& solids, const std::vector<Scene>& scenes, Queue& qu
   if (used == 0) return true;
   // One impact alone is faster without lanes; from two on, full registers win even if some lanes idle.
   const auto run = [&](auto engine) { return drain(engine, work, used); };
-  const bool whole = used == 1 ? run(work.engine<1>()) : run(work.engine<lanes>());
+  const bool whole = used == 1 ? run(work.engine<1>(threads)) : run(work.engine<lanes>());
   if (refused) throw SceneError(*refused);
   return whole;
 }
 
-Outcome run_scene(const Solids& solids, const Scene& scene, const std::atomic<bool>& stop, const Observer* observer) {
-  Engine<1> engine(solids, scene.method(), scene.effects);
+Outcome run_scene(const Solids& solids, const Scene& scene, const std::atomic<bool>& stop, const Observer* observer,
+                  int threads) {
+  Engine<1> engine(solids, scene.method(), scene.effects, static_cast<int>(threads_of(threads)));
   if (const auto outcome = engine.begin(0, scene, 0)) return *outcome;
   Outcome result;
   bool ended = false;

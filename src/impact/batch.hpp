@@ -58,12 +58,13 @@ struct LaneUse {
 /// the next one. The outcome of a scene does not depend on `width`, on its neighbours or on when it starts. Returns
 /// false if `stop` ended it early. Throws SceneError with the scene's place in `scenes` if one cannot start, when those
 /// that were running have ended.
-bool run_queue(const Solids& solids, const std::vector<Scene>& scenes, Queue& queue, int width,
+/// `threads` share one impact that runs alone, where its bodies are large; the bits are the same.
+bool run_queue(const Solids& solids, const std::vector<Scene>& scenes, Queue& queue, int width, int threads,
                const std::atomic<bool>& stop, const Finished& finished, LaneUse& use);
 
-/// Runs one scene alone, watched.
+/// Runs one scene alone, watched, on so many threads (0: as many as the machine has).
 Outcome run_scene(const Solids& solids, const Scene& scene, const std::atomic<bool>& stop,
-                  const Observer* observer = nullptr);
+                  const Observer* observer = nullptr, int threads = 1);
 
 /// Throws FieldError if the scene cannot start.
 void check_start(const Solids& solids, const Scene& scene);

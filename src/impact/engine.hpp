@@ -27,7 +27,8 @@ struct Handover {
 template <int W>
 class Engine {
  public:
-  Engine(const Solids& solids, const Method& method, const std::vector<Effect>& effects);
+  /// `threads`: how many share the work of one impact alone (W = 1), the caller's among them.
+  Engine(const Solids& solids, const Method& method, const std::vector<Effect>& effects, int threads = 1);
 
   const Run& run(int lane) const { return watch_.run(lane); }
   /// Whether the lane has ceased to be finite.

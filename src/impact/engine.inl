@@ -7,8 +7,8 @@
 namespace ricochet {
 
 template <int W>
-Engine<W>::Engine(const Solids& solids, const Method& method, const std::vector<Effect>& effects)
-    : state_(solids, method, effects), moving_(state_), watch_(state_) {}
+Engine<W>::Engine(const Solids& solids, const Method& method, const std::vector<Effect>& effects, int threads)
+    : state_(solids, method, effects, W == 1 ? threads : 1), moving_(state_), watch_(state_) {}
 
 template <int W>
 std::optional<Outcome> Engine<W>::begin(int lane, const Scene& scene, std::size_t index) {

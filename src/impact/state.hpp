@@ -2,9 +2,12 @@
 // W runs that share their solids: where every body is, what acts between them and on them.
 
 #include <array>
+#include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "body/interior.hpp"
 #include "effect/acting.hpp"
 #include "impact/launch/start.hpp"
 #include "integrate/method.hpp"
@@ -13,18 +16,29 @@ namespace ricochet {
 
 template <int W>
 struct State {
-  State(const Solids& of, const Method& by, const std::vector<Effect>& beside)
+  /// `threads`: how many share the sweeps over large bodies; one run alone can have several.
+  State(const Solids& of, const Method& by, const std::vector<Effect>& beside, int threads = 1)
       : solids(of),
         method(by),
         contacts(of, contact_laws(beside)),
         contact_energy(contacts.size(), Lane<W>::Zero()),
         effects(beside, of) {
+    if (threads > 1) share(threads);
     for (const Solid* solid : solids) {
       bodies.push_back(at_rest<W>(*solid));  // idle lanes rest
       bodies.back().flow = effects.flows().of(bodies.size() - 1);
+      if (const auto shared = sharings.find(solid); shared != sharings.end()) bodies.back().sharing = &shared->second;
       displacement.emplace_back().resize(solid->coordinates());
     }
     end = bodies;
+  }
+
+  void share(int threads) {
+    for (const Solid* solid : solids) {
+      if (!worth_sharing(*solid)) continue;
+      if (!team) team = std::make_unique<Team>(threads);
+      sharings.try_emplace(solid, sharing_of(*solid, *team));
+    }
   }
 
   /// Puts the bodies of a run into a lane.
@@ -78,6 +92,8 @@ struct State {
   }
 
   Solids solids;
+  std::unique_ptr<Team> team;                ///< that shares sweeps
+  std::map<const Solid*, Sharing> sharings;  ///< of the bodies that are large enough
   const Method& method;
   Motions<W> bodies, end;                    ///< where the run is; at the end of a step
   std::vector<Coordinates<W>> displacement;  ///< [body] of a force-gradient kick; 0 between kicks

@@ -117,11 +117,11 @@ bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, 
   double worked = 0;
   const auto began = Clock::now();
   std::vector<int> threads(threads_of(options.threads));
-  // Few scenes are spread over the threads rather than over the lanes of one.
-  const std::size_t scenes_a_thread =
-      (static_cast<std::size_t>(std::count(todo.begin(), todo.end(), true)) + threads.size() - 1) / threads.size();
-  const int width =
-      static_cast<int>(std::min(static_cast<std::size_t>(options.batch), std::max<std::size_t>(1, scenes_a_thread)));
+  // Few scenes are spread over the threads rather than over the lanes of one, and fewer yet take several threads each.
+  const auto count = std::max<std::size_t>(1, static_cast<std::size_t>(std::count(todo.begin(), todo.end(), true)));
+  const std::size_t scenes_a_thread = (count + threads.size() - 1) / threads.size();
+  const int width = static_cast<int>(std::min(static_cast<std::size_t>(options.batch), scenes_a_thread));
+  const int threads_a_scene = static_cast<int>(std::max<std::size_t>(1, threads.size() / count));
   in_parallel(threads, options.threads, [&](int) {
     const auto thread_began = Clock::now();
     LaneUse own_use;
@@ -138,7 +138,7 @@ bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, 
       while (Group* group = stop ? nullptr : schedule.join()) {
         build(*group, scenes);
         run_queue(
-            group->solids, scenes, group->queue, width, stop,
+            group->solids, scenes, group->queue, width, threads_a_scene, stop,
             [&](std::size_t i, const Outcome& outcome, double seconds) {
               results.push_back({i, outcome, seconds});
               if (results.size() >= most_kept || seconds_since(handed_over) > longest_kept) hand_over();

@@ -182,7 +182,7 @@ Outcome run_one(Session& session, Scene& scene) {
     return false;
   };
   const Observer observer{0, pass, {}};
-  return run_scene(solids, scene, stop_requested, &observer);
+  return run_scene(solids, scene, stop_requested, &observer, session.options.threads);
 }
 
 int scene_run(lua_State* L) {

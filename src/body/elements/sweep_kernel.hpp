@@ -1,7 +1,10 @@
 #pragma once
 // The sweep in which an impact of elements spends its time.
 
+#include <utility>
+
 #include "body/elements/sweep.hpp"
+#include "body/shares.hpp"
 
 namespace ricochet {
 
@@ -50,6 +53,30 @@ template <int W>
   return pulls;
 }
 
+/// What an element that does not yield pulls its nodes with.
+template <int W>
+struct ElementPull {
+  ElementEdges<W> edges;
+  Lane<W> inwards;  ///< of a ring: towards the axis, each corner
+};
+
+/// Of an element with these edges; `radii`: of a ring, the sum of its corners' x.
+template <int W, bool rings, class Law>
+[[gnu::always_inline]] inline ElementPull<W> pull_of(const Law& law, const Elements& elements, std::size_t e,
+                                                     const ElementEdges<W>& d, const Lane<W>& radii) {
+  const ElementShape* shape = elements.shape.data();
+  if constexpr (rings) {
+    const RingShape& ring = elements.ring[e];
+    const AxialTensor<Lane<W>> P =
+        law.stress(AxialTensor<Lane<W>>(gradient_of<W>(d, shape[e]), Lane<W>(radii * ring.per_radii)));
+    return {pulls_of<W>(P.plane, shape[e]), ring.hoop * P.zz};
+  } else if constexpr (PullsEdges<Law, W>) {
+    return {pulls_by_edges<W>(law, d, elements.metric.data()[e]), radii};
+  } else {
+    return {pulls_of<W>(law.stress(gradient_of<W>(d, shape[e])), shape[e]), radii};
+  }
+}
+
 /// One force evaluation, kick and drift: v += kick F/m, x += drift v.
 /// An element is held by its lowest node, so F of a node is complete once its own row is done, and no later row needs
 /// its position: kick and drift follow at once, as in the sweep over springs. `f` must hold what else acts on the nodes
@@ -59,8 +86,6 @@ template <int W, bool rings, class Law>
 [[gnu::noinline]] void sweep(Motion<W>& body, const Elements& elements, const Law& given, const Lane<W>& kick,
                              const Lane<W>& drift) {
   const std::array<int, 3>* nodes = elements.nodes.data();
-  const ElementShape* shape = elements.shape.data();
-  const EdgeMetric* metric = elements.metric.data();
   const double* per_mass = body.solid->mass.inverse().data();
   const int* first = elements.first.data();
   [[maybe_unused]] Lane<W> lost = Lane<W>::Zero();
@@ -79,31 +104,25 @@ template <int W, bool rings, class Law>
     for (int n = first[i + 1] - first[i]; n > 0; --n, ++e) {
       const std::size_t j = static_cast<std::size_t>(nodes[e][1]), k = static_cast<std::size_t>(nodes[e][2]);
       const ElementEdges<W> d{position[j] - at, position[k] - at};
-      ElementEdges<W> pulls;
-      if constexpr (rings || Flows<Law, W>) {
+      Lane<W> radii;
+      if constexpr (rings) radii = at.at[0] + position[j].at[0] + position[k].at[0];
+      ElementPull<W> pull;
+      if constexpr (Flows<Law, W>) {
         Lane<W> hoop = Lane<W>::Ones(), across;
-        if constexpr (rings) hoop = (at.at[0] + position[j].at[0] + position[k].at[0]) * elements.ring[e].per_radii;
-        if constexpr (Flows<Law, W>) {
-          pulls = pulls_by_flow<W>(law, d, elements, e, hoop, body.flow->memory[e], lost, across);
-        } else {
-          const AxialTensor<Lane<W>> P = law.stress(AxialTensor<Lane<W>>(gradient_of<W>(d, shape[e]), hoop));
-          pulls = pulls_of<W>(P.plane, shape[e]);
-          across = P.zz;
-        }
-        if constexpr (rings) {
-          const Lane<W> inwards = elements.ring[e].hoop * across;
-          force[j].at[0] -= inwards;
-          force[k].at[0] -= inwards;
-          sum.at[0] -= inwards;
-        }
-      } else if constexpr (PullsEdges<Law, W>) {
-        pulls = pulls_by_edges<W>(law, d, metric[e]);
+        if constexpr (rings) hoop = radii * elements.ring[e].per_radii;
+        pull.edges = pulls_by_flow<W>(law, d, elements, e, hoop, body.flow->memory[e], lost, across);
+        if constexpr (rings) pull.inwards = elements.ring[e].hoop * across;
       } else {
-        pulls = pulls_of<W>(law.stress(gradient_of<W>(d, shape[e])), shape[e]);
+        pull = pull_of<W, rings>(law, elements, e, d, radii);
       }
-      force[j] -= pulls.first;
-      force[k] -= pulls.second;
-      sum += pulls.first + pulls.second;
+      if constexpr (rings) {
+        force[j].at[0] -= pull.inwards;
+        force[k].at[0] -= pull.inwards;
+        sum.at[0] -= pull.inwards;
+      }
+      force[j] -= pull.edges.first;
+      force[k] -= pull.edges.second;
+      sum += pull.edges.first + pull.edges.second;
     }
     Place<W, 2> v = velocity[i] + Lane<W>(kick_ * per_mass[i]) * sum;
     if constexpr (rings) v.at[0] *= off_axis[i];
@@ -116,10 +135,75 @@ template <int W, bool rings, class Law>
   if constexpr (Flows<Law, W>) body.flow->lost += lost;
 }
 
+/// The forces that a share of a body sums: left in `f`.
+template <bool rings, class Law>
+[[gnu::noinline]] void pull_share(Motion<1>& body, const Elements& elements, const Law& law, const Share& share) {
+  const auto row = [&](int node) { return static_cast<std::size_t>(elements.first[static_cast<std::size_t>(node)]); };
+  const Place<1, 2>* position = body.q.places<2>();
+  Place<1, 2>* force = body.f.places<2>();
+  const auto pull = [&](std::size_t e) {
+    const auto& [i, j, k] = elements.nodes[e];
+    const ElementEdges<1> d{position[j] - position[i], position[k] - position[i]};
+    const Lane<1> radii = position[i].at[0] + position[j].at[0] + position[k].at[0];
+    const ElementPull<1> of_element = pull_of<1, rings>(law, elements, e, d, radii);
+    for (const auto& [node, edge] : {std::pair(j, &of_element.edges.first), std::pair(k, &of_element.edges.second)}) {
+      if (node < share.begin || node >= share.limit) continue;
+      if constexpr (rings) force[node].at[0] -= of_element.inwards;
+      force[node] -= *edge;
+    }
+    return of_element;
+  };
+  for (const int e : share.from_before) pull(static_cast<std::size_t>(e));
+  for (int i = share.begin; i < share.end; ++i)
+    for (std::size_t e = row(i); e < row(i + 1); ++e) {
+      const ElementPull<1> of_node = pull(e);
+      if constexpr (rings) force[i].at[0] -= of_node.inwards;
+      force[i] += of_node.edges.first + of_node.edges.second;
+    }
+}
+
+/// Kick and drift of a share's nodes; the sum of their velocities.
+template <bool rings>
+Lane<1> move_share(Motion<1>& body, const Elements& elements, const Lane<1>& kick, const Lane<1>& drift,
+                   const Share& share) {
+  const double* per_mass = body.solid->mass.inverse().data();
+  Place<1, 2>*position = body.q.places<2>(), *velocity = body.v.places<2>(), *force = body.f.places<2>();
+  Lane<1> pulse = Lane<1>::Zero();
+  for (int i = share.begin; i < share.end; ++i) {
+    Place<1, 2> v = velocity[i] + Lane<1>(kick * per_mass[i]) * force[i];
+    if constexpr (rings) v.at[0] *= elements.off_axis[static_cast<std::size_t>(i)];
+    velocity[i] = v;
+    position[i] = position[i] + drift * v;
+    force[i].set_zero();
+    for (int k = 0; k < 2; ++k) pulse += v.at[k];
+  }
+  return pulse;
+}
+
+/// The sweep by all threads of a team.
+template <bool rings, class Law>
+void sweep_together(Motion<1>& body, const Elements& elements, const Law& law, const Lane<1>& kick,
+                    const Lane<1>& drift) {
+  const Sharing& sharing = *body.sharing;
+  std::vector<Lane<1>> pulses(sharing.shares.size());
+  sharing.team->run([&](int part) {
+    const Share& share = sharing.shares[static_cast<std::size_t>(part)];
+    pull_share<rings>(body, elements, law, share);
+    sharing.team->meet();
+    pulses[static_cast<std::size_t>(part)] = move_share<rings>(body, elements, kick, drift, share);
+  });
+  body.pulse.setZero();
+  for (const Lane<1>& pulse : pulses) body.pulse += pulse;
+}
+
 /// v += kick F/m, x += drift v.
 template <int W>
 void kick_and_drift(Motion<W>& body, const Elements& elements, const Lane<W>& kick, const Lane<W>& drift) {
-  const auto sweep_by = [&](const auto& law) {
+  const auto sweep_by = [&]<class Law>(const Law& law) {
+    if constexpr (W == 1 && !Flows<Law, W>)
+      if (body.sharing)
+        return body.solid->axisymmetric ? sweep_together<true>(body, elements, law, kick, drift)
+                                        : sweep_together<false>(body, elements, law, kick, drift);
     if (body.solid->axisymmetric)
       sweep<W, true>(body, elements, law, kick, drift);
     else

@@ -1,6 +1,7 @@
 #pragma once
 // The sweep in which an impact spends its time.
 
+#include "body/shares.hpp"
 #include "body/springs/sweep.hpp"
 
 namespace ricochet {
@@ -85,38 +86,58 @@ Lane<4> repeated(const Lane<W>& numbers) {
   return full;
 }
 
-/// The same for one or two impacts in the plane, whose springs fill the registers four or two at a time. Every number
-/// is made by the same operations, and those of a node are summed in the same order, so the bits are those of a lane.
-template <int D, class Same, int W, class Law>
-requires(W <= 2 && D == 2) [[gnu::noinline]] void sweep(Motion<W>& body, const Springs& springs, const Law law,
-                                                        const Lane<W>& kick, const Lane<W>& drift) {
-  using Node = typename NodeVector<W>::Type;
-  const std::array<int, 2>* ends = springs.list.ends();
-  const double *length = springs.list.length(), *strength = springs.list.stiffness();
-  Node *position = reinterpret_cast<Node*>(body.q.data()), *velocity = reinterpret_cast<Node*>(body.v.data()),
-       *force = reinterpret_cast<Node*>(body.f.data());
-  Node kick_, drift_;
-  for (int lane = 0; lane < W; ++lane) {
-    kick_[lane] = kick_[W + lane] = kick[lane];
-    drift_[lane] = drift_[W + lane] = drift[lane];
+/// Which ends of a spring are pulled.
+enum class Pulled { both, first, second };
+
+/// The springs of a body in one or two lanes in the plane, which fill the registers four or two at a time. Every number
+/// is made by the same operations as in a lane, and those of a node are summed in the same order.
+template <class Same, int W, class Law>
+class PackedPulls {
+ public:
+  PackedPulls(Motion<W>& body, const Springs& springs, const Law& law)
+      : ends_(springs.list.ends()),
+        length_(springs.list.length()),
+        strength_(springs.list.stiffness()),
+        position_(reinterpret_cast<const Node*>(body.q.data())),
+        force_(reinterpret_cast<Node*>(body.f.data())),
+        law_(law),
+        stiffness_(body.stiffness * law.scale()),
+        all_stiffness_(repeated(stiffness_)) {}
+
+  const std::array<int, 2>* ends() const { return ends_; }
+
+  [[gnu::always_inline]] void pull(std::size_t from, std::size_t to) const {
+    std::size_t s = from;
+    for (; s + at_once <= to; s += at_once) pull_some<at_once, Pulled::both>(s, all_stiffness_);
+    for (; s < to; ++s) pull_some<1, Pulled::both>(s, stiffness_);
   }
-  const auto pull_by = [&]<int N>(std::integral_constant<int, N>, std::size_t s, const Lane<N * W>& stiffness) {
+  template <Pulled which>
+  [[gnu::always_inline]] void pull_one(std::size_t s) const {
+    pull_some<1, which>(s, stiffness_);
+  }
+
+ private:
+  using Node = typename NodeVector<W>::Type;
+  static constexpr int at_once = 4 / W;
+
+  template <int N, Pulled which>
+  [[gnu::always_inline]] void pull_some(std::size_t s, const Lane<N * W>& stiffness) const {
     Node d[N];
-    for (std::size_t k = 0; k < N; ++k) d[k] = position[ends[s + k][1]] - position[ends[s + k][0]];
+    for (std::size_t k = 0; k < N; ++k) d[k] = position_[ends_[s + k][1]] - position_[ends_[s + k][0]];
     Lane<N * W> dx, dy, rest, of_spring = stiffness;
     for (int k = 0; k < N; ++k)
       for (int lane = 0; lane < W; ++lane) {
         dx[k * W + lane] = d[k][lane];
         dy[k * W + lane] = d[k][W + lane];
-        rest[k * W + lane] = length[s + static_cast<std::size_t>(k)];
+        rest[k * W + lane] = length_[s + static_cast<std::size_t>(k)];
       }
     if constexpr (!Same::stiffness)
       for (int k = 0; k < N; ++k)
-        for (int lane = 0; lane < W; ++lane) of_spring[k * W + lane] *= strength[s + static_cast<std::size_t>(k)];
+        for (int lane = 0; lane < W; ++lane) of_spring[k * W + lane] *= strength_[s + static_cast<std::size_t>(k)];
     const Lane<N* W> r = (dx * dx + dy * dy).sqrt();
     const Lane<N* W> per_distance = 1.0 / r;
     const Lane<N* W> stretch = r - rest;
-    const Lane<N* W> pull = of_spring * law.scaled_tension(stretch) * per_distance;
+    const Lane<N* W> pull = of_spring * law_.scaled_tension(stretch) * per_distance;
     const Lane<N*W> px = pull * dx, py = pull * dy;
     for (int k = 0; k < N; ++k) {
       Node p;
@@ -124,28 +145,84 @@ requires(W <= 2 && D == 2) [[gnu::noinline]] void sweep(Motion<W>& body, const S
         p[lane] = px[k * W + lane];
         p[W + lane] = py[k * W + lane];
       }
-      force[ends[s + static_cast<std::size_t>(k)][0]] += p;
-      force[ends[s + static_cast<std::size_t>(k)][1]] -= p;
+      const auto& [first, second] = ends_[s + static_cast<std::size_t>(k)];
+      if constexpr (which != Pulled::second) force_[first] += p;
+      if constexpr (which != Pulled::first) force_[second] -= p;
     }
-  };
-  constexpr int at_once = 4 / W;
-  const Lane<W> stiffness = body.stiffness * law.scale();
-  const Lane<4> all_stiffness = repeated(stiffness);
-  const std::size_t count = springs.list.size();
-  std::size_t s = 0;
-  for (; s + at_once <= count; s += at_once) pull_by(std::integral_constant<int, at_once>{}, s, all_stiffness);
-  for (; s < count; ++s) pull_by(std::integral_constant<int, 1>{}, s, stiffness);
-  Node pulse{};
-  for (int i = 0, free = body.solid->free; i < free; ++i) {
+  }
+
+  const std::array<int, 2>* ends_;
+  const double *length_, *strength_;
+  const Node* position_;
+  Node* force_;
+  Law law_;
+  Lane<W> stiffness_;
+  Lane<4> all_stiffness_;
+};
+
+/// Kick and drift of the nodes from ... to - 1; the sum of their velocities.
+template <class Same, int W>
+[[gnu::always_inline]] inline Lane<W> move_nodes(Motion<W>& body, const Lane<W>& kick, const Lane<W>& drift, int from,
+                                                 int to) {
+  using Node = typename NodeVector<W>::Type;
+  Node *position = reinterpret_cast<Node*>(body.q.data()), *velocity = reinterpret_cast<Node*>(body.v.data()),
+       *force = reinterpret_cast<Node*>(body.f.data());
+  const double* per_mass = body.solid->mass.inverse().data();
+  Node kick_, drift_, pulse{};
+  for (int lane = 0; lane < W; ++lane) {
+    kick_[lane] = kick_[W + lane] = kick[lane];
+    drift_[lane] = drift_[W + lane] = drift[lane];
+  }
+  for (int i = from; i < to; ++i) {
     if constexpr (Same::mass)
       velocity[i] += kick_ * force[i];
     else
-      velocity[i] += kick_ * body.solid->mass.inverse()[static_cast<std::size_t>(i)] * force[i];
+      velocity[i] += kick_ * per_mass[i] * force[i];
     position[i] += drift_ * velocity[i];
     force[i] = Node{};
     pulse += velocity[i];
   }
-  for (int lane = 0; lane < W; ++lane) body.pulse[lane] = pulse[lane] + pulse[W + lane];
+  Lane<W> sum;
+  for (int lane = 0; lane < W; ++lane) sum[lane] = pulse[lane] + pulse[W + lane];
+  return sum;
+}
+
+/// The sweep for one or two impacts in the plane.
+template <int D, class Same, int W, class Law>
+requires(W <= 2 && D == 2) [[gnu::noinline]] void sweep(Motion<W>& body, const Springs& springs, const Law law,
+                                                        const Lane<W>& kick, const Lane<W>& drift) {
+  PackedPulls<Same, W, Law>(body, springs, law).pull(0, springs.list.size());
+  body.pulse = move_nodes<Same>(body, kick, drift, 0, body.solid->free);
+}
+
+/// The forces that a share of a body sums.
+template <class Same, int W, class Law>
+[[gnu::noinline]] void pull_share(const PackedPulls<Same, W, Law> pulls, const Springs& springs, const Share& share) {
+  const auto row = [&](int node) { return static_cast<std::size_t>(springs.first[static_cast<std::size_t>(node)]); };
+  for (const int s : share.from_before) pulls.template pull_one<Pulled::second>(static_cast<std::size_t>(s));
+  pulls.pull(row(share.begin), row(share.crossing));
+  for (std::size_t s = row(share.crossing); s < row(share.end); ++s)
+    if (pulls.ends()[s][1] < share.limit)
+      pulls.template pull_one<Pulled::both>(s);
+    else
+      pulls.template pull_one<Pulled::first>(s);
+}
+
+/// The sweep by all threads of a team.
+template <class Same, int W, class Law>
+[[gnu::noinline]] void sweep_together(Motion<W>& body, const Springs& springs, const Law& law, const Lane<W>& kick,
+                                      const Lane<W>& drift) {
+  const Sharing& sharing = *body.sharing;
+  std::vector<Lane<W>> pulses(sharing.shares.size());
+  const PackedPulls<Same, W, Law> pulls(body, springs, law);
+  sharing.team->run([&](int part) {
+    const Share& share = sharing.shares[static_cast<std::size_t>(part)];
+    pull_share(pulls, springs, share);
+    sharing.team->meet();
+    pulses[static_cast<std::size_t>(part)] = move_nodes<Same>(body, kick, drift, share.begin, share.end);
+  });
+  body.pulse.setZero();
+  for (const Lane<W>& pulse : pulses) body.pulse += pulse;
 }
 
 /// v += kick F/m, x += drift v.
@@ -153,12 +230,17 @@ template <int D, int W>
 void kick_and_drift(Motion<W>& body, const Springs& springs, const Lane<W>& kick, const Lane<W>& drift) {
   const Masses& mass = body.solid->mass;
   with_spring_law(springs.law, [&](const auto& law) {
-    if (!mass.uniform()) return sweep<D, Same<false, false>>(body, springs, law, kick, drift);
+    const auto sweep_by = [&]<class Same>(Same, const Lane<W>& by) {
+      if constexpr (W == 1)
+        if (body.sharing) return sweep_together<Same>(body, springs, law, by, drift);
+      sweep<D, Same>(body, springs, law, by, drift);
+    };
+    if (!mass.uniform()) return sweep_by(Same<false, false>{}, kick);
     const Lane<W> per_mass = kick / mass.each();
     if (springs.uniform)
-      sweep<D, Same<true, true>>(body, springs, law, per_mass, drift);
+      sweep_by(Same<true, true>{}, per_mass);
     else
-      sweep<D, Same<false, true>>(body, springs, law, per_mass, drift);
+      sweep_by(Same<false, true>{}, per_mass);
   });
 }
 
