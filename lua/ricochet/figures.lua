@@ -6,7 +6,7 @@ local walton_fit = require "ricochet.walton_fit"
 local figures = {}
 
 --- The contact of the paper's scenes, which its text leaves open: ours. A node weighs m0 (mass = 1).
-figures.contact = { V0 = 150, xi = 300, reach = 0.1, sides = "one" }
+figures.contact = { V0 = 150, xi = 300, reach = 0.067, sides = "one" }
 
 --- The parameters of a figure: those all share, and the script's own, which come first.
 function figures.parameters(own)
