@@ -90,7 +90,7 @@ void write_mesh(const std::filesystem::path& folder, const FrameMesh& mesh, cons
 }  // namespace
 
 int main(int count, char** words) {
-  Scene scene = paper_scene();
+  Scene scene = test::paper_scene();
   scene.projectile = test::disk(830, 1e4, 0.03, 1);
   scene.target = test::wall(4170, 100, 0.03, 1, 8, 2);
   scene.launch.psi1 = 1;

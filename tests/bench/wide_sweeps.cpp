@@ -5,6 +5,5 @@
 namespace ricochet {
 
 template void kick_and_drift<2, 8>(Motion<8>&, const Springs&, const Lane<8>&, const Lane<8>&);
-template void kick_and_drift<2, 12>(Motion<12>&, const Springs&, const Lane<12>&, const Lane<12>&);
 
 }  // namespace ricochet

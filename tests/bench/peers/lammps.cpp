@@ -1,5 +1,5 @@
 // LAMMPS on the same lattices: do both vibrate alike, what does a spring cost in each, what does an impact cost in each
-// at equal accuracy of e.
+// at equal accuracy of e, and what do mean values of e cost.
 // `./workbench bench` runs it with Debian's lammps, one core each, in turn.
 
 #include "record/lammps.hpp"
@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <sstream>
 
 #include "body/interior.hpp"
@@ -84,7 +85,7 @@ std::string script(std::string input, double step, long steps, bool contact) {
 }
 
 Scene paper_scene(double psi1) {
-  Scene scene = paper_scene();
+  Scene scene = test::paper_scene();
   scene.projectile = disk(800, 1e4, 0.03, 1);
   scene.target = wall(4000, 100, 0.03, 1, 8, 2);
   scene.launch.psi1 = psi1;
@@ -181,10 +182,14 @@ void spring_cost() {
       *std::min_element(theirs.begin(), theirs.end()) / *std::min_element(ours.begin(), ours.end()));
 }
 
-void impact_cost() {
+/// Seconds of LAMMPS by psi1.
+using ByAngle = std::map<double, double>;
+
+ByAngle impact_cost() {
   constexpr double wanted = 1e-3;
+  const std::vector<double> angles{0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0};
   std::vector<Scene> scenes;
-  for (double psi1 : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0}) scenes.push_back(paper_scene(psi1));
+  for (const double psi1 : angles) scenes.push_back(paper_scene(psi1));
   const BuiltSolids solids(scenes.front());
 
   // Nodes repel nodes in LAMMPS: the repulsion must reach over the gaps between them, or one rim slips through the
@@ -266,7 +271,7 @@ void impact_cost() {
     tried.push_back({solids, scene});
     tried.back().scene.integration.accuracy = wanted;
   }
-  const Choice choice = choose_for_accuracy(tried, 1, go_on);
+  const Choice choice = choose_for_accuracy(tried, tried.size(), 1, go_on);
   std::vector<Way> ways{{"as accuracy chooses, from its estimates", choice.method, choice.theta,
                          error_and_seconds(choice.method, choice.theta).first}};
   Way alike{"chosen like theirs, beside own fine runs", "", 0, 0};
@@ -285,9 +290,13 @@ void impact_cost() {
   if (!alike.method.empty()) ways.push_back(alike);
   // In turn, so that both meet the machine in the same mood.
   std::vector<double> theirs;
+  std::vector<std::vector<double>> at_angle(angles.size());
   for (int round = 0; round < 5; ++round) {
     std::vector<double> each;
-    for (std::size_t i = 0; i < scenes.size(); ++i) each.push_back(e_and_seconds(i, theirs_theta).second);
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      each.push_back(e_and_seconds(i, theirs_theta).second);
+      at_angle[i].push_back(each.back());
+    }
     theirs.push_back(median(each));
     for (Way& way : ways) way.seconds.push_back(error_and_seconds(way.method, way.theta).second);
   }
@@ -297,6 +306,48 @@ void impact_cost() {
   for (const Way& way : ways)
     fmt::print("    {}: {}, theta {:.2f}, greatest error {:.1e}: median {:.3f} s an impact, ratio {:.1f}\n", way.how,
                way.method, way.theta, way.error, median(way.seconds), median(theirs) / median(way.seconds));
+  ByAngle seconds;
+  for (std::size_t i = 0; i < angles.size(); ++i) seconds[angles[i]] = median(at_angle[i]);
+  return seconds;
+}
+
+/// Mean e at the ten angles of the paper's figure, each with a standard error of 0.02: Ricochet by its own plan, trials
+/// and pilot included, against the impacts of that plan in LAMMPS, and of a fixed number at each angle, as its user
+/// would run. Theirs: impacts times what one took above.
+void means_cost(const ByAngle& theirs) {
+  const std::string command = fmt::format(
+      "{} run {}/scripts/soft_wall.lua standard_error=0.02 --threads 1 --quiet --no-report --force --out {}/means",
+      RICOCHET_PROGRAM, RICOCHET_ROOT, folder.string());
+  std::vector<double> ours;
+  std::string told;
+  for (int round = 0; round < 3; ++round) {
+    fs::remove_all(folder / "means");
+    ours.push_back(seconds([&] {
+      if (std::system((command + " > " + (folder / "means.out").string() + " 2>&1").c_str()) != 0)
+        throw Error(fmt::format("'{}' failed: {}", command, read_file(folder / "means.out")));
+    }));
+  }
+  const std::string mark = "deviations ";
+  const double fixed = number_after(read_file(folder / "means.out"), mark);
+  std::ifstream table(folder / "means" / "soft_wall" / "soft_wall_samples.csv");
+  std::string line;
+  std::getline(table, line);
+  double impacts = 0, planned = 0, all = 0;
+  while (std::getline(table, line)) {
+    std::istringstream cells(line);
+    std::vector<double> value;
+    for (std::string cell; std::getline(cells, cell, ',');) value.push_back(std::stod(cell));
+    const double of_angle = value.at(6), took = theirs.at(std::round(2 * value.at(0)) / 2);
+    impacts += of_angle;
+    planned += of_angle * took;
+    all += fixed * took;
+  }
+  fmt::print(
+      "mean e within a standard error of 0.02 at ten angles\n"
+      "  Ricochet, one thread, pilot and trials included: {:.0f} impacts, {:.1f} s (median of {})\n"
+      "  LAMMPS, the same impacts: {:.0f} s, ratio {:.0f}\n"
+      "  LAMMPS, {:.0f} at every angle, as the pilot asks for: {:.0f} s, ratio {:.0f}\n",
+      impacts, median(ours), ours.size(), planned, planned / median(ours), fixed, all, all / median(ours));
 }
 
 }  // namespace
@@ -305,7 +356,7 @@ int main() try {
   make_folder(folder);
   same_vibration();
   spring_cost();
-  impact_cost();
+  means_cost(impact_cost());
   fs::remove_all(folder);
 } catch (const std::exception& error) {
   fmt::print(stderr, "error: peers: {}\n", error.what());
