@@ -68,12 +68,12 @@ local function normal() return math.sqrt(-2 * math.log(1 - math.random())) * mat
 }  // namespace
 
 TEST_CASE(
-    "a sweep by error meets it at every point with no fewer than twelve lattices, struck from both sides as said") {
+    "a sweep by error meets it at every point with no fewer than eight lattices, struck from both sides as said") {
   const Workplace here;
   const Ended ended = here.script(by_error("standard_error = 0.03") + R"lua(
 local summary = rows:summary { by = "psi1", of = { "e" } }
 for i, line in ipairs(summary) do
-  assert(line.e.se <= 0.03 and line.e.units >= 12 and line.count == line.e.count, line.e.se)
+  assert(line.e.se <= 0.03 and line.e.units >= 8 and line.count == line.e.count, line.e.se)
   local lattices, impacts = {}, 0
   for _, row in ipairs(rows:where { psi1 = line.psi1 }) do
     lattices[row.sample] = (lattices[row.sample] or 0) + row.e
@@ -97,7 +97,7 @@ local most, points = 0, 0
 for line in ricochet.file.read "s_samples.csv":gmatch "\n([^\n]+)" do
   local cells = {}
   for cell in line:gmatch "[^,]+" do cells[#cells + 1] = tonumber(cell) or 0 / 0 end
-  most, points = math.max(most, 12, math.ceil((cells[3] / cells[4]) ^ 2)), points + 1
+  most, points = math.max(most, 8, math.ceil((cells[3] / cells[4]) ^ 2)), points + 1
 end
 print(("told: %d samples of every point would have met it too: %d impacts"):format(most, most * points))
 )lua",
@@ -175,7 +175,7 @@ TEST_CASE("a point none of whose impacts finishes is told and not tried for ever
 
 // README tells the figures. The one that sits lowest is skewed: where a sweep stops because the deviation is small by
 // chance, the mean is off to the same side.
-TEST_CASE("intervals of a sweep by error hold the mean in 92 to 97 of 100 cases, whatever the law of the samples") {
+TEST_CASE("intervals of a sweep by error hold the mean in 92 to 97 of 100 cases, of few in 88, whatever the law of the samples") {
   const Ended ended = script_with_module(std::string(coverage) + R"lua(math.randomseed(11)
 local function gamma()
   local product = 1
@@ -187,7 +187,7 @@ local laws = {
   two_valued = { function() return math.random() < 0.4 and 1 or 0 end, 0.4, math.sqrt(0.24) },
 }
 for name, law in pairs(laws) do
-  for units, least in pairs { [25] = 0.90, [100] = 0.92 } do
+  for units, least in pairs { [25] = 0.88, [100] = 0.92 } do
     local share, impacts = coverage(law[1], law[2], law[3] / math.sqrt(units), 8)
     print(name, units, share, impacts)
     assert(share >= least and share <= 0.97, name .. ": " .. share)
