@@ -187,7 +187,7 @@ local laws = {
   two_valued = { function() return math.random() < 0.4 and 1 or 0 end, 0.4, math.sqrt(0.24) },
 }
 for name, law in pairs(laws) do
-  for units, least in pairs { [25] = 0.88, [100] = 0.92 } do
+  for units, least in pairs { [12] = 0.9, [25] = 0.88, [100] = 0.92 } do
     local share, impacts = coverage(law[1], law[2], law[3] / math.sqrt(units), 8)
     print(name, units, share, impacts)
     assert(share >= least and share <= 0.97, name .. ": " .. share)
@@ -198,7 +198,7 @@ end
   CHECK(ended.status == 0);
 }
 
-TEST_CASE("intervals of a sweep by error hold the mean of 300 real lattices in 92 to 97 of 100 cases, and pairs pay") {
+TEST_CASE("intervals of a sweep by error hold the mean of 300 real lattices in 92 to 97 of 100 cases, of few in 89, and pairs pay") {
   std::ifstream file(std::string(RICOCHET_SOURCE) + "/tests/script/lattices.csv");  // lattices.lua makes it
   const std::string table{std::istreambuf_iterator<char>(file), {}};
   REQUIRE(!table.empty());
@@ -219,11 +219,13 @@ for psi1, list in pairs(lattices) do
   end
   local of, sd_of_pairs = statistics.of(single), statistics.of(paired).sd
   local function draw() return table.unpack(list[math.random(#list)]) end
-  local share, impacts = coverage(draw, of.mean, sd_of_pairs / 10, 8, true)
-  print(psi1, share, impacts)
-  assert(share >= 0.92 and share <= 0.97, psi1 .. ": " .. share)
-  -- Of one side it takes so many:
-  assert(psi1 ~= "4" or impacts < 0.6 * 100 * (of.sd / sd_of_pairs) ^ 2, impacts)
+  for units, least in pairs { [12] = 0.9, [25] = 0.89, [100] = 0.92 } do
+    local share, impacts = coverage(draw, of.mean, sd_of_pairs / math.sqrt(units), 8, true)
+    print(psi1, units, share, impacts)
+    assert(share >= least and share <= 0.97, psi1 .. ": " .. share)
+    -- Of one side it takes so many:
+    assert(psi1 ~= "4" or impacts < 0.6 * units * (of.sd / sd_of_pairs) ^ 2 or units < 100, impacts)
+  end
 end
 assert(angles == 3)
 )lua");
