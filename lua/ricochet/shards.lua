@@ -81,7 +81,8 @@ function shards.run(sweep, make)
   if not points then
     local names = names_of(sweep, first, make)
     local _, by_trials = core.lattice(first)
-    core.plan_shards(sweep.name, over, first, names, by_trials and all_scenes(sweep, names, make) or {})
+    local scenes = (by_trials or core.holds_rows(sweep.name)) and all_scenes(sweep, names, make) or {}
+    core.plan_shards(sweep.name, over, first, names, scenes)
     points = core.shard_points(sweep.name, over, first)
   end
   local values, scenes = {}, {}

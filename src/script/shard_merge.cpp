@@ -52,11 +52,11 @@ std::string line_of(const fs::path& folder, std::size_t shard, const Tally& tall
 
 }  // namespace
 
-std::string command_of(const Session& session, const std::string& command, const std::string& options) {
-  std::vector<std::string> words{session.script.string()};
+std::string command_of(const Session& session, const std::string& command, const std::string& options,
+                       const std::string& program) {
+  std::vector<std::string> words{program, command, session.script.string()};
   words.insert(words.end(), session.arguments.begin(), session.arguments.end());
-  return fmt::format("ricochet {} {} {}{}--out {}", command, shell_words(words), options, options.empty() ? "" : " ",
-                     shell_words(session.options.out));
+  return fmt::format("{} {} --out {}", shell_words(words), options, shell_words(session.options.out));
 }
 
 std::vector<Scene> with_planned_steps(Session& session, const std::string& sweep, const std::vector<Scene>& scenes,
@@ -108,7 +108,7 @@ std::vector<Row> with_missing(const RowStore& store, const std::vector<Scene>& s
 std::vector<Row> merged_rows(Session& session, const std::string& sweep, const std::vector<std::string>& hashes) {
   KnownRows known(hashes);
   const fs::path folder = session.folders.named(sweep);
-  known.load(run_names::readable_results(folder), Session::made_by());
+  known.load(run_names::readable_results(folder));
   if (known.count() < hashes.size())
     throw FileError(
         fmt::format("{} holds {} of {} impacts of '{}', which the script runs before the sweep of this "

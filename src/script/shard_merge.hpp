@@ -25,6 +25,7 @@ std::vector<Row> with_missing(const RowStore& store, const std::vector<Scene>& s
 std::vector<Row> merged_rows(Session& session, const std::string& sweep, const std::vector<std::string>& hashes);
 
 /// The command that does a part of this session's work: "ricochet run s.lua samples=4 --shard 3/4 --out out".
-std::string command_of(const Session& session, const std::string& command, const std::string& options);
+std::string command_of(const Session& session, const std::string& command, const std::string& options,
+                       const std::string& program = "ricochet");
 
 }  // namespace ricochet

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <set>
 
@@ -70,13 +69,15 @@ struct Standing {
 
 Standing standing_of(const fs::path& folder, const ShardPlan& plan) {
   Standing standing;
-  std::error_code error;
+  const std::set<std::string> names = run_names::shard_names(folder);
   for (std::size_t k = 0; k < plan.shards; ++k) {
-    if (fs::exists(run_names::shard(folder, k), error))
+    const std::string whole = run_names::shard(folder, k).filename(), stem = run_names::shard(folder, k).stem();
+    const auto part = names.lower_bound(stem + "-");
+    if (names.contains(whole))
       standing.done.push_back(k);
-    else if (fs::exists(run_names::shard_error(folder, k), error))
+    else if (names.contains(run_names::shard_error(folder, k).filename()))
       standing.failed.push_back(k);
-    else if (!run_names::shard_files(folder, k).empty())
+    else if (part != names.end() && part->starts_with(stem + "-"))
       standing.begun.push_back(k);
     else
       standing.untouched.push_back(k);
@@ -84,22 +85,18 @@ Standing standing_of(const fs::path& folder, const ShardPlan& plan) {
   return standing;
 }
 
-int running_of(const std::string& states) {
-  const std::size_t end = states.find(" running");
-  if (end == std::string::npos) return 0;
-  std::size_t begin = end;
-  while (begin > 0 && std::isdigit(static_cast<unsigned char>(states[begin - 1]))) --begin;
-  return std::stoi(states.substr(begin, end - begin));
-}
-
 // Of the queue: what is at work, and how long it may take.
 void print_queue(const fs::path& folder, const Stored& stored, std::size_t points) {
   const std::string list = submitted_jobs(folder);
   if (list.empty()) return;
-  const std::string states = states_of(list);
-  putf("  jobs {}: {}\n", list, states.empty() ? "none of them is in the queue (any more)" : states);
-  const int running = running_of(states);
-  if (running == 0 || stored.scenes.empty()) return;
+  const QueueStates states = states_of(list);
+  putf("  jobs {}: {}\n", list,
+       !states.trouble.empty() ? "the queue does not tell: " + states.trouble
+       : states.tasks.empty()  ? "none of them is in the queue (any more)"
+                               : states.text());
+  const auto found = states.tasks.find("running");
+  if (found == states.tasks.end() || stored.scenes.empty()) return;
+  const int running = found->second;
   const double each = stored.seconds / static_cast<double>(stored.scenes.size());
   const double left = each * static_cast<double>(points - std::min(points, stored.scenes.size())) / running;
   putf("  about {:.3g} min left, if {} tasks stay at work with a thread each\n", left / 60, running);

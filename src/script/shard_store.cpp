@@ -18,13 +18,12 @@ constexpr int most_listings = 100;
 
 }  // namespace
 
-std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vector<fs::path>()>& list,
-                                   const Provenance& made_by) {
+std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vector<fs::path>()>& list) {
   for (int listing = 1;; ++listing) {
     std::size_t strangers = 0;
     bool gone = false;
     for (const fs::path& file : list()) try {
-        strangers += rows.load(file, made_by);
+        strangers += rows.load(file);
       } catch (const FileError&) {
         std::error_code error;
         if (fs::exists(file, error) || listing == most_listings) throw;
@@ -43,7 +42,7 @@ ShardStore::ShardStore(Session& session, fs::path folder, std::size_t shard, con
       list.push_back(results);
     return list;
   };
-  load_while_they_change(known_, all, session.made_by());
+  load_while_they_change(known_, all);
 }
 
 std::vector<fs::path> ShardStore::files() const { return run_names::shard_files(folder_, shard_); }
@@ -78,9 +77,14 @@ void ShardStore::finish() {
   const fs::path own = run_names::shard_part(folder_, shard_), whole = run_names::shard(folder_, shard_);
   write_table(own, table_of(known_.list()), origin());
   std::vector<fs::path> others;
-  load_while_they_change(
-      known_, [&] { return others = files(); }, Session::made_by());
-  rename_over(own, whole);
+  load_while_they_change(known_, [&] { return others = files(); });
+  try {
+    rename_over(own, whole);
+  } catch (const FileError&) {
+    // Another process of this shard has taken up what is here, compared it with its own rows and removed it.
+    std::error_code error;
+    if (fs::exists(own, error) || !fs::exists(whole, error)) throw;
+  }
   for (const fs::path& other : others)
     if (other != own && other != whole) remove_file(other);
   remove_file(run_names::shard_error(folder_, shard_));

@@ -14,8 +14,7 @@ namespace ricochet {
 
 /// Takes up the files that `list` gives, again as long as one is gone when it is to be read: its process has put all
 /// rows into another by then. Throws FileError as KnownRows::load(). Returns how many rows are of no known scene.
-std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vector<std::filesystem::path>()>& list,
-                                   const Provenance& made_by);
+std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vector<std::filesystem::path>()>& list);
 
 class ShardStore : public RowStore {
  public:

@@ -89,25 +89,49 @@ std::vector<SweptName> swept_names(lua_State* L, int list) {
   return names;
 }
 
+// holds_rows(name): true if an earlier run left rows of a sweep of this name.
+int holds_rows(lua_State* L) {
+  lua_pushboolean(L, !run_names::stored(session_of(L).folders.named(luaL_checkstring(L, 1))).empty());
+  return 1;
+}
+
+// Rows of other scenes would stand in the way of the merging, once all shards have run.
+void refuse_strangers(const fs::path& folder, const std::vector<Scene>& scenes) {
+  KnownRows known(hashes_of(scenes));
+  std::size_t strangers = 0;
+  for (const fs::path& file : run_names::stored(folder)) strangers += known.load(file);
+  if (strangers > 0)
+    throw FileError(fmt::format(
+        "{} holds {} rows of other scenes than this sweep's, beside which its shards could not be merged; give "
+        "another --out, or the script and the parameters of those",
+        folder.string(), strangers));
+}
+
 // plan_shards(name, over, first, names, scenes): writes the plan, unless another process does so first. `names`: a list
-// of { name =, values =, changes_lattice = }; `scenes`: of all points, if trials are to choose their steps, else empty.
+// of { name =, values =, changes_lattice = }; `scenes`: of all points, if trials are to choose their steps or rows are
+// there, else empty.
 int plan_shards(lua_State* L) {
   Session& session = session_of(L);
   const std::string over = luaL_checkstring(L, 2);
+  const Scene& first = scene_at(L, 3).scene;
   ShardPlan plan{.over = swept_names(L, 4)};
   plan.shards = session.options.shards;
   if (plan.shards == 0) plan.shards = std::max<std::size_t>(1, plan.points() / usual_impacts);
-  const std::vector<Scene> scenes = scenes_at(L, 5);
+  std::vector<Scene> scenes = scenes_at(L, 5);
   const auto name = [](std::size_t i) { return fmt::format("point {}", i + 1); };
   try {
-    if (!scenes.empty()) plan.steps = steps_table(with_chosen_steps(session, scenes, printed(session, name)));
+    if (!std::isnan(first.integration.accuracy)) {
+      scenes = with_chosen_steps(session, scenes, printed(session, name));
+      plan.steps = steps_table(scenes);
+    }
   } catch (const SceneError& error) {
     throw_at_scene(L, 5, error);
   }
-  const Scene& first = scene_at(L, 3).scene;
+  refuse_strangers(session.sharded, scenes);
   plan.facts = facts_of_sweep(L, over, first);
   plan.facts["canary"] = canary_of_first(L, 3, plan.with_step(first, 0));
-  write_plan(session.sharded, plan, session.provenance());
+  // A later sweep's shards make this one's scenes again.
+  if (write_plan(session.sharded, plan, session.provenance())) session.steps.write(session.steps_file());
   return 0;
 }
 
@@ -134,8 +158,7 @@ void tell_shard_end(Session& session, const std::string& name, const RowStore& s
 
 void run_points(Session& session, const std::string& name, const std::vector<Scene>& scenes,
                 const SceneName& scene_name) {
-  std::vector<std::string> hashes;
-  for (const Scene& scene : scenes) hashes.push_back(scene.hash());
+  const std::vector<std::string> hashes = hashes_of(scenes);
   check_steps(session, scenes);
   ShardStore store(session, session.sharded, session.options.shard, hashes);
   const std::string called = fmt::format("{}, shard {}/{}", name, session.options.shard, session.options.shards);
@@ -186,14 +209,8 @@ int is_merged(lua_State* L) {
   const Session& session = session_of(L);
   const fs::path folder = session.folders.named(luaL_checkstring(L, 1)), results = run_names::readable_results(folder);
   std::error_code error;
-  bool merged = fs::exists(results, error) && !fs::exists(run_names::plan(folder), error);
-  if (merged) {
-    Provenance theirs = read_provenance(results);
-    const Provenance own = session.provenance();
-    merged = theirs["script_hash"] == own.at("script_hash") &&
-             theirs["arguments"] == (own.contains("arguments") ? own.at("arguments") : "");
-  }
-  lua_pushboolean(L, merged);
+  const bool whole = fs::exists(results, error) && !fs::exists(run_names::plan(folder), error);
+  lua_pushboolean(L, whole && is_of_results(facts_of(session), read_provenance(results)));
   return 1;
 }
 
@@ -212,6 +229,7 @@ Group shard_functions() {
   return {.natives = {{"part", part},
                       {"is_merged", guarded<is_merged>},
                       {"lattice", guarded<lattice>},
+                      {"holds_rows", guarded<holds_rows>},
                       {"shard_points", guarded<shard_points>},
                       {"plan_shards", guarded<plan_shards>},
                       {"run_shard", guarded<run_shard>}}};

@@ -103,7 +103,7 @@ void Store::load(bool strangers_too) {
     for (const fs::path& file : run_names::shard_files(folder_)) list.push_back(file);
     return list;
   };
-  const std::size_t strangers = load_while_they_change(known_, files, session_.made_by());
+  const std::size_t strangers = load_while_they_change(known_, files);
   if (strangers > 0 && !strangers_too)
     throw FileError(fmt::format(
         "{} holds {} rows of other scenes than this sweep's, which --resume would lose; use the same parameters (and "

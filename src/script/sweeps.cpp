@@ -132,12 +132,6 @@ std::vector<Scene> with_steps(Session& session, const Request& sweep) {
                                      : with_steps_of_rounds(session, sweep.name, sweep.scenes, telling);
 }
 
-std::vector<std::string> hashes_of(const std::vector<Scene>& scenes) {
-  std::vector<std::string> hashes;
-  for (const Scene& scene : scenes) hashes.push_back(scene.hash());
-  return hashes;
-}
-
 // Runs what is not stored yet.
 SweepUse run_rest(Session& session, Store& store, Request& sweep, const std::vector<std::string>& hashes) {
   SweepUse use;

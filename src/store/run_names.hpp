@@ -39,6 +39,8 @@ std::filesystem::path shard_error(const std::filesystem::path& folder, std::size
 /// The files of rows of one shard, or of all, whole or not.
 std::vector<std::filesystem::path> shard_files(const std::filesystem::path& folder, std::size_t k);
 std::vector<std::filesystem::path> shard_files(const std::filesystem::path& folder);
+/// The names of all files of the shards.
+std::set<std::string> shard_names(const std::filesystem::path& folder);
 /// Removes the shards' rows and the plan. Throws FileError.
 void remove_shards(const std::filesystem::path& folder);
 /// The folder of the scripts and logs of a queue that runs the shards.
