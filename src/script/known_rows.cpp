@@ -85,7 +85,7 @@ std::vector<Row> rows_of(const fs::path& path) {
 }
 
 // The rows of a file. Throws FileError if it is damaged, or was written by another version or commit than this.
-std::vector<Row> stored_rows(const fs::path& file) {
+std::vector<Row> checked_rows(const fs::path& file) {
   const Provenance theirs = read_provenance(file);
   for (const auto& [name, value] : Session::made_by())
     if (const auto it = theirs.find(name); it == theirs.end() || it->second != value)
@@ -148,7 +148,7 @@ bool KnownRows::accept(const Row& row, const fs::path& origin) {
 
 std::size_t KnownRows::load(const fs::path& file) {
   std::size_t strangers = 0;
-  for (const Row& row : stored_rows(file)) strangers += !accept(row, file);
+  for (const Row& row : checked_rows(file)) strangers += !accept(row, file);
   return strangers;
 }
 

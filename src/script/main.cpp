@@ -99,7 +99,7 @@ struct Commands {
   QueueOptions queue;
   std::string script, file, theory, shard;
   std::vector<std::string> arguments;
-  bool price = false, stubs = false;
+  bool price = false, stubs = false, csv = false;
 };
 
 void add_script(Commands& c, CLI::App* command) {
@@ -210,7 +210,8 @@ void add_submit(Commands& c) {
 void add_status(Commands& c) {
   CLI::App* command = c.app.add_subcommand("status", "How far the sweeps of a folder are, shards or not");
   command->add_option("DIR", c.file, "a sweep's folder, or that of several")->required();
-  command->callback([&c] { print_status(c.file); });
+  command->add_flag("--csv", c.csv, "print the rows that are stored of one sweep, as comma-separated text");
+  command->callback([&c] { c.csv ? print_stored(c.file) : print_status(c.file); });
 }
 
 void add_accuracy(Commands& c) {

@@ -9,8 +9,10 @@
 #include "core/error.hpp"
 #include "script/shard_plan.hpp"
 #include "script/slurm.hpp"
+#include "script/stored_rows.hpp"
 #include "script/sweep_table.hpp"
 #include "script/terminal.hpp"
+#include "store/csv.hpp"
 #include "store/files.hpp"
 #include "store/run_names.hpp"
 
@@ -128,15 +130,14 @@ void print_sweep(const fs::path& folder) {
   std::error_code error;
   if (fs::exists(run_names::plan(folder), error)) return print_shards(folder);
   const Stored stored = stored_in(run_names::stored(folder));
-  const bool whole = !fs::exists(run_names::parts(folder), error) && !fs::exists(run_names::new_parts(folder), error);
   putf("{}: {} impacts are stored, {} of them failed; {}\n", folder.filename().string(), stored.scenes.size(),
        stored.failed,
-       whole ? "no run is at work or was cut off" : "a run is at work, or was cut off: --resume goes on");
+       run_names::holds_parts(folder) ? "a run is at work, or was cut off: --resume goes on"
+                                      : "no run is at work or was cut off");
 }
 
-}  // namespace
-
-void print_status(const std::string& given) {
+// A folder itself, or those right below it.
+std::vector<fs::path> sweeps_in(const std::string& given) {
   const fs::path folder = fs::path(given).lexically_normal();
   std::error_code error;
   if (!fs::is_directory(folder, error)) throw FileError(fmt::format("there is no folder {}", folder.string()));
@@ -147,7 +148,23 @@ void print_status(const std::string& given) {
   if (sweeps.empty())
     throw FileError(fmt::format("{} holds no sweep; give the folder that --out named, or one below", folder.string()));
   std::sort(sweeps.begin(), sweeps.end());
-  for (const fs::path& sweep : sweeps) print_sweep(sweep);
+  return sweeps;
+}
+
+}  // namespace
+
+void print_status(const std::string& given) {
+  for (const fs::path& sweep : sweeps_in(given)) print_sweep(sweep);
+}
+
+void print_stored(const std::string& given) {
+  const std::vector<fs::path> sweeps = sweeps_in(given);
+  if (sweeps.size() > 1) {
+    std::vector<std::string> names;
+    for (const fs::path& sweep : sweeps) names.push_back(sweep.string());
+    throw FileError(fmt::format("{} holds {} sweeps: name one of {}", given, sweeps.size(), fmt::join(names, ", ")));
+  }
+  put(csv(stored_rows(sweeps.front())));
 }
 
 }  // namespace ricochet

@@ -33,8 +33,9 @@ std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vec
   }
 }
 
-ShardStore::ShardStore(Session& session, fs::path folder, std::size_t shard, const std::vector<std::string>& hashes)
-    : RowStore(hashes), session_(session), folder_(std::move(folder)), shard_(shard) {
+ShardStore::ShardStore(Session& session, std::size_t shard, const std::vector<std::string>& hashes,
+                       const Parameters& parameters)
+    : RowStore(hashes), session_(session), folder_(session.sharded), shard_(shard), parameters_(parameters) {
   const auto all = [this] {
     std::vector<fs::path> list = files();
     std::error_code error;
@@ -47,16 +48,19 @@ ShardStore::ShardStore(Session& session, fs::path folder, std::size_t shard, con
 
 std::vector<fs::path> ShardStore::files() const { return run_names::shard_files(folder_, shard_); }
 
-Provenance ShardStore::origin() const {
+void ShardStore::write(const fs::path& file, const std::vector<const Row*>& rows,
+                       const std::vector<std::size_t>& places) const {
   Provenance origin = Session::made_by();
   origin["host"] = host_name();
-  return origin;
+  Table table = table_of(rows);
+  parameters_.add_to(table, places);
+  write_table(file, table, origin);
 }
 
 void ShardStore::add(const std::vector<std::pair<std::size_t, Row>>& batch) {
   for (const auto& [index, row] : batch) {
     known_.accept(row);
-    waiting_.push_back(row);
+    waiting_.emplace_back(index, row);
   }
   const std::chrono::duration<double> since = Clock::now() - flushed_;
   if (waiting_.size() >= most_waiting || since.count() >= session_.options.flush) flush();
@@ -66,16 +70,20 @@ void ShardStore::flush() {
   flushed_ = Clock::now();
   if (waiting_.empty()) return;
   std::vector<const Row*> rows;
-  for (const Row& row : waiting_) rows.push_back(&row);
+  std::vector<std::size_t> places;
+  for (const auto& [index, row] : waiting_) {
+    rows.push_back(&row);
+    places.push_back(index);
+  }
   make_folder(run_names::shards(folder_));
-  write_table(run_names::shard_part(folder_, shard_), table_of(rows), origin());
+  write(run_names::shard_part(folder_, shard_), rows, places);
   waiting_.clear();
 }
 
 void ShardStore::finish() {
   make_folder(run_names::shards(folder_));
   const fs::path own = run_names::shard_part(folder_, shard_), whole = run_names::shard(folder_, shard_);
-  write_table(own, table_of(known_.list()), origin());
+  write(own, known_.list(), known_.places());
   std::vector<fs::path> others;
   load_while_they_change(known_, [&] { return others = files(); });
   try {

@@ -157,10 +157,11 @@ void tell_shard_end(Session& session, const std::string& name, const RowStore& s
 }
 
 void run_points(Session& session, const std::string& name, const std::vector<Scene>& scenes,
-                const SceneName& scene_name) {
+                const Parameters& parameters) {
+  const SceneName scene_name = [&](std::size_t scene) { return parameters.place(scene); };
   const std::vector<std::string> hashes = hashes_of(scenes);
   check_steps(session, scenes);
-  ShardStore store(session, session.sharded, session.options.shard, hashes);
+  ShardStore store(session, session.options.shard, hashes, parameters);
   const std::string called = fmt::format("{}, shard {}/{}", name, session.options.shard, session.options.shards);
   SweepUse use;
   const Storing storing;
@@ -187,10 +188,9 @@ int run_shard(lua_State* L) {
   Session& session = session_of(L);
   const std::string name = luaL_checkstring(L, 1);
   const Parameters parameters = read_parameters(L, 2, 3, 6);
-  const SceneName scene_name = [&](std::size_t scene) { return parameters.place(scene); };
   try {
     const std::vector<Scene> scenes = planned_scenes(read_plan(session.sharded), scenes_at(L, 4), numbers_at(L, 5));
-    run_points(session, name, scenes, scene_name);
+    run_points(session, name, scenes, parameters);
   } catch (const SceneError& error) {
     throw_at_scene(L, 4, error, fmt::format(" (at {})", parameters.place(error.scene)));
   }

@@ -124,9 +124,8 @@ std::string shard_text(const Scripts& s) {
 std::string merge_text(const Scripts& s) {
   const std::string name = s.session.sharded.filename().string();
   std::vector<std::string> own{"--cpus-per-task=1"};
-  std::string again =
-      fmt::format("{} --slurm --round {} --of {} --cpus {} --max-running {} --warning {}", own_threads, s.round + 1,
-                  shell_words(name), s.wanted.cpus, s.wanted.running, s.wanted.warning);
+  std::string again = fmt::format("{} --slurm --round {} --of {} --cpus {} --max-running {} --warning {}", own_threads,
+                                  s.round + 1, shell_words(name), s.wanted.cpus, s.wanted.running, s.wanted.warning);
   if (!s.wanted.time.empty()) again += " --time " + shell_words(s.wanted.time);
   if (!s.wanted.partition.empty()) again += " --partition " + shell_words(s.wanted.partition);
   for (const std::string& option : s.wanted.sbatch) again += " " + shell_words("--sbatch=" + option);
@@ -258,18 +257,19 @@ void refuse_others_at_work(const Session& session, const QueueOptions& wanted) {
     throw Error(fmt::format("jobs {} are at work on these shards ({}); wait for them, or scancel {}", list,
                             states.text(), list));
   if (!states.trouble.empty() && !wanted.dry_run)
-    throw Error(fmt::format("whether jobs {} are still at work on these shards is not known: {}; call ricochet submit "
-                            "again where and when the queue answers",
-                            list, states.trouble));
+    throw Error(
+        fmt::format("whether jobs {} are still at work on these shards is not known: {}; call ricochet submit "
+                    "again where and when the queue answers",
+                    list, states.trouble));
 }
 
 void refuse_further_round(const Scripts& s) {
   if (s.round <= most_rounds) return;
-  throw Error(fmt::format("{} shards of '{}' are still not there after they were submitted again {} times; see why in "
-                          "{}, mend it, and call ricochet submit",
-                          s.shards.size(), s.session.sharded.filename().string(), most_rounds,
-                          (s.folder() / "*.log").string()),
-              Exit::numerical);
+  throw Error(
+      fmt::format("{} shards of '{}' are still not there after they were submitted again {} times; see why in "
+                  "{}, mend it, and call ricochet submit",
+                  s.shards.size(), s.session.sharded.filename().string(), most_rounds, (s.folder() / "*.log").string()),
+      Exit::numerical);
 }
 
 void tell_how_to_submit(const Scripts& s) {

@@ -132,9 +132,12 @@ void remove_shards(const fs::path& folder) {
 
 bool holds_results(const fs::path& folder) {
   std::error_code error;
-  if (fs::exists(plan(folder), error)) return true;
-  return fs::exists(readable_results(folder), error) || fs::exists(parts(folder), error) ||
-         fs::exists(new_parts(folder), error);
+  return fs::exists(readable_results(folder), error) || holds_parts(folder);
+}
+
+bool holds_parts(const fs::path& folder) {
+  std::error_code error;
+  return fs::exists(plan(folder), error) || fs::exists(parts(folder), error) || fs::exists(new_parts(folder), error);
 }
 
 void remove_results(const fs::path& folder) {

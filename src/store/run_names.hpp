@@ -48,6 +48,8 @@ std::filesystem::path queue(const std::filesystem::path& folder);
 
 /// True if a folder holds results or parts of them, or shards.
 bool holds_results(const std::filesystem::path& folder);
+/// True if parts lie there, or shards, of which results are still to be made.
+bool holds_parts(const std::filesystem::path& folder);
 /// Removes results, parts and shards, in all formats. Throws FileError.
 void remove_results(const std::filesystem::path& folder);
 /// Removes a folder of parts. Throws FileError.

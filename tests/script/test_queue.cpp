@@ -1,5 +1,5 @@
-// What submit and status make of what a queue says, and the scripts they leave: with stand-ins for Slurm's programs, the
-// first of which runs at once what is submitted. A true Slurm: test_slurm.cpp.
+// What submit and status make of what a queue says, and the scripts they leave: with stand-ins for Slurm's programs,
+// the first of which runs at once what is submitted. A true Slurm: test_slurm.cpp.
 
 #include <fmt/format.h>
 

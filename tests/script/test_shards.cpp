@@ -161,6 +161,39 @@ TEST_CASE("the shard that a job means: tasks of arrays, and processes within the
   CHECK_THROWS_WITH(chosen("auto", {{"PBS_ARRAY_INDEX", "3"}}), Contains("nothing tells of how many"));
 }
 
+TEST_CASE("what is stored so far of shards, or of a run at work, is looked into beside it, each scene once") {
+  const Workplace here;
+  undisturbed(here);
+  REQUIRE(here.run("s.lua --quiet --shard 1/2").status == 0);
+  const Ended rows = here.shell("ricochet status out --csv");
+  INFO(rows.out << rows.err);
+  CHECK(rows.status == 0);
+  CHECK(rows.out.substr(0, rows.out.find(',')) == "over_psi1");
+  CHECK(std::count(rows.out.begin(), rows.out.end(), '\n') == 7);
+  const std::string head = rows.out.substr(0, rows.out.find('\n')), whole = here.read("calm/s/results.csv");
+  CHECK(head == whole.substr(0, whole.find('\n')));
+  CHECK_THAT(here.shell("ricochet info out").out, Contains("stored so far") && Contains("6 rows"));
+  REQUIRE(here.run("s.lua --quiet --shard 0/2").status == 0);
+  REQUIRE(merge(here).status == 0);
+  CHECK(here.shell("ricochet status out --csv").out == here.read("out/s/results.csv"));
+  CHECK_THAT(here.shell("ricochet status . --csv").err, Contains("holds no sweep"));
+  // A run that is at work holds its folder.
+  const pid_t child = start(here, {"run", "s.lua", "samples=400", "--quiet", "--force", "--threads", "1"});
+  const auto counted = [&] {
+    const Ended now = here.shell("ricochet status out/s --csv");
+    CHECK(now.status == 0);
+    return std::count(now.out.begin(), now.out.end(), '\n') - 1;
+  };
+  for (int i = 0; i < 600 && !fs::exists(here.path / "out/s/parts.new"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const auto first = counted();
+  CHECK_THAT(here.shell("ricochet info out").out, Contains("stored so far"));
+  kill(child, SIGKILL);
+  ended(child);
+  CHECK(counted() >= first);
+  CHECK(counted() >= 1);
+}
+
 TEST_CASE("a shard that was killed goes on from what it stored, to the digest of one run") {
   const Workplace here;
   const std::string expected = undisturbed(here, "samples=40");
