@@ -17,7 +17,7 @@ std::string search(const std::string& psi1, const std::string& range, const std:
   return "local found = ricochet.find { name = \"f\", column = \"psi1\", value = " + value + ", over = { x = " + range +
          " }, " + more +
          ",\n  scene = function(at) return ricochet.scene { projectile = ricochet.disk { nodes = 30, seed "
-         "= at.sample }, target = ricochet.plane(), launch = { psi1 = " +
+         "= at.sample }, target = ricochet.plane {}, launch = { psi1 = " +
          psi1 + " } } end }\n";
 }
 

@@ -44,8 +44,8 @@ echo "$number;here")");
     here.write("status", std::to_string(status));
   }
   Ended shell(const std::string& command) const { return here.shell("PATH=$PWD/bin:$PATH; " + command); }
-  Ended submit(const std::string& arguments = "") const {
-    return shell("ricochet submit s.lua --slurm --quiet --shards 3 " + arguments);
+  Ended submit(const std::string& arguments = "--shards 3") const {
+    return shell("ricochet submit s.lua --slurm --quiet " + arguments);
   }
 
   Workplace here;
@@ -102,7 +102,7 @@ TEST_CASE("a queue that does not answer is not taken for an empty one, nor any w
   CHECK(refused.status == 1);
   CHECK_THAT(refused.err, Contains("whether jobs ") && Contains("is not known: slurm_load_jobs error: Unable"));
   CHECK_THAT(queue.shell("ricochet status out").out, Contains("the queue does not tell: slurm_load_jobs error"));
-  CHECK(queue.submit("--dry-run").status == 0);
+  CHECK(queue.submit("--shards 3 --dry-run").status == 0);
   queue.says("RUNNING\nPENDING\nPENDING\n", "", 0);
   CHECK_THAT(queue.submit().err, Contains("are at work on these shards (2 pending, 1 running)"));
   CHECK_THAT(queue.shell("ricochet status out").out, Contains(": 2 pending, 1 running\n"));
@@ -114,7 +114,7 @@ TEST_CASE("a queue that does not answer is not taken for an empty one, nor any w
 
 TEST_CASE("a dry run names the scripts that it wrote; a script of standard input is no job's") {
   const Queue queue;
-  const Ended first = queue.submit("--dry-run");
+  const Ended first = queue.submit("--shards 3 --dry-run");
   CHECK_THAT(first.out, Contains("3 shards of 's' in 3 tasks") && Contains("slurm/shard.sh"));
   for (const char* script : {"shard", "merge"}) {
     const std::string text = queue.here.read(std::string("out/s/slurm/") + script + ".sh");
@@ -123,7 +123,7 @@ TEST_CASE("a dry run names the scripts that it wrote; a script of standard input
   for (const char* shard : {"0/3", "1/3", "2/3"})
     REQUIRE(queue.here.run(std::string("s.lua --quiet --shard ") + shard).status == 0);
   fs::remove(queue.here.path / "out/s/slurm/shard.sh");
-  const Ended merging = queue.submit("--dry-run");
+  const Ended merging = queue.submit("--shards 3 --dry-run");
   CHECK(merging.status == 0);
   CHECK_THAT(merging.out, Contains("all shards of 's' are there") && Contains("merge.sh") && !Contains("shard.sh"));
   const Ended piped = queue.shell("ricochet submit - --slurm");
@@ -133,7 +133,7 @@ TEST_CASE("a dry run names the scripts that it wrote; a script of standard input
 
 TEST_CASE("a task that is told to stop at the very moment it starts a shard tells the shard, and is queued again") {
   const Queue queue;
-  REQUIRE(queue.submit("--dry-run samples=400").status == 0);
+  REQUIRE(queue.submit("--shards 3 --dry-run samples=400").status == 0);
   queue.says("RUNNING\n", "", 0);
   queue.here.write("before.sh",
                    "export SLURM_JOB_ID=7 SLURM_ARRAY_TASK_ID=0\n"
