@@ -3,12 +3,6 @@ local core = require "ricochet.core"
 
 local shards = {}
 
--- Where shards are run or merged, nothing may depend on what has come out so far.
-function shards.refuse_rounds()
-  core.fail("samples = \"by_error\" decides by rows how many samples to run, which no shard has: give the numbers " ..
-    "of samples in over.sample, as an earlier run found them", "samples")
-end
-
 -- How many values a factor has.
 local function values_of(sweep, factor) return #sweep.over[factor.names[1]] end
 

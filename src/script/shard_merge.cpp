@@ -30,10 +30,11 @@ struct Tally {
   std::size_t points = 0, rows = 0;
 };
 
-std::map<std::size_t, Tally> unfinished(const ShardPlan& plan, const RowStore& store) {
+std::map<std::size_t, Tally> unfinished(const ShardPlan& plan, const RowStore& store,
+                                        const std::vector<std::size_t>& places) {
   std::map<std::size_t, Tally> shards;
   for (std::size_t i = 0; i < store.done().size(); ++i) {
-    Tally& tally = shards[plan.shard_of(i)];
+    Tally& tally = shards[plan.shard_of(places.empty() ? i : places[i])];
     ++tally.points;
     tally.rows += store.done()[i];
   }
@@ -73,14 +74,15 @@ std::vector<Scene> with_planned_steps(Session& session, const std::string& sweep
   return planned;
 }
 
-void refuse_missing(Session& session, const std::string& sweep, const RowStore& store) {
+void refuse_missing(Session& session, const std::string& sweep, const RowStore& store,
+                    const std::vector<std::size_t>& places) {
   if (store.count() == store.rows().size()) return;
   const fs::path folder = session.folders.named(sweep);
   if (!has_plan(folder))
     throw Error(fmt::format("no shard of '{}' has run; run them: {}", sweep, command_of(session, "run", "--shard K/N")),
                 Exit::numerical);
   const ShardPlan plan = read_plan(folder);
-  const std::map<std::size_t, Tally> missing = unfinished(plan, store);
+  const std::map<std::size_t, Tally> missing = unfinished(plan, store, places);
   std::string text =
       fmt::format("{} of {} impacts of '{}' are missing, in {} of {} shards", store.rows().size() - store.count(),
                   store.rows().size(), sweep, missing.size(), plan.shards);

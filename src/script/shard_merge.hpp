@@ -15,8 +15,9 @@ std::vector<Scene> with_planned_steps(Session& session, const std::string& sweep
                                       const Telling& telling);
 
 /// Throws Error that names the shards whose rows are not all there, what they ended by, and the command for them;
-/// with --partial it only warns.
-void refuse_missing(Session& session, const std::string& sweep, const RowStore& store);
+/// with --partial it only warns. `places`: of the scenes in the plan, if they are not in its order.
+void refuse_missing(Session& session, const std::string& sweep, const RowStore& store,
+                    const std::vector<std::size_t>& places = {});
 
 /// The rows of a sweep, with one of status "not_run" at every scene that has none.
 std::vector<Row> with_missing(const RowStore& store, const std::vector<Scene>& scenes);

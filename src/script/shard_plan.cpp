@@ -83,6 +83,11 @@ std::size_t ShardPlan::points() const {
   return count;
 }
 
+std::size_t ShardPlan::impacts() const {
+  const auto told = facts.find("impacts");
+  return told == facts.end() ? points() : std::stoul(told->second);
+}
+
 std::size_t ShardPlan::shard_of(std::size_t point) const {
   std::size_t lattice = 0, lattice_stride = 1, rest = 0, rest_stride = 1;
   for (std::size_t n = over.size(); n-- > 0;) {
@@ -174,7 +179,7 @@ ShardPlan read_plan(const fs::path& folder) {
   try {
     plan.shards = std::stoul(plan.facts.at("shards"));
     plan.over = over_of(plan.facts.at("names"));
-    if (plan.shards == 0 || plan.points() == 0) throw std::invalid_argument("a count");
+    if (plan.shards == 0 || plan.impacts() == 0) throw std::invalid_argument("a count");
   } catch (const std::logic_error&) {
     throw FileError(fmt::format("{} is no plan of shards; remove it, or give another --out", path.string()));
   }

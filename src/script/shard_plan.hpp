@@ -29,6 +29,7 @@ struct ShardPlan {
   Table steps;       ///< of every point, if trials chose them; else empty
 
   std::size_t points() const;
+  std::size_t impacts() const;  ///< of all shards: the points, unless a fact says of how many of them
   std::size_t shard_of(std::size_t point) const;
   /// In their order.
   std::vector<std::size_t> points_of(std::size_t shard) const;

@@ -112,13 +112,13 @@ void print_shards(const fs::path& folder) {
       "{}: {} of {} impacts are stored, {} of them failed; {} shards: {} done, {} begun{}, {} ended with an error{}, "
       "{} "
       "not begun{}\n",
-      folder.filename().string(), stored.scenes.size(), plan.points(), stored.failed, plan.shards, standing.done.size(),
-      standing.begun.size(), shards_listed(standing.begun), standing.failed.size(), shards_listed(standing.failed),
-      standing.untouched.size(), shards_listed(standing.untouched));
+      folder.filename().string(), stored.scenes.size(), plan.impacts(), stored.failed, plan.shards,
+      standing.done.size(), standing.begun.size(), shards_listed(standing.begun), standing.failed.size(),
+      shards_listed(standing.failed), standing.untouched.size(), shards_listed(standing.untouched));
   for (std::size_t i = 0; i < std::min(most_errors_told, standing.failed.size()); ++i)
     putf("  shard {} ended with: {}\n", standing.failed[i],
          read_file(run_names::shard_error(folder, standing.failed[i])));
-  print_queue(folder, stored, plan.points());
+  print_queue(folder, stored, plan.impacts());
 }
 
 bool is_sweep(const fs::path& folder) {

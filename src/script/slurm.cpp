@@ -121,19 +121,27 @@ std::string shard_text(const Scripts& s) {
          task_text;
 }
 
+// What a merging job submits again is of the same sweep, and of the same round of it; else it is no loss.
+std::string work_of(const Session& session, const ShardPlan& plan) {
+  return session.sharded.filename().string() + ":" + plan.facts.at("over");
+}
+
 std::string merge_text(const Scripts& s) {
   const std::string name = s.session.sharded.filename().string();
   std::vector<std::string> own{"--cpus-per-task=1"};
-  std::string again = fmt::format("{} --slurm --round {} --of {} --cpus {} --max-running {} --warning {}", own_threads,
-                                  s.round + 1, shell_words(name), s.wanted.cpus, s.wanted.running, s.wanted.warning);
+  std::string again =
+      fmt::format("{} --slurm --round {} --of {} --cpus {} --max-running {} --warning {}", own_threads, s.round + 1,
+                  shell_words(work_of(s.session, s.plan)), s.wanted.cpus, s.wanted.running, s.wanted.warning);
+  if (s.session.options.shards > 0) again += fmt::format(" --shards {}", s.session.options.shards);
   if (!s.wanted.time.empty()) again += " --time " + shell_words(s.wanted.time);
   if (!s.wanted.partition.empty()) again += " --partition " + shell_words(s.wanted.partition);
   for (const std::string& option : s.wanted.sbatch) again += " " + shell_words("--sbatch=" + option);
   std::string text = header(s, name + "-merge", "merge.log", own);
   text += "# Results of all shards. Made by ricochet submit, which makes it anew.\n";
   text += fmt::format("{}\nstatus=$?\n", call(s, "merge", own_threads));
-  text += fmt::format("# Impacts are missing: lost with their nodes, or of a later sweep.\n[ $status != 3 ] || {}\n",
-                      call(s, "submit", again));
+  text += fmt::format(
+      "# Impacts are missing: lost with their nodes, or of a later round or sweep.\n[ $status != 3 ] || {}\n",
+      call(s, "submit", again));
   return text + "exit $status\n";
 }
 
@@ -292,8 +300,7 @@ void submit_shards(Session& session, const QueueOptions& wanted) {
   }
   const ShardPlan plan = read_plan(session.sharded);
   refuse_others_at_work(session, wanted);
-  // What was lost of an earlier sweep is not this one's.
-  const int round = wanted.of == session.sharded.filename() ? wanted.round : 0;
+  const int round = wanted.of == work_of(session, plan) ? wanted.round : 0;
   Scripts scripts{session, wanted, plan, round, missing_shards(session, plan), 0};
   refuse_errors(scripts);
   refuse_further_round(scripts);

@@ -17,7 +17,7 @@ struct QueueOptions {
   int warning = 120;                ///< seconds before the end of a task's time in which it stores and is queued again
   std::vector<std::string> sbatch;  ///< further options
   int round = 0;                    ///< how often lost shards were submitted again without being asked ...
-  std::string of;                   ///< ... of the sweep of this name, by its merging job; empty: a user submits
+  std::string of;                   ///< ... of this work, by its merging job; empty: a user submits
 };
 
 /// Writes the scripts for those shards of a planned sweep that are not there and for their merging, and submits them

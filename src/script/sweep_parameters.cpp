@@ -33,6 +33,19 @@ void add_column(Table& table, const Parameters& given, std::size_t p, const std:
 
 }  // namespace
 
+Parameters Parameters::of(const std::vector<std::size_t>& scenes) const {
+  Parameters own{names, units, {}, {}};
+  for (std::size_t p = 0; p < names.size(); ++p) {
+    own.numbers.emplace_back();
+    own.texts.emplace_back();
+    for (const std::size_t i : scenes) {
+      if (i < numbers[p].size()) own.numbers.back().push_back(numbers[p][i]);
+      if (i < texts[p].size()) own.texts.back().push_back(texts[p][i]);
+    }
+  }
+  return own;
+}
+
 void Parameters::add_to(Table& table, const std::vector<std::size_t>& scenes) const {
   for (std::size_t p = names.size(); p-- > 0;) add_column(table, *this, p, scenes);
 }

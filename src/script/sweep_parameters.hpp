@@ -15,6 +15,9 @@ struct Parameters {
   /// "psi1 = 2, sample = 7" for messages.
   std::string place(std::size_t scene) const;
 
+  /// Of these scenes alone.
+  Parameters of(const std::vector<std::size_t>& scenes) const;
+
   /// Puts their columns before all others of a table of these scenes' rows.
   void add_to(Table& table, const std::vector<std::size_t>& scenes) const;
 };

@@ -78,6 +78,21 @@ TEST_CASE("one submit brings a script of four sweeps to its end: a later sweep i
     CHECK(read_table(queue.here.path / "out" / name / "results.h5").rows() == 2);
 }
 
+TEST_CASE("one submit brings a sweep by error to its end, a round as an array each") {
+  const Queue queue;
+  std::string text = small_sweep;
+  text.replace(text.find("sample = ricochet.range(p.samples), "), 36, "");
+  text.replace(text.find("scene = function"), 0, "samples = \"by_error\", standard_error = 0.05, ");
+  queue.here.write("s.lua", text);
+  const Ended ended = queue.submit("--shards 2");
+  INFO(ended.err << queue.here.read("log"));
+  REQUIRE(ended.status == 0);
+  CHECK_THAT(queue.here.read("log"), Contains("round 2 of 's' is to be run") && Contains("averaged over sample"));
+  REQUIRE(queue.here.run("s.lua --quiet --no-report --out calm").status == 0);
+  CHECK(digest_of(read_table(queue.here.path / "out/s/results.h5")) ==
+        digest_of(read_table(queue.here.path / "calm/s/results.h5")));
+}
+
 TEST_CASE("shards that are lost again and again are submitted twice more, and then told") {
   const Queue queue;
   queue.here.write("lose", "");

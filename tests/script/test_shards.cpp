@@ -430,11 +430,6 @@ TEST_CASE(
           .err,
       Contains("s.lua:3") && Contains("two different scenes"));
   CHECK_THAT(script("at.sample",
-                    "ricochet.sweep { name = \"s\", over = { psi1 = { 0 } }, samples = \"by_error\", "
-                    "standard_error = 0.1, scene = scene }:run()")
-                 .err,
-             Contains("samples = \"by_error\"") && Contains("over.sample"));
-  CHECK_THAT(script("at.sample",
                     "ricochet.plan { sweep = ricochet.sweep { name = \"s\", over = { sample = { 1, 2 } }, "
                     "scene = scene }, standard_error = 0.1 }:run()")
                  .err,
