@@ -178,7 +178,9 @@ TEST_CASE("a point none of whose impacts finishes is told and not tried for ever
 
 // README tells the figures. The one that sits lowest is skewed: where a sweep stops because the deviation is small by
 // chance, the mean is off to the same side.
-TEST_CASE("intervals of a sweep by error hold the mean in 92 to 97 of 100 cases, of few in 88, whatever the law of the samples") {
+TEST_CASE(
+    "intervals of a sweep by error hold the mean in 92 to 97 of 100 cases, of few in 88, whatever the law of the "
+    "samples") {
   const Ended ended = script_with_module(std::string(coverage) + R"lua(math.randomseed(11)
 local function gamma()
   local product = 1
@@ -201,7 +203,9 @@ end
   CHECK(ended.status == 0);
 }
 
-TEST_CASE("intervals of a sweep by error hold the mean of 300 real lattices in 92 to 97 of 100 cases, of few in 89, and pairs pay") {
+TEST_CASE(
+    "intervals of a sweep by error hold the mean of 300 real lattices in 92 to 97 of 100 cases, of few in 89, and "
+    "pairs pay") {
   std::ifstream file(std::string(RICOCHET_SOURCE) + "/tests/script/lattices.csv");  // lattices.lua makes it
   const std::string table{std::istreambuf_iterator<char>(file), {}};
   REQUIRE(!table.empty());
@@ -239,7 +243,7 @@ assert(angles == 3)
 TEST_CASE("by error in shards: round after round, each planned by what was merged, to the digest of one run") {
   const Workplace here;
   here.write("s.lua",
-             by_error("standard_error = 0.05, mirrored = true", "psi1 = at.psi1", ", accuracy = 1e-2") + every_bit);
+             by_error("standard_error = 0.08, mirrored = true", "psi1 = at.psi1", ", accuracy = 1e-2") + every_bit);
   const Ended calm = here.run("s.lua --quiet --no-report --out calm");
   INFO(calm.err);
   REQUIRE(calm.status == 0);
@@ -263,7 +267,7 @@ TEST_CASE("by error in shards: round after round, each planned by what was merge
       merged = here.shell("ricochet merge s.lua --quiet --no-report");
       if (merged.status != 3) continue;
       CHECK_THAT(merged.err, Contains(fmt::format("round {} of 's' is to be run", rounds + 2)));
-      CHECK_THAT(merged.out, Contains(" (wanted 0.05) of "));
+      CHECK_THAT(merged.out, Contains(" (wanted 0.08) of "));
       CHECK_FALSE(fs::exists(here.path / "out/s/plan.h5"));
     }
     INFO(merged.err);
