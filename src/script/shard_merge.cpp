@@ -92,7 +92,8 @@ void refuse_missing(Session& session, const std::string& sweep, const RowStore& 
   if (missing.size() > most_told) text += fmt::format("\n  and {} more", missing.size() - most_told);
   const std::string first = fmt::format("--shard {}/{}", missing.begin()->first, plan.shards);
   text += fmt::format("\n  run them: {}{}", command_of(session, "run", first), missing.size() > 1 ? ", and so on" : "");
-  if (!session.options.partial) throw Error(text + "; or merge what is there with --partial", Exit::numerical);
+  if (!session.options.partial)
+    throw Error(text + (places.empty() ? "; or merge what is there with --partial" : ""), Exit::numerical);
   session.warn(text);
 }
 

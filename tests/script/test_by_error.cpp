@@ -261,7 +261,7 @@ TEST_CASE("by error in shards: round after round, each planned by what was merge
         if (count == 3 && k == 0) {
           const Ended early = here.shell("ricochet merge s.lua --quiet");
           CHECK(early.status == 3);
-          CHECK_THAT(early.err, Contains("in 2 of 3 shards"));
+          CHECK_THAT(early.err, Contains(" of 3 shards") && !Contains("--partial"));
         }
       }
       merged = here.shell("ricochet merge s.lua --quiet --no-report");
