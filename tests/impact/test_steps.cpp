@@ -188,7 +188,7 @@ TEST_CASE("what trials found is remembered once the error of the contact is know
   for (const int seed : {1, 2}) {
     scenes.push_back(small_scene(seed, 0, 0));
     scenes.back().integration.accuracy = 1e-2;
-    scenes.back().contact.xi = not_given;
+    scenes.back().contact = {};
   }
   std::atomic<bool> stop{false};
   const Telling stopping{[&](const std::string& line) { stop = stop || line.find(" with theta ") < line.size(); },

@@ -82,7 +82,7 @@ TEST_CASE("one submit brings a sweep by error to its end, a round as an array ea
   const Queue queue;
   std::string text = small_sweep;
   text.replace(text.find("sample = ricochet.range(p.samples), "), 36, "");
-  text.replace(text.find("scene = function"), 0, "samples = \"by_error\", standard_error = 0.05, ");
+  text.replace(text.find("scene = function"), 0, "samples = \"by_error\", standard_error = 0.1, ");
   queue.here.write("s.lua", text);
   const Ended ended = queue.submit("--shards 2");
   INFO(ended.err << queue.here.read("log"));
