@@ -102,9 +102,10 @@ local function bracket(search)
     if passes and (not best or width < places[best + 1].at - places[best].at) then best = k end
   end
   if best then return best end
-  core.fail(("the mean of %s is %.6g at %s = %g and %.6g at %g: %g does not lie between; give a range that has it"):format(
-    search.column, places[1].of.mean, search.name, places[1].at, places[#places].of.mean, places[#places].at,
-    search.value), "over", search.name)
+  local first, last = places[1], places[#places]
+  core.fail(("the mean of %s is %.6g at %s = %g and %.6g at %g: %g does not lie between; give a range that has " ..
+    "it"):format(search.column, first.of.mean, search.name, first.at, last.of.mean, last.at, search.value), "over",
+    search.name)
 end
 
 -- How the mean changes around places k and k + 1: between the nearest two whose change is told from its scatter. Nil

@@ -138,7 +138,8 @@ end
 local function told(state, names, t, goes_on)
   local parts = {}
   for _, name in ipairs(names) do parts[#parts + 1] = ("%s=%s"):format(name, cell(state.point[name])) end
-  local missed = goes_on and "" or state.of.units < 2 and "cannot be planned: fewer than two impacts of the pilot finished"
+  local missed = goes_on and ""
+    or state.of.units < 2 and "cannot be planned: fewer than two impacts of the pilot finished"
     or state.of.se > state.wanted and ("not met with %d, at most: raise 'most'"):format(t.most) or ""
   print(("  %-20s %s %.4f +- %.2g (wanted %.2g) of %d impacts, %s%s  %s"):format(table.concat(parts, " "), t.of,
     state.of.mean, state.of.se, state.wanted, #state.rows,

@@ -177,7 +177,7 @@ TEST_CASE("modes: what each holds is found in a body that flies, turns and vibra
   }
 }
 
-TEST_CASE("solids kept for later are counted with the shapes of their modes: few modal bodies fill what many others do") {
+TEST_CASE("solids kept for later are counted with the shapes of their modes: few modal bodies fill the room of many") {
   const auto lattice = [](int seed) { return Body{circle(1, 400), numbers(400, 1e4, 0, seed), {}, {}}; };
   const std::weak_ptr<const Solid> first_lattice = kept_solid(lattice(1));
   for (int seed = 2; seed <= 14; ++seed) kept_solid(lattice(seed));
