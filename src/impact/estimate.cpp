@@ -236,8 +236,14 @@ constexpr double fastest_modes = 0.05;
 void add_doubts_of_bodies(const Scene& scene, Estimate& e) {
   const double speed = e.normal_speed > 0 ? e.normal_speed : arriving_velocity(scene).norm();
   for (const Body* body : scene.bodies()) {
-    if (body->rigid() || !body->numbers.of_modes()) continue;
+    if (body->rigid()) continue;
     const double share = speed / elastic_of(*body).wave_speed();
+    if (share > 1)
+      e.doubts.push_back(
+          {"supersonic", fmt::format("at {:.2g} of a body's wave speed nothing runs ahead of the contact, and strains "
+                                     "are no small ones; in SI, are E and density in Pa and kg/m^3?",
+                                     share)});
+    if (!body->numbers.of_modes()) continue;
     if (share > fastest_modes)
       e.doubts.push_back(
           {"fast_modes",

@@ -71,7 +71,7 @@ namespace {
 // What an estimate doubts that no column of the rows and no number of the line tells, by its kind.
 void collect_doubts(const Estimate& e, std::map<std::string, std::string>& doubts) {
   for (const Doubt& doubt : e.doubts)
-    if (doubt.kind == "few_modes" || doubt.kind == "fast_modes" || doubt.kind == "corner")
+    if (doubt.kind == "few_modes" || doubt.kind == "fast_modes" || doubt.kind == "corner" || doubt.kind == "supersonic")
       doubts.emplace(doubt.kind, doubt.reason);
 }
 
