@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/hash.hpp"
+#include "script/chunk_steps.hpp"
 #include "script/fields.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
@@ -89,21 +90,33 @@ std::vector<SweptName> swept_names(lua_State* L, int list) {
   return names;
 }
 
-// plan_shards(name, over, first, names, scenes): writes the plan, unless another process does so first. `names`: a list
-// of { name =, values =, changes_lattice = }; `scenes`: of all points, if trials are to choose their steps, else empty.
+// plan_steps(name, count, points, scenes): trials choose the steps of some of a sweep's points, for the plan; all of
+// them come in such calls, one after the other.
+int plan_steps(lua_State* L) {
+  Session& session = session_of(L);
+  const std::vector<double> listed = numbers_at(L, 3);
+  const std::vector<std::size_t> points(listed.begin(), listed.end());
+  if (!session.planned_steps)
+    session.planned_steps = std::make_shared<ChunkSteps>(static_cast<std::size_t>(lua_tointeger(L, 2)));
+  const auto name = [&](std::size_t i) { return fmt::format("point {}", points[i] + 1); };
+  std::vector<Scene> scenes = scenes_at(L, 4);
+  try {
+    session.planned_steps->choose(session, points, scenes, printed(session, name));
+  } catch (const SceneError& error) {
+    throw_at_scene(L, 4, error);
+  }
+  return 0;
+}
+
+// plan_shards(name, over, first, names): writes the plan, with the steps of plan_steps(), unless another process does
+// so first. `names`: a list of { name =, values =, changes_lattice = }.
 int plan_shards(lua_State* L) {
   Session& session = session_of(L);
   const std::string over = luaL_checkstring(L, 2);
   ShardPlan plan{.over = swept_names(L, 4)};
   plan.shards = session.options.shards;
   if (plan.shards == 0) plan.shards = std::max<std::size_t>(1, plan.points() / usual_impacts);
-  const std::vector<Scene> scenes = scenes_at(L, 5);
-  const auto name = [](std::size_t i) { return fmt::format("point {}", i + 1); };
-  try {
-    if (!scenes.empty()) plan.steps = steps_table(with_chosen_steps(session, scenes, printed(session, name)));
-  } catch (const SceneError& error) {
-    throw_at_scene(L, 5, error);
-  }
+  if (session.planned_steps) plan.steps = session.planned_steps->table();
   const Scene& first = scene_at(L, 3).scene;
   plan.facts = facts_of_sweep(L, over, first);
   plan.facts["canary"] = canary_of_first(L, 3, plan.with_step(first, 0));
@@ -213,6 +226,7 @@ Group shard_functions() {
                       {"is_merged", guarded<is_merged>},
                       {"lattice", guarded<lattice>},
                       {"shard_points", guarded<shard_points>},
+                      {"plan_steps", guarded<plan_steps>},
                       {"plan_shards", guarded<plan_shards>},
                       {"run_shard", guarded<run_shard>}}};
 }

@@ -6,14 +6,6 @@
 #include "store/hdf5.hpp"
 
 namespace ricochet {
-namespace {
-
-void describe(const hdf5::Handle& set, const Field& field) {
-  hdf5::attribute(set, "unit", field.unit);
-  hdf5::attribute(set, "doc", field.doc);
-}
-
-}  // namespace
 
 const TextColumn* Table::text(const std::string& name) const {
   for (const TextColumn& column : texts)
@@ -32,9 +24,9 @@ void write_table(const std::filesystem::path& path, const Table& table, const Pr
   {
     const hdf5::Handle rows = hdf5::group(file, "rows");
     for (const NumberColumn& column : table.numbers)
-      describe(hdf5::numbers(rows, column.field.name.c_str(), column.values), column.field);
+      hdf5::describe(hdf5::numbers(rows, column.field.name.c_str(), column.values), column.field);
     for (const TextColumn& column : table.texts)
-      describe(hdf5::texts(rows, column.field.name.c_str(), column.values), column.field);
+      hdf5::describe(hdf5::texts(rows, column.field.name.c_str(), column.values), column.field);
     hdf5::write_provenance(file, provenance);
   }
   write_atomically(path, hdf5::image(file));
@@ -46,8 +38,7 @@ Table read_table(const std::filesystem::path& path) {
     const hdf5::Handle rows = hdf5::open_group(file, "rows");
     Table table;
     for (const std::string& name : hdf5::link_names(rows)) {
-      const hdf5::Handle set(H5Dopen2(rows, name.c_str(), H5P_DEFAULT), H5Dclose, "open a column");
-      Field field{name, "", hdf5::text_attribute(set, "unit"), hdf5::text_attribute(set, "doc")};
+      const Field field = hdf5::described(rows, name);
       if (hdf5::holds_text(rows, name.c_str()))
         table.texts.push_back({field, hdf5::read_texts(rows, name.c_str())});
       else
