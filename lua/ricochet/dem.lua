@@ -15,7 +15,7 @@ local function measured(t)
   local list = {}
   for _, rows in ipairs { t.rows, t.oblique } do
     for _, row in ipairs(rows) do
-      if rawget(row, "units") ~= "SI" then
+      if core.peek(row, "units") ~= "SI" then
         core.fail("the rows are in the paper's units, and these codes take m, kg and s; give the scenes "
           .. "units = \"SI\" and their bodies materials", "rows")
       end
@@ -76,7 +76,7 @@ local function friction_of(impacts)
     local row = impact.row
     if row.psi1 > 1e-9 and row.psi2 == row.psi2 then
       for _, name in ipairs { "psi1", "psi2", "e" } do table.insert(columns[name], row[name]) end
-      table.insert(columns.sample, rawget(row, "sample") or i)
+      table.insert(columns.sample, core.peek(row, "sample") or i)
       inertia[#inertia + 1] = 1 + 1 / row.inertia
     end
   end

@@ -147,7 +147,7 @@ end
 
 local function texts_of(t, found)
   local below = t.caption and plot.wrapped(t.caption, 100) or {}
-  if #t.rows > 0 and rawget(t.rows[1], "status") == nil then return below end  -- data, no impacts
+  if #t.rows > 0 and core.peek(t.rows[1], "status") == nil then return below end  -- data, no impacts
   local over = rows_module.averaged(t.rows, { t.x, t.y })
   local text = ("%d impacts, %d failed"):format(found.finished, found.failed)
   if found.most > 0 then

@@ -11,7 +11,7 @@ local most_bins = 200
 local function values_of(rows, column)
   local panel = { values = {}, undefined = 0, failed = 0 }
   for _, row in ipairs(rows) do
-    local status, value = rawget(row, "status"), row[column]
+    local status, value = core.peek(row, "status"), row[column]
     if status ~= nil and status ~= "finished" then
       panel.failed = panel.failed + 1
     elseif type(value) ~= "number" then

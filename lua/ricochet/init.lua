@@ -16,7 +16,7 @@ end
 
 ricochet.materials = require "ricochet.materials"
 
-for name, shape in pairs(require "ricochet.shapes") do ricochet[name] = core.wrap(shape) end
+for name, shape in pairs(require "ricochet.shapes") do ricochet[name] = core.wrap_keeping(shape) end
 ricochet.sweep = core.wrap(require("ricochet.sweep").sweep)
 ricochet.series = core.wrap(require("ricochet.series").series)
 ricochet.waves = core.wrap(require("ricochet.waves").waves)

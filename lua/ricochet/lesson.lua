@@ -34,7 +34,7 @@ end
 
 -- A column of a row, as `field` of the lesson needs it.
 local function cell(row, column, ...)
-  local value = rawget(row, column)
+  local value = core.peek(row, column)
   if value ~= nil then return value end
   local names = {}
   for name in pairs(row) do names[#names + 1] = name end

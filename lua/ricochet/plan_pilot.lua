@@ -1,5 +1,6 @@
 -- The pilot of ricochet.plan: what a few samples of a sweep show of each of its errors.
 local core = require "ricochet.core"
+local listed = require("ricochet.points").list
 local refine = require "ricochet.refine"
 local statistics = require "ricochet.statistics"
 local sweeps = require "ricochet.sweep"
@@ -17,9 +18,9 @@ end
 
 --- The sweep's points without their sample, each once, and how many samples it has; of one by error those of its pilot.
 function pilot.points_of(sweep, sample)
-  if sweep.by_error then return sweep.points, sweep.by_error.pilot end
+  if sweep.by_error then return listed(sweep), sweep.by_error.pilot end
   local list, seen, samples = {}, {}, {}
-  for _, point in ipairs(sweep.points) do
+  for _, point in ipairs(listed(sweep)) do
     local rest, key = copy(point), ""
     rest[sample] = nil
     for _, name in ipairs(sweep.names) do

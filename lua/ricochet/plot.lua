@@ -25,12 +25,12 @@ local function wrapped(text, width)
 end
 
 -- Rows of a series have no status: they are drawn in their order, as a line.
-local function is_series(rows) return rows and #rows > 0 and rawget(rows[1], "status") == nil end
+local function is_series(rows) return rows and #rows > 0 and core.peek(rows[1], "status") == nil end
 
 -- That which the column has in these rows.
 local function unit_of(column, rows)
-  if not is_series(rows) then return core.columns(rows and rows[1] and rawget(rows[1], "units"))[column] end
-  for _, quantity in ipairs(core.quantities(rawget(rows[1], "units"))) do
+  if not is_series(rows) then return core.columns(rows and rows[1] and core.peek(rows[1], "units"))[column] end
+  for _, quantity in ipairs(core.quantities(core.peek(rows[1], "units"))) do
     if quantity.name == column then return quantity.unit end
   end
 end
@@ -412,7 +412,7 @@ local function plot(given)
   write_entries(t, "theory", theory, script, xs, ys, t.rows and 0.5 or math.huge)
   finish_yranges(t, ys)
   -- Rows that a script made itself belong to no scene.
-  local hash = t.rows and not is_series(t.rows) and rawget(t.rows[1], "scene_hash")
+  local hash = t.rows and not is_series(t.rows) and core.peek(t.rows[1], "scene_hash")
   if hash then core.plotted(hash, t.x, t.y, t.curves) end
   local at, side_by_side = {}, false
   if t.by and not is_series(t.rows) and not t.nothing then

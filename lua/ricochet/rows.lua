@@ -1,6 +1,7 @@
 -- Rows of a sweep: an array of tables, one an impact, with summaries.
 local core = require "ricochet.core"
 local bootstrap = require "ricochet.bootstrap"
+local long_rows = require "ricochet.long_rows"
 local paired = require "ricochet.paired"
 local power_law = require "ricochet.power_law"
 local statistics = require "ricochet.statistics"
@@ -15,19 +16,43 @@ Summary.__index = function(summary, name)
 end
 Rows.__index = function(rows, name)
   if type(name) == "number" then
+    local long = long_rows.of(rows)
+    if long and math.tointeger(name) and name >= 1 and name <= long.count then return long.row(math.tointeger(name)) end
     if name == #rows + 1 then return nil end  -- where ipairs ends
     core.fail_here(("there is no row %s; the rows are 1 to %d"):format(tostring(name), #rows))
   end
   if rawget(Rows, name) then return rawget(Rows, name) end
-  if #rows > 0 and rawget(rows[1], name) ~= nil then
+  if #rows > 0 and core.peek(rows[1], name) ~= nil then
     core.fail_here(("'%s' is a column of each row: rows[i].%s"):format(name, name))
   end
   core.unknown("the table of rows", name, { "summary", "where", "power_law", "paired", "peak", "save" })
 end
+Rows.__len = function(rows)
+  local long = long_rows.of(rows)
+  return long and long.count or rawlen(rows)
+end
+Rows.__newindex = function(rows, name, value)
+  local long = long_rows.of(rows)
+  if long and math.type(name) and not (math.tointeger(name) and name >= 1 and name <= long.count) then
+    core.fail_here(("there is no row %s; the rows are 1 to %d"):format(tostring(name), #rows))
+  end
+  rawset(rows, name, value)
+end
+Rows.__pairs = function(rows)
+  if not long_rows.of(rows) then return next, rows, nil end
+  return ipairs(rows)
+end
+-- The list itself of rows that are read from a file; nil of others.
+function Rows.whole(rows)
+  if not long_rows.of(rows) then return nil end
+  local list = {}
+  for i, row in ipairs(rows) do list[i] = row end
+  return list
+end
 Rows.__call = function() core.fail_here "rows are a list; write: for _, row in ipairs(rows) do" end
 
 local function known_column(rows, name, ...)
-  if #rows == 0 or rawget(rows[1], name) ~= nil then return end
+  if #rows == 0 or core.peek(rows[1], name) ~= nil then return end
   local names = {}
   for column in pairs(rows[1]) do names[#names + 1] = column end
   core.fail(("the rows have no column '%s'%s"):format(name, core.did_you_mean(name, names)), ...)
@@ -35,7 +60,7 @@ end
 
 -- A row of a series has no status: it is data.
 local function is_data(row)
-  local status = rawget(row, "status")
+  local status = core.peek(row, "status")
   return status == nil or status == "finished"
 end
 
@@ -92,7 +117,7 @@ local function averaged(rows, by)
   for _, name in ipairs(varied[rows] and varied[rows].names or {}) do
     local count, seen = 0, {}
     for _, row in ipairs(rows) do
-      local value = rawget(row, name)  -- rows that a script put there may lack it
+      local value = core.peek(row, name)  -- rows that a script put there may lack it
       if value == value and value ~= nil and not seen[value] then count, seen[value] = count + 1, true end
     end
     if not grouped[name] and count > 1 then parts[#parts + 1] = ("%s (%d values)"):format(name, count) end
@@ -105,7 +130,7 @@ local function summarise(rows, by, of, fields)
   for _, column in ipairs(by) do known_column(rows, column, fields.by) end
   for _, column in ipairs(of) do known_column(rows, column, fields.of) end
   -- Of columns in the rows' units; nothing of those that a script added.
-  local units = core.columns(rows[1] and rawget(rows[1], "units"))
+  local units = core.columns(rows[1] and core.peek(rows[1], "units"))
   local summary = setmetatable({ by = by, of = of, units = units, over = averaged(rows, by) }, Summary)
   for i, group in ipairs(groups(rows, by)) do
     local line = { count = #group.members, failed = group.failed }
@@ -125,7 +150,7 @@ end)
 -- The column whose equal values share a lattice: that which the call names, sample if the rows have it, else seed.
 local function lattice_column(rows, named)
   if named then known_column(rows, named, "unit") end
-  return named or #rows > 0 and rawget(rows[1], "sample") ~= nil and "sample" or "seed"
+  return named or #rows > 0 and core.peek(rows[1], "sample") ~= nil and "sample" or "seed"
 end
 
 Rows.paired = core.wrap(function(self, given)
@@ -186,7 +211,7 @@ Rows.save = core.wrap(function(self, given)
   if not core.is(self, Rows) then core.fail "is a method of rows: write rows:save { ... }, with a colon" end
   local t = core.check("rows:save", given)
   if #t.columns == 0 then core.fail("'columns' is empty; name at least one", "columns") end
-  local units, columns = core.columns(self[1] and rawget(self[1], "units")), {}
+  local units, columns = core.columns(self[1] and core.peek(self[1], "units")), {}
   for i, name in ipairs(t.columns) do
     known_column(self, name, "columns")
     columns[i] = { name = name, unit = unit_of(self, name) or units[name] or "" }
@@ -249,7 +274,7 @@ end
 function Rows:__tostring()
   local finished = 0
   for _, row in ipairs(self) do
-    if rawget(row, "status") == "finished" then finished = finished + 1 end
+    if core.peek(row, "status") == "finished" then finished = finished + 1 end
   end
   return ("%d rows, %d finished; rows[1] shows one, rows:summary { by = ..., of = { ... } } their means"):format(#self,
     finished)

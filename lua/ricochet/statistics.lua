@@ -1,4 +1,6 @@
 -- Means and deviations, as everything in this library takes them.
+local core = require "ricochet.core"
+
 local statistics = {}
 
 --- Mean, sample standard deviation, standard error and count of numbers; undefined ones (nan) are left out.
@@ -18,14 +20,26 @@ function statistics.of(values)
   return { mean = mean, sd = sd, se = sd / math.sqrt(n), count = n }
 end
 
+local function has_pairs(rows)
+  for _, row in ipairs(rows) do
+    if core.peek(row, "pair") ~= nil then return true end
+  end
+  return false
+end
+
 --- The same of a column of finished rows, in which a lattice struck from both sides (equal `pair`) is one unit, its
 --- mean: `count` impacts, `units`, and the deviation and standard error of those.
 function statistics.of_units(rows, column)
   local sums, order, count = {}, {}, 0
+  if not has_pairs(rows) then
+    local of = statistics.of_finished(rows, column)
+    of.units = of.count
+    return of
+  end
   for i, row in ipairs(rows) do
-    local value, status = row[column], rawget(row, "status")
+    local value, status = row[column], core.peek(row, "status")
     if value == value and (status == nil or status == "finished") then
-      local key = rawget(row, "pair") or -i
+      local key = core.peek(row, "pair") or -i
       if not sums[key] then
         sums[key] = { 0, 0 }
         order[#order + 1] = key
@@ -40,11 +54,12 @@ function statistics.of_units(rows, column)
   return of
 end
 
---- The same of a column of the finished rows.
+--- The same of a column of the finished rows; those of a series have no status.
 function statistics.of_finished(rows, column)
   local values = {}
   for _, row in ipairs(rows) do
-    if row.status == "finished" then values[#values + 1] = row[column] end
+    local status = core.peek(row, "status")
+    if status == nil or status == "finished" then values[#values + 1] = row[column] end
   end
   return statistics.of(values)
 end

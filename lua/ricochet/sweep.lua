@@ -1,6 +1,8 @@
 -- ricochet.sweep: scenes over every combination of some values.
 local core = require "ricochet.core"
 local designs = require "ricochet.designs"
+local long_sweep = require "ricochet.long_sweep"
+local points = require "ricochet.points"
 local rounds = require "ricochet.rounds"
 local rows_of = require("ricochet.rows").rows_of
 local shards = require "ricochet.shards"
@@ -15,7 +17,8 @@ Sweep.__index = function(_, name)
 end
 Sweep.__newindex = function() core.fail_here "a sweep takes no new fields" end
 
--- What each sweep holds, where no script can change it: { name =, scene =, over =, names =, points = }.
+-- What each sweep holds, where no script can change it: { name =, scene =, over =, factors =, names =, units = }, of
+-- which points.lua makes its points.
 local held = setmetatable({}, { __mode = "k" })
 local function contents(sweep) return core.is(sweep, Sweep) and held[sweep] or nil end
 
@@ -27,8 +30,8 @@ for _, name in ipairs { "psi1", "seed", "step" } do outcome[name] = nil end
 
 local most_combinations = 1e7
 
--- Names in order, and the list of points: every combination of the factors' values, the last factor fastest.
-local function combinations(over, factors, counts)
+-- The names in order; every combination of the factors' values is a point, the last factor fastest.
+local function checked_names(over, factors, counts)
   local names = {}
   for name, values in pairs(over) do
     if name == "" or name == "." or name:find "[%c/]" then
@@ -73,20 +76,7 @@ local function combinations(over, factors, counts)
   end
   if #names == 0 and not counts then core.fail("'over' is empty; give at least one name = list of values", "over") end
   table.sort(names)
-  local points = { {} }
-  for _, factor in ipairs(factors) do
-    local longer = {}
-    for _, point in ipairs(points) do
-      for k = 1, #over[factor.names[1]] do
-        local copy = {}
-        for name, v in pairs(point) do copy[name] = v end
-        for _, name in ipairs(factor.names) do copy[name] = over[name][k] end
-        longer[#longer + 1] = copy
-      end
-    end
-    points = longer
-  end
-  return names, points
+  return names
 end
 
 -- A misspelt at.name is an error, not nil.
@@ -132,7 +122,7 @@ end)
 methods.run = core.wrap(function(self)
   local sweep = contents(self) or core.fail "is a method of a sweep: write sweep:run(), with a colon"
   if sweep.by_error then
-    local own = { name = sweep.name, names = sweep.names, points = sweep.points, units = sweep.units }
+    local own = { name = sweep.name, names = sweep.names, points = points.list(sweep), units = sweep.units }
     local names = { table.unpack(sweep.names) }
     names[#names + 1] = "sample"
     local given = { scene = sweep.scene, names = names }
@@ -141,11 +131,14 @@ methods.run = core.wrap(function(self)
     return sweep.rows
   end
   if shards.runs(sweep.name) then shards.run(sweep, function(point) return scene_at(sweep, point) end) end
-  local scenes = {}
-  for i, point in ipairs(sweep.points) do
-    scenes[i] = scene_at(sweep, point)
+  local is_part = core.part() == "shard" or core.part() == "plan"
+  if long_sweep.is_long(sweep) and not is_part then
+    sweep.rows = rows_of(long_sweep.run(sweep, function(point) return scene_at(sweep, point) end), sweep)
+    return sweep.rows
   end
-  local rows = rows_of(core.run_sweep(sweep.name, sweep.names, sweep.points, scenes, "whole", sweep.units), sweep)
+  local list, scenes = points.list(sweep), {}
+  for i, point in ipairs(list) do scenes[i] = scene_at(sweep, point) end
+  local rows = rows_of(core.run_sweep(sweep.name, sweep.names, list, scenes, "whole", sweep.units), sweep)
   sweep.rows = rows
   return rows
 end)
@@ -161,7 +154,7 @@ local function hashes_of(sweep, rows)
       end
       row = sweep.rows[row]
     end
-    if type(row) ~= "table" or type(rawget(row, "scene_hash")) ~= "string" then
+    if type(row) ~= "table" or type(core.peek(row, "scene_hash")) ~= "string" then
       core.fail("takes rows of the sweep, or their numbers", "rows")
     end
     hashes[i] = row.scene_hash
@@ -186,7 +179,7 @@ local function sweep(given)
     core.fail(("'name' must be letters, digits, _ and -, is '%s'"):format(t.name), "name")
   end
   local over, factors = designs.of(t.over)
-  local names, points = combinations(over, factors, t.samples)
+  local names = checked_names(over, factors, t.samples)
   for name, unit in pairs(t.units) do
     if not over[name] then
       core.fail(("'units' names '%s', which is not among 'over'"):format(tostring(name)), "units")
@@ -194,8 +187,8 @@ local function sweep(given)
     if type(unit) ~= "string" then core.fail(("units.%s must be a text, is a %s"):format(name, type(unit)), "units") end
   end
   local self = setmetatable({}, Sweep)
-  held[self] = { name = t.name, scene = t.scene, over = over, factors = factors, names = names, points = points,
-    units = t.units, by_error = rounds.checked(t) }
+  held[self] = { name = t.name, scene = t.scene, over = over, factors = factors, names = names, units = t.units,
+    by_error = rounds.checked(t) }
   return self
 end
 

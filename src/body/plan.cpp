@@ -305,14 +305,17 @@ NodePlan plan_nodes(const Body& body, const std::vector<bool>& anchored_rim) {
   return plan;
 }
 
-NodePlan turned(NodePlan plan, double angle) {
-  if (angle == 0) return plan;
+void turn(Points& points, double angle) {
+  if (angle == 0) return;
   const double quarters = std::fmod(angle, 360) / 90, radians = quarters * std::numbers::pi / 2;
   const bool exact = quarters == std::floor(quarters);
   const double cosine = exact ? std::round(std::cos(radians)) : std::cos(radians);
   const double sine = exact ? std::round(std::sin(radians)) : std::sin(radians);
-  for (Points* points : {&plan.points, &plan.smooth_rim})
-    for (Vec2& p : *points) p = ricochet::turned(p, cosine, sine);
+  for (Vec2& p : points) p = ricochet::turned(p, cosine, sine);
+}
+
+NodePlan turned(NodePlan plan, double angle) {
+  for (Points* points : {&plan.points, &plan.smooth_rim}) turn(*points, angle);
   return plan;
 }
 

@@ -30,7 +30,10 @@ Rim plan_rim(const Body& body);
 /// rough rim CrossingRim, or if the outline needs more points than the body has nodes.
 NodePlan plan_nodes(const Body& body, const std::vector<bool>& anchored_rim);
 
-/// The plan turned counter-clockwise about the origin; exact for quarter turns. [degrees]
+/// Turns places counter-clockwise about the origin; exact for quarter turns. [degrees]
+void turn(Points& points, double angle);
+
+/// The plan, turned so.
 NodePlan turned(NodePlan plan, double angle);
 
 }  // namespace ricochet

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "body/elasticity.hpp"
+#include "body/plan.hpp"
 #include "contact/line_contact.hpp"
 #include "contact/point_contact.hpp"
 #include "impact/axes.hpp"
@@ -51,9 +52,16 @@ Elastic elastic_of(const Body& body) {
 
 Vec2 arriving_velocity(const Scene& scene) { return arriving_velocity(scene, elastic_of(*scene.target).held); }
 
+// As the body stands in the scene: turned by its angle.
+Points outline_of(const Body& body) {
+  Points outline = body.outline;
+  turn(outline, body.numbers.angle);
+  return outline;
+}
+
 /// Where the smooth outlines first touch: the projectile is moved there, the target lies where it is at rest.
 struct Touch {
-  Points projectile;
+  Points projectile, target;
   Vec2 at;
 };
 
@@ -74,7 +82,7 @@ double height_of(const Points& outline, double x, bool upper) {
 
 // Nothing if the bodies pass beside each other.
 std::optional<Touch> touch_of(const Scene& scene) {
-  Points above = scene.projectile->outline;
+  Points above = outline_of(*scene.projectile), below = outline_of(*scene.target);
   const bool on_axis = scene.projectile->numbers.axisymmetric();
   const double shift = on_axis ? 0 : scene.launch.at - figure_of(above).centre.x();
   for (Vec2& p : above) p.x() += shift;
@@ -83,7 +91,7 @@ std::optional<Touch> touch_of(const Scene& scene) {
   Vec2 at(0, 0);
   const auto consider = [&](double x) {
     const double bottom = height_of(above, x, false);
-    const double top = plane ? scene.target->plane->offset : height_of(scene.target->outline, x, true);
+    const double top = plane ? scene.target->plane->offset : height_of(below, x, true);
     if (std::isnan(bottom) || std::isnan(top) || top - bottom <= lift) return;
     lift = top - bottom;
     at = {x, top};
@@ -91,11 +99,11 @@ std::optional<Touch> touch_of(const Scene& scene) {
   if (plane)
     consider(std::min_element(above.begin(), above.end(), [](auto& a, auto& b) { return normal(a) < normal(b); })->x());
   else
-    for (const Points* corners : std::initializer_list<const Points*>{&above, &scene.target->outline})
+    for (const Points* corners : std::initializer_list<const Points*>{&above, &below})
       for (const Vec2& p : *corners) consider(p.x());
   if (lift == -boundless) return std::nullopt;
   for (Vec2& p : above) p += lift * upwards();
-  return Touch{std::move(above), at};
+  return Touch{std::move(above), std::move(below), at};
 }
 
 /// A body at the touch.
@@ -182,7 +190,7 @@ Points sides_at(const Body& body, const Points& outline, const Vec2& point) {
 // Whether a side lies along one of the other body, whose corners then touch first or last by rounding alone.
 bool lies_flat(const Scene& scene, const Touch& touch) {
   const Points ours = sides_at(*scene.projectile, touch.projectile, touch.at),
-               theirs = sides_at(*scene.target, scene.target->outline, touch.at);
+               theirs = sides_at(*scene.target, touch.target, touch.at);
   return std::any_of(ours.begin(), ours.end(), [&](const Vec2& one) {
     return std::any_of(theirs.begin(), theirs.end(),
                        [&](const Vec2& other) { return std::abs(cross(one, other)) < 1e-9 && one.dot(other) < 0; });
@@ -228,8 +236,14 @@ constexpr double fastest_modes = 0.05;
 void add_doubts_of_bodies(const Scene& scene, Estimate& e) {
   const double speed = e.normal_speed > 0 ? e.normal_speed : arriving_velocity(scene).norm();
   for (const Body* body : scene.bodies()) {
-    if (body->rigid() || !body->numbers.of_modes()) continue;
+    if (body->rigid()) continue;
     const double share = speed / elastic_of(*body).wave_speed();
+    if (share > 1)
+      e.doubts.push_back(
+          {"supersonic", fmt::format("at {:.2g} of a body's wave speed nothing runs ahead of the contact, and strains "
+                                     "are no small ones; in SI, are E and density in Pa and kg/m^3?",
+                                     share)});
+    if (!body->numbers.of_modes()) continue;
     if (share > fastest_modes)
       e.doubts.push_back(
           {"fast_modes",
@@ -300,7 +314,7 @@ Estimate by_law(const Scene& scene) {
   const std::optional<Touch> touch = touch_of(scene);
   if (!touch) return without_law(e, "the outlines pass beside each other");
   const Side one = side_of(*scene.projectile, touch->projectile, touch->at);
-  const Side other = side_of(*scene.target, scene.target->outline, touch->at);
+  const Side other = side_of(*scene.target, touch->target, touch->at);
   const Vec2 normal =
       std::isinf(one.outline.radius) || one.outline.corner ? other.outline.normal : Vec2(-one.outline.normal);
   e.normal_speed = -arriving_velocity(scene).dot(normal);

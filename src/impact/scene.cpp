@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -35,6 +36,33 @@ std::string motion_text(const Body& target) {
   if (target.velocity == Vec2::Zero() && target.spin == 0) return "";
   return fmt::format("target velocity {} {} spin {}\n", tangential(target.velocity), normal(target.velocity),
                      target.spin);
+}
+
+/// The texts of the bodies of late. Scenes of a sweep share bodies, which do not change once they are in a scene, and a
+/// long outline takes longer to write down than all the rest.
+class LateTexts {
+ public:
+  const std::string& of(const std::shared_ptr<const Body>& body) {
+    for (const Text& known : texts_)
+      if (!known.body.owner_before(body) && !body.owner_before(known.body)) return known.text;
+    Text& oldest = texts_[next_++ % texts_.size()];
+    oldest.text = body->geometry_text();
+    oldest.body = body;
+    return oldest.text;
+  }
+
+ private:
+  struct Text {
+    std::weak_ptr<const Body> body;  // of its own, so that no other body is taken for it when it is gone
+    std::string text;
+  };
+  std::array<Text, 8> texts_;
+  std::size_t next_ = 0;
+};
+
+std::string geometry_of(const std::shared_ptr<const Body>& body) {
+  thread_local LateTexts late;
+  return body->plane ? body->geometry_text() : late.of(body);
 }
 
 // The first body that moves as its modes.
@@ -236,8 +264,8 @@ std::string Scene::conflict_with(const Method& method) const {
 }
 
 std::string Scene::text() const {
-  return fmt::format("projectile {} ka {}\ntarget {} ka {}\n", projectile->geometry_text(),
-                     projectile->numbers.stiffness, target->geometry_text(), target->numbers.stiffness) +
+  return fmt::format("projectile {} ka {}\ntarget {} ka {}\n", geometry_of(projectile), projectile->numbers.stiffness,
+                     geometry_of(target), target->numbers.stiffness) +
          motion_text(*target) + text_of("launch", launch) + text_of("contact", contact, "rule") +
          text_of("integration", integration) + (step_is_chosen() ? "integration.chosen\n" : "") +
          text_of("ending", ending) + (effects.empty() ? "" : "effects\n" + ricochet::text_of(effects)) +
@@ -254,7 +282,7 @@ Scene Scene::struck_from_other_side() const {
 std::string Scene::hash() const { return hash_text(text()); }
 
 std::string Scene::group() const {
-  return projectile->geometry_text() + "\n" + target->geometry_text() + "\n" + integration.method + "\n" +
+  return geometry_of(projectile) + "\n" + geometry_of(target) + "\n" + integration.method + "\n" +
          batch_text_of(effects);
 }
 

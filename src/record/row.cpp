@@ -28,6 +28,10 @@ const std::vector<Member<Row>>& Row::fields() {
 bool Row::finished() const { return status == name_of(Status::finished); }
 
 Row row_of(const Scene& scene, const Outcome& outcome, double seconds) {
+  return row_of(scene, outcome, seconds, scene.hash());
+}
+
+Row row_of(const Scene& scene, const Outcome& outcome, double seconds, std::string hash) {
   Row row;
   for (const auto& [field, value] : Outcome::fields())
     row.outcomes.push_back((scene.mirrored && turns_in_mirror(field.name) ? -value(outcome) : value(outcome)) *
@@ -35,7 +39,7 @@ Row row_of(const Scene& scene, const Outcome& outcome, double seconds) {
   row.seconds = seconds;
   row.status = name_of(outcome.status);
   row.reason = scene.units.explained(outcome.reason);
-  row.hash = scene.hash();
+  row.hash = std::move(hash);
   row.units = scene.units.system();
   row.seed = fmt::format("{}", scene.projectile->numbers.seed);
   return row;

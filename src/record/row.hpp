@@ -22,5 +22,7 @@ struct Row {
 };
 
 Row row_of(const Scene& scene, const Outcome& outcome, double seconds);
+/// The same of a scene whose hash is known.
+Row row_of(const Scene& scene, const Outcome& outcome, double seconds, std::string hash);
 
 }  // namespace ricochet

@@ -28,14 +28,25 @@ std::string bits_of(const std::vector<std::string>& values) {
 
 }  // namespace
 
-std::string digest_of(const Table& table) {
-  std::map<std::string, std::string> columns;  // a file lists them in another order than a run
-  for (const NumberColumn& column : table.numbers)
-    if (column.field.name != "wall_seconds") columns[column.field.name] = hash_text(bits_of(column.values));
-  for (const TextColumn& column : table.texts) columns[column.field.name] = hash_text(bits_of(column.values));
+void Digest::add(const std::string& name, const std::vector<double>& values) {
+  if (name != "wall_seconds") columns_[name] = hash_text(bits_of(values));
+}
+
+void Digest::add(const std::string& name, const std::vector<std::string>& values) {
+  columns_[name] = hash_text(bits_of(values));
+}
+
+std::string Digest::text() const {
   std::string text;
-  for (const auto& [name, hash] : columns) text += name + '\0' + hash;
+  for (const auto& [name, hash] : columns_) text += name + '\0' + hash;
   return hash_text(text);
+}
+
+std::string digest_of(const Table& table) {
+  Digest digest;
+  for (const NumberColumn& column : table.numbers) digest.add(column.field.name, column.values);
+  for (const TextColumn& column : table.texts) digest.add(column.field.name, column.values);
+  return digest.text();
 }
 
 }  // namespace ricochet

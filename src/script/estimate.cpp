@@ -150,7 +150,7 @@ Group estimate_functions() {
            .doc = "What laws say of a scene before it runs. A table of force, overlap, contact_time, contact_length, "
                   "pressure, e and wave_speed; each is a table of value (NaN where no law holds), unit, law, range "
                   "and in_range. `no_law` says why none holds, or is empty. `warnings` is a list of { kind =, reason "
-                  "= }: coarse_contact, coarse_rim, folding, fast_modes, few_modes, corner, over_yield.",
+                  "= }: coarse_contact, coarse_rim, folding, fast_modes, few_modes, corner, over_yield, supersonic.",
            .returns = "table",
            .example = "ricochet.estimate(scene).contact_time.value",
            .call = guarded<estimate_from_lua>,

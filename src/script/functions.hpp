@@ -44,6 +44,7 @@ Group scene_functions();
 Group estimate_functions();
 Group sweep_functions();
 Group resampling_functions();
+Group long_sweep_functions();
 Group shard_functions();
 Group series_functions();
 Group wave_functions();

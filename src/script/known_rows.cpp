@@ -84,8 +84,9 @@ std::vector<Row> rows_of(const fs::path& path) {
   return rows;
 }
 
-// The rows of a file. Throws FileError if it is damaged, or was written by another version or commit than this.
-std::vector<Row> checked_rows(const fs::path& file) {
+}  // namespace
+
+void refuse_other_program(const fs::path& file) {
   const Provenance theirs = read_provenance(file);
   for (const auto& [name, value] : Session::made_by())
     if (const auto it = theirs.find(name); it == theirs.end() || it->second != value)
@@ -93,10 +94,30 @@ std::vector<Row> checked_rows(const fs::path& file) {
           fmt::format("{} was written by {} {}, and this is {}: rows of both would stand side by side; finish it by "
                       "that one, or run again with --force or another --out",
                       file.string(), name, it == theirs.end() ? "unknown" : it->second, value));
+}
+
+void refuse_missing_columns(const fs::path& file, const std::vector<Field>& numbers, const std::vector<Field>& texts) {
+  Table there;
+  for (const Field& field : numbers) there.numbers.push_back({field, {}});
+  for (const Field& field : texts) there.texts.push_back({field, {}});
+  const Table wanted = table_of({});
+  for (const NumberColumn& column : wanted.numbers) needed(there.number(column.field.name), column.field.name, file);
+  for (const TextColumn& column : wanted.texts) needed(there.text(column.field.name), column.field.name, file);
+}
+
+namespace {
+
+// The rows of a file. Throws FileError as refuse_other_program().
+std::vector<Row> checked_rows(const fs::path& file) {
+  refuse_other_program(file);
   return rows_of(file);
 }
 
+}  // namespace
+
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (a != a && b != b); }
+
+namespace {
 
 // "beta 0.51 and 0.52": the first column in which rows of one scene differ; empty if none does but the time.
 std::string difference(const Row& a, const Row& b) {
@@ -119,6 +140,15 @@ std::string named(const fs::path& file) {
 
 }  // namespace
 
+void refuse_difference(const std::string& hash, const std::string& differs, const fs::path& one,
+                       const fs::path& other) {
+  throw FileError(fmt::format(
+      "two rows of one scene ({}) differ: {}, in {}, and in {}; equal work gives equal bits, so one of these "
+      "files was changed or one of these machines computes wrongly: remove the wrong file, and run that "
+      "shard again",
+      hash, differs, named(one), named(other)));
+}
+
 KnownRows::KnownRows(const std::vector<std::string>& hashes)
     : rows_(hashes.size()), done_(hashes.size(), false), origins_(hashes.size()) {
   for (std::size_t i = 0; i < hashes.size(); ++i) scenes_[hashes[i]].push_back(i);
@@ -130,12 +160,7 @@ bool KnownRows::accept(const Row& row, const fs::path& origin) {
   for (const std::size_t i : scenes->second) {
     if (done_[i]) {
       const std::string differs = difference(rows_[i], row);
-      if (!differs.empty())
-        throw FileError(fmt::format(
-            "two rows of one scene ({}) differ: {}, in {}, and in {}; equal work gives equal bits, so one of these "
-            "files was changed or one of these machines computes wrongly: remove the wrong file, and run that shard "
-            "again",
-            row.hash, differs, named(origins_[i]), named(origin)));
+      if (!differs.empty()) refuse_difference(row.hash, differs, origins_[i], origin);
       continue;
     }
     ++count_;

@@ -14,6 +14,21 @@ namespace ricochet {
 /// All columns of rows, in the units of the first.
 Table table_of(const std::vector<const Row*>& rows);
 
+/// Throws FileError if a file is damaged, or was written by another version or commit than this.
+void refuse_other_program(const std::filesystem::path& file);
+
+/// Throws FileError if these columns of a file are not all that a row has.
+void refuse_missing_columns(const std::filesystem::path& file, const std::vector<Field>& numbers,
+                            const std::vector<Field>& texts);
+
+/// Throws the FileError of two rows of one scene that differ, and in which files; none for a row that was computed
+/// here.
+[[noreturn]] void refuse_difference(const std::string& hash, const std::string& differs,
+                                    const std::filesystem::path& one, const std::filesystem::path& other);
+
+/// NaN is the same as NaN.
+bool same_bits(double a, double b);
+
 class KnownRows {
  public:
   /// `hashes`: of the sweep's scenes, in its order.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <unordered_map>
 
 #include "impact/parallel.hpp"
 #include "script/filmed.hpp"
@@ -70,26 +69,24 @@ std::string json_at(lua_State* L, int index) {
 constexpr double flight_in = 0.3, flight_out = 0.4;
 
 struct Shown {
-  const Scene* scene;
+  Scene scene;
   Viewing viewing;
   std::string json{};
 };
 
 // Every row's impact once more, to be seen.
 std::vector<std::string> replays_of_all(lua_State* L, const Table& table, const Swept& swept, int frames) {
-  std::unordered_map<std::string, const Scene*> of_hash;
-  for (const Scene& scene : swept.scenes) of_hash.emplace(scene.hash(), &scene);
   std::vector<Shown> rows;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const Scene& scene = *of_hash.at(table.text("scene_hash")->values[row]);
+    const Scene scene = swept.scene_of(table.text("scene_hash")->values[row]).value();
     Viewing viewing = viewing_of(table, row, scene, frames);
     viewing.from = -flight_in * viewing.until;
     viewing.until *= 1 + flight_out;
-    rows.push_back({&scene, viewing});
+    rows.push_back({scene, viewing});
   }
   try {
     in_parallel(rows, session_of(L).options.threads,
-                [](Shown& row) { row.json = replay_json(*row.scene, row.viewing); });
+                [](Shown& row) { row.json = replay_json(row.scene, row.viewing); });
   } catch (const FieldError& error) {
     throw at_this_call(L, std::string("an impact of the grid cannot be shown: ") + error.what());
   }

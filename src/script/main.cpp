@@ -37,8 +37,7 @@ void refuse_odd_arguments(const std::vector<std::string>& arguments) {
 }
 
 // The script, and then its study if one is asked for.
-void run_in(Session& session) {
-  State state(session);
+void run_in(State& state, Session& session) {
   const bool study = !session.options.study.empty();
   if (study) session.options.check = true;
   state.run_script();
@@ -66,8 +65,9 @@ void run(RunOptions options, const std::string& script, const std::vector<std::s
   Session session(std::move(options), script, arguments);
   // With arguments, a misspelt one is reported first: ricochet.parameters then looks at the folder.
   if (!session.options.help && arguments.empty()) session.folders.refuse_earlier(session.own_folder());
+  State state(session);  // until the report is there: replays of long sweeps are made by the script's functions
   try {
-    run_in(session);
+    run_in(state, session);
   } catch (const Error& error) {
     leave_shard_error(session, error);
     session.log(complaint(error.what()));
@@ -115,6 +115,14 @@ void add_running(Commands& c, CLI::App* command) {
   command->add_option("--out", c.options.out, fmt::format("folder of the results (default: {})", RunOptions{}.out));
 }
 
+void add_at_once(RunOptions& options, CLI::App* command) {
+  const std::string text = fmt::format(
+      "scenes of a sweep that are made and kept at once; more points go chunk by chunk, to the same results (default: "
+      "{})",
+      options.at_once);
+  command->add_option("--at-once", options.at_once, text)->check(count_within(1, 10'000'000));
+}
+
 void add_run(Commands& c) {
   CLI::App* command = c.app.add_subcommand("run", "Run a script: ricochet run SCRIPT [name=value ...]");
   c.run = command;
@@ -143,8 +151,11 @@ void add_run(Commands& c) {
       "--shard", c.shard,
       "run only share K of N of the script's sweep, K from 0: K/N; auto takes it from the variables of "
       "a job of Slurm, MPI, PBS or Grid Engine (auto/N: N as given); ricochet merge makes results of all");
-  command->add_option("--flush", options.flush, "of a shard: seconds of rows that a kill may lose (default: 30)")
+  command
+      ->add_option("--flush", options.flush,
+                   "of a shard or a long sweep: seconds of rows that a kill may lose (default: 30)")
       ->check(within(0, 86400));
+  add_at_once(options, command);
   command->add_flag("!--no-report", options.report, "leave no report.html, and run no impact twice for its replays");
   command->add_flag("--traceback", options.traceback, "show where in the scripts an error came from");
   command->add_flag("--unsafe", options.unsafe, "lift the sandbox: io, os.execute, debug");
@@ -163,6 +174,7 @@ void add_merge(Commands& c) {
   add_script(c, command);
   command->get_option("SCRIPT")->required();
   add_running(c, command);
+  add_at_once(c.options, command);
   command->add_flag("--partial", c.options.partial, "of what is there, where impacts are missing");
   command->add_flag("!--no-report", c.options.report, "leave no report.html");
   command->add_flag("--unsafe", c.options.unsafe, "lift the sandbox, as run does");

@@ -50,13 +50,6 @@ std::string values_json(const std::vector<std::string>& values) {
   return "\"values\":[" + list + "]";
 }
 
-// Those that a table of very many rows keeps.
-bool is_main(const Field& field) {
-  static const std::set<std::string> names{"e",      "mu",     "beta",       "energy_closure", "certified",
-                                           "status", "folded", "over_yield", "penetration"};
-  return sweep_table::is_parameter(field) || names.count(field.name) > 0;
-}
-
 template <class Column>
 std::string columns_json(const std::vector<Column>& columns, bool main_only) {
   std::string list;
@@ -166,6 +159,12 @@ void put_in(std::string& html, const std::string& mark, const std::string& text)
 }
 
 }  // namespace
+
+bool is_main(const Field& field) {
+  static const std::set<std::string> names{"e",      "mu",     "beta",       "energy_closure", "certified",
+                                           "status", "folded", "over_yield", "penetration"};
+  return sweep_table::is_parameter(field) || names.count(field.name) > 0;
+}
 
 std::string section_json(const PageSection& section, const std::string& told) {
   const bool main_only = section.table.rows() > most_whole_rows;

@@ -48,6 +48,9 @@ inline constexpr std::size_t most_page_bytes = 8'000'000;
 /// More rows are carried as binary columns; of more than the second, in single precision and of the main columns only.
 inline constexpr std::size_t most_text_rows = 2000, most_whole_rows = 20000;
 
+/// True for a column that a page of so many rows keeps.
+bool is_main(const Field& field);
+
 /// The same bytes for the same page: nothing of the clock or the machine is added.
 std::string html_of(const Page& page);
 

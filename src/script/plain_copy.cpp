@@ -19,6 +19,18 @@ void keep_kind_name(lua_State* L, int index) {
   lua_setmetatable(L, -2);
 }
 
+// Puts what is read from a file, a row of a long sweep or a list of them, in the place of the table on top of the stack
+// that stands for it. Others stay.
+void read_whole(lua_State* L) {
+  if (luaL_getmetafield(L, -1, "whole") == LUA_TNIL) return;
+  lua_pushvalue(L, -2);
+  lua_call(L, 1, 1);
+  if (lua_istable(L, -1))
+    lua_replace(L, -2);
+  else
+    lua_pop(L, 1);
+}
+
 // Pushes a plain copy of a value: tables without their metatables, the same ones once (`copies`, at an absolute index,
 // remembers them), all else as it is.
 void push_plain(lua_State* L, int index, int copies, int depth = 0) {
@@ -31,21 +43,25 @@ void push_plain(lua_State* L, int index, int copies, int depth = 0) {
   if (!lua_istable(L, index)) return;
   if (lua_rawget(L, copies) != LUA_TNIL) return;
   lua_pop(L, 1);
+  lua_pushvalue(L, index);
+  read_whole(L);
+  const int whole = lua_gettop(L);
   // A list with a hole in it stays as long as it is. (A table that is no list may have any length.)
   constexpr lua_Unsigned longest_list = 10'000'000;
-  const lua_Unsigned length = lua_rawlen(L, index);
+  const lua_Unsigned length = lua_rawlen(L, whole);
   lua_createtable(L, length <= longest_list ? static_cast<int>(length) : 0, 0);
   const int copy = lua_gettop(L);
   lua_pushvalue(L, index);
   lua_pushvalue(L, copy);
   lua_rawset(L, copies);
-  for (lua_pushnil(L); lua_next(L, index) != 0;) {
+  for (lua_pushnil(L); lua_next(L, whole) != 0;) {
     lua_pushvalue(L, -2);
     push_plain(L, -2, copies, depth + 1);
     lua_rawset(L, copy);
     lua_pop(L, 1);
   }
   keep_kind_name(L, index);
+  lua_remove(L, whole);
 }
 
 const Field* field_named(const std::vector<Field>& fields, const char* name) {

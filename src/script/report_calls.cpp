@@ -11,6 +11,7 @@
 #include "script/records.hpp"
 #include "script/replays.hpp"
 #include "script/run_files.hpp"
+#include "script/run_report.hpp"
 #include "store/run_names.hpp"
 #include "store/sinks.hpp"
 
@@ -119,16 +120,15 @@ std::vector<std::string> wanted_hashes(lua_State* L, const Swept& swept) {
     each_element(L, 2, [&](lua_Integer) { hashes.push_back(lua_tostring(L, -1)); });
     return hashes;
   }
-  const Table table = read_table(run_names::readable_results(swept.folder));
+  const Table table = table_of_results(run_names::readable_results(swept.folder));
   const TextColumn* column = table.text("scene_hash");
   for (const std::size_t row : rows_to_replay(table, lua_tostring(L, 2), 6)) hashes.push_back(column->values[row]);
   return hashes;
 }
 
 FilmedScene filmed_row(lua_State* L, const Swept& swept, const std::string& hash) {
-  const auto scene =
-      std::find_if(swept.scenes.begin(), swept.scenes.end(), [&](const Scene& one) { return one.hash() == hash; });
-  if (scene == swept.scenes.end())
+  const std::optional<Scene> scene = swept.scene_of(hash);
+  if (!scene)
     throw at_this_call(L, fmt::format("the sweep {} has no row of scene {}; give rows of its own", swept.name, hash));
   return {*scene, call_site(L), BuiltSolids(*scene)};
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
+#include <set>
 
 #include "impact/parallel.hpp"
 #include "script/page.hpp"
@@ -13,6 +13,7 @@
 #include "script/terminal.hpp"
 #include "script/thinned.hpp"
 #include "store/files.hpp"
+#include "store/long_table.hpp"
 #include "store/run_names.hpp"
 
 namespace ricochet {
@@ -49,8 +50,10 @@ std::string log_in(const fs::path& folder) {
   return log.size() <= most_log ? log : log.substr(0, most_log) + "\n(the rest is in run.log)";
 }
 
+using SceneOfRow = decltype(Swept::scene_of);
+
 struct Replay {
-  const Scene* scene;
+  Scene scene;
   Viewing viewing;
   std::string json;
 };
@@ -74,34 +77,32 @@ std::vector<std::size_t> rows_wanted(const Table& table, const PageWish& wish, s
 }
 
 // The scenes to run once more: of rows that the script has named, or of those chosen that time allows.
-std::vector<Replay> planned_replays(const PageSection& section, const std::vector<Scene>& scenes, const PageWish& wish,
+std::vector<Replay> planned_replays(const PageSection& section, const SceneOfRow& scene_of, const PageWish& wish,
                                     std::size_t count) {
-  std::unordered_map<std::string, const Scene*> of_hash;
-  for (const Scene& scene : scenes) of_hash.emplace(scene.hash(), &scene);
   const Table& table = section.table;
   const TextColumn* hashes = table.text("scene_hash");
   double all = 0, taken = 0;
   for (std::size_t row = 0; row < table.rows(); ++row) all += seconds_of(table, row);
   std::vector<Replay> replays;
   for (const std::size_t row : rows_wanted(table, wish, count)) {
-    const auto scene = of_hash.find(hashes->values[row]);
-    if (scene == of_hash.end()) continue;
+    const std::optional<Scene> scene = scene_of(hashes->values[row]);
+    if (!scene) continue;
     taken += 2 * seconds_of(table, row);  // watched, and alone in its lanes
     const bool is_asked = !wish.hashes.empty();
     if (!is_asked && taken > std::max(little_time, all / 10)) break;
-    replays.push_back({scene->second, viewing_of(table, row, *scene->second, wish.frames), ""});
+    replays.push_back({*scene, viewing_of(table, row, *scene, wish.frames), ""});
   }
   return replays;
 }
 
 // A scene that cannot be shown has no replay, and the page says why.
-void add_replays(Session& session, PageSection& section, const std::vector<Scene>& scenes, std::size_t count) {
-  std::vector<Replay> replays = planned_replays(section, scenes, session.page, count);
+void add_replays(Session& session, PageSection& section, const SceneOfRow& scene_of, std::size_t count) {
+  std::vector<Replay> replays = planned_replays(section, scene_of, session.page, count);
   std::string refused;
   std::mutex telling;
   in_parallel(replays, session.options.threads, [&](Replay& replay) {
     try {
-      replay.json = replay_json(*replay.scene, replay.viewing);
+      replay.json = replay_json(replay.scene, replay.viewing);
     } catch (const FieldError& error) {
       const std::lock_guard lock(telling);
       refused = error.what();
@@ -146,20 +147,21 @@ Page page_of_run(Session& session) {
   const std::size_t count = all == 0 ? 0 : std::max<std::size_t>(1, all / std::max<std::size_t>(1, parts));
   for (const Swept& swept : session.swept) {
     const fs::path file = run_names::readable_results(swept.folder);
-    page.sections.push_back({swept.name, read_table(file), read_provenance(file)});
+    page.sections.push_back({swept.name, table_of_results(file), read_provenance(file)});
     if (page.log.empty()) page.log = log_in(swept.folder);
     add_plots(session, page.sections.back());
-    add_replays(session, page.sections.back(), swept.scenes, count);
+    add_replays(session, page.sections.back(), swept.scene_of, count);
   }
   if (session.singles.empty()) return page;
   std::vector<const Row*> rows;
-  std::vector<Scene> scenes;
-  for (const auto& [scene, row] : session.singles) {
-    rows.push_back(&row);
-    scenes.push_back(scene);
-  }
+  for (const auto& [scene, row] : session.singles) rows.push_back(&row);
+  const auto scene_of = [&](const std::string& hash) {
+    const auto found = std::find_if(session.singles.begin(), session.singles.end(),
+                                    [&](auto& one) { return one.second.hash == hash; });
+    return found == session.singles.end() ? std::nullopt : std::optional<Scene>(found->first);
+  };
   page.sections.push_back({"single impacts", table_of(rows), provenance});
-  add_replays(session, page.sections.back(), scenes, count);
+  add_replays(session, page.sections.back(), scene_of, count);
   return page;
 }
 
@@ -192,7 +194,7 @@ std::map<std::string, std::string> earlier_replays(const fs::path& results, cons
 
 PageSection section_of(const fs::path& file, std::size_t most, int frames) {
   const fs::path folder = fs::absolute(file).parent_path();
-  PageSection section{folder.filename(), read_table(file), read_provenance(file)};
+  PageSection section{folder.filename(), table_of_results(file), read_provenance(file)};
   const std::map<std::string, std::string> replays = earlier_replays(file, section.provenance);
   if (const TextColumn* hashes = section.table.text("scene_hash"))
     for (const std::string& hash : hashes->values)
@@ -204,6 +206,14 @@ PageSection section_of(const fs::path& file, std::size_t most, int frames) {
 }
 
 }  // namespace
+
+Table table_of_results(const fs::path& file) {
+  const StoredTable stored(file);
+  const bool all = stored.rows() <= most_whole_rows;
+  static const std::set<std::string> others{"scene_hash", "reason", "wall_seconds", "time", "step"};
+  return stored.part(0, stored.rows(),
+                     [&](const Field& field) { return all || is_main(field) || others.contains(field.name); });
+}
 
 void write_report(Session& session) {
   const fs::path folder = session.own_folder();

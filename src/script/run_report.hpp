@@ -13,6 +13,10 @@ namespace ricochet {
 /// Throws FileError.
 void write_report(Session& session);
 
+/// The rows of results; of very many only the columns that a page carries, or that replays are chosen and made by.
+/// Throws FileError.
+Table table_of_results(const std::filesystem::path& file);
+
 /// What `ricochet report` was asked for.
 struct ReportOptions {
   std::string path, title, out;

@@ -198,6 +198,11 @@ int scene_run(lua_State* L) {
   }
   if (stop_requested) throw Error("interrupted", Exit::interrupted);
   const Method& method = scene.method();
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
+  const Row row = row_of(scene, outcome, taken.count());
+  SweepTold told(1);
+  told.add_scene(0, scene);
+  told.add_row(0, scene, row);
   if (!session.options.check && outcome.status != Status::no_contact)
     session.inform_first(
         fmt::format("{}:{}", object.site.file, object.site.line),
@@ -205,15 +210,13 @@ int scene_run(lua_State* L) {
                     "{}\n{}",
                     method.name, scene.units.shown(outcome.step, "R/c", 4), outcome.theta, outcome.theta_most,
                     method.stability_limit, scene.units.shown(outcome.theta / outcome.step, "c/R", 4),
-                    scale_text({scene}) + passed_over_text({scene}) + doubts_text({row_of(scene, outcome, 0)})));
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
-  const Row row = row_of(scene, outcome, taken.count());
+                    told.of_scenes()));
   if (!session.options.check) {
-    if (session.options.quiet) warn_of_doubts(session, {row});
+    if (session.options.quiet) told.warn_of_doubts(session);
     session.count(row);
     if (session.singles.size() < Session::most_singles) session.singles.emplace_back(scene, row);
-    warn_of_limit(session, {scene}, {row},
-                  [&](std::size_t) { return fmt::format("{}:{}: scene", object.site.file, object.site.line); });
+    told.warn_of_limit(session,
+                       [&](std::size_t) { return fmt::format("{}:{}: scene", object.site.file, object.site.line); });
   }
   push_row(L, row);
   return 1;

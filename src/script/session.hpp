@@ -2,8 +2,10 @@
 // What one run of the program knows: its options, its script, its folder and its log.
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,6 +21,8 @@
 #include "store/table.hpp"
 
 namespace ricochet {
+
+class ChunkSteps;
 
 /// What of its script's sweeps a process does: all; only the plan for shards; one shard; or the merging of them.
 enum class Part { whole, plan, shard, merge };
@@ -36,18 +40,20 @@ struct RunOptions {
 
   Part part = Part::whole;
   std::size_t shard = 0, shards = 0;  ///< which, from 0, of how many; 0 of a plan: as it sees fit
-  double flush = 30;                  ///< seconds of a shard's rows that a kill may lose
+  double flush = 30;                  ///< seconds of a shard's or a long sweep's rows that a kill may lose
+  long at_once = 8192;                ///< scenes of a sweep that are made and kept together
   bool partial = false;               ///< merge what is there
 };
 
 /// The name of a script that is read from standard input.
 inline constexpr const char* standard_input = "-";
 
-/// A sweep that has run, for its replays: the scenes are those of its rows, with the steps that were chosen.
+/// A sweep that has run, for its replays.
 struct Swept {
   std::string name;
   std::filesystem::path folder;
-  std::vector<Scene> scenes;
+  /// The scene of a row by its hash, with the step that was chosen; none if it cannot be had.
+  std::function<std::optional<Scene>(const std::string& hash)> scene_of;
 };
 
 /// What a script says of its report (ricochet.report).
@@ -85,6 +91,8 @@ class Session {
       chosen;  ///< scenes with the step chosen for their accuracy, by the asked scene's hash
   std::map<std::string, KnownChoices> rounds;  ///< of sweeps that run in rounds, by name: what their trials chose
 
+  std::shared_ptr<ChunkSteps> planned_steps;  ///< of a plan of shards that is being made
+
   RememberedSteps steps;
 
   RunFolders folders{options, [this](const std::string& text) { warn(text); }};
@@ -106,6 +114,12 @@ class Session {
   void count(const Row& row) {
     ++(row.finished() ? finished_ : failed_);
     if (!row.finished() && first_failure.empty()) first_failure = row.status + ": " + row.reason;
+  }
+  /// The same of many: how many did and did not finish, and how and why the first that did not.
+  void count(std::size_t finished, std::size_t failed, const std::string& failure) {
+    finished_ += finished;
+    failed_ += failed;
+    if (first_failure.empty()) first_failure = failure;
   }
   bool nothing_finished() const { return failed_ > 0 && finished_ == 0; }
   std::string first_failure;  ///< why the first impact that did not finish did not
@@ -141,7 +155,7 @@ class Session {
   std::set<std::filesystem::path> pictures_;
   std::unique_ptr<const ScratchFolder> scratch_;  ///< of a shard
   std::set<std::string> sweeps_, warned_, told_;
-  int failed_ = 0, finished_ = 0;
+  std::size_t failed_ = 0, finished_ = 0;
   std::string log_, start_;
 };
 

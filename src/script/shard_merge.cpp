@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "core/error.hpp"
@@ -30,13 +31,13 @@ struct Tally {
   std::size_t points = 0, rows = 0;
 };
 
-std::map<std::size_t, Tally> unfinished(const ShardPlan& plan, const RowStore& store,
+std::map<std::size_t, Tally> unfinished(const ShardPlan& plan, const std::vector<bool>& done,
                                         const std::vector<std::size_t>& places) {
   std::map<std::size_t, Tally> shards;
-  for (std::size_t i = 0; i < store.done().size(); ++i) {
+  for (std::size_t i = 0; i < done.size(); ++i) {
     Tally& tally = shards[plan.shard_of(places.empty() ? i : places[i])];
     ++tally.points;
-    tally.rows += store.done()[i];
+    tally.rows += done[i];
   }
   std::erase_if(shards, [](const auto& shard) { return shard.second.rows == shard.second.points; });
   return shards;
@@ -60,32 +61,38 @@ std::string command_of(const Session& session, const std::string& command, const
   return fmt::format("{} {} --out {}", shell_words(words), options, shell_words(session.options.out));
 }
 
+std::optional<ShardPlan> plan_of_merge(Session& session, const std::string& sweep, std::size_t points) {
+  const fs::path folder = session.folders.named(sweep);
+  if (!has_plan(folder)) return std::nullopt;
+  ShardPlan plan = read_plan(folder);
+  refuse_other(plan, facts_of(session), folder);
+  if (plan.points() != points)
+    throw FileError(fmt::format("{} is of {} points, and the sweep has {}; give the same parameters as to the shards",
+                                run_names::plan(folder).string(), plan.points(), points));
+  return plan;
+}
+
 std::vector<Scene> with_planned_steps(Session& session, const std::string& sweep, const std::vector<Scene>& scenes,
                                       const Telling& telling) {
-  const fs::path folder = session.folders.named(sweep);
-  if (!has_plan(folder)) return with_chosen_steps(session, scenes, telling);
-  const ShardPlan plan = read_plan(folder);
-  refuse_other(plan, facts_of(session), folder);
-  if (plan.points() != scenes.size())
-    throw FileError(fmt::format("{} is of {} points, and the sweep has {}; give the same parameters as to the shards",
-                                run_names::plan(folder).string(), plan.points(), scenes.size()));
+  const std::optional<ShardPlan> plan = plan_of_merge(session, sweep, scenes.size());
+  if (!plan) return with_chosen_steps(session, scenes, telling);
   std::vector<Scene> planned;
-  for (std::size_t i = 0; i < scenes.size(); ++i) planned.push_back(plan.with_step(scenes[i], i));
+  for (std::size_t i = 0; i < scenes.size(); ++i) planned.push_back(plan->with_step(scenes[i], i));
   return planned;
 }
 
-void refuse_missing(Session& session, const std::string& sweep, const RowStore& store,
+void refuse_missing(Session& session, const std::string& sweep, const std::vector<bool>& done,
                     const std::vector<std::size_t>& places) {
-  if (store.count() == store.rows().size()) return;
+  const auto lacking = static_cast<std::size_t>(std::count(done.begin(), done.end(), false));
+  if (lacking == 0) return;
   const fs::path folder = session.folders.named(sweep);
   if (!has_plan(folder))
     throw Error(fmt::format("no shard of '{}' has run; run them: {}", sweep, command_of(session, "run", "--shard K/N")),
                 Exit::numerical);
   const ShardPlan plan = read_plan(folder);
-  const std::map<std::size_t, Tally> missing = unfinished(plan, store, places);
-  std::string text =
-      fmt::format("{} of {} impacts of '{}' are missing, in {} of {} shards", store.rows().size() - store.count(),
-                  store.rows().size(), sweep, missing.size(), plan.shards);
+  const std::map<std::size_t, Tally> missing = unfinished(plan, done, places);
+  std::string text = fmt::format("{} of {} impacts of '{}' are missing, in {} of {} shards", lacking, done.size(),
+                                 sweep, missing.size(), plan.shards);
   std::size_t told = 0;
   for (const auto& [shard, tally] : missing)
     if (++told <= most_told) text += line_of(folder, shard, tally);
@@ -97,13 +104,18 @@ void refuse_missing(Session& session, const std::string& sweep, const RowStore& 
   session.warn(text);
 }
 
+Row missing_row(const Scene& scene) {
+  Row row = row_of(scene, Outcome{}, 0);
+  row.status = "not_run";
+  row.reason = "its shard is not there";
+  return row;
+}
+
 std::vector<Row> with_missing(const RowStore& store, const std::vector<Scene>& scenes) {
   std::vector<Row> rows = store.rows();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (store.done()[i]) continue;
-    rows[i] = row_of(scenes[i], Outcome{}, 0);
-    rows[i].status = "not_run";
-    rows[i].reason = "its shard is not there";
+    rows[i] = missing_row(scenes[i]);
   }
   return rows;
 }

@@ -1,9 +1,11 @@
 #pragma once
 // What the merging of shards asks: the steps of the plan, and whether all are there.
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "script/shard_plan.hpp"
 #include "script/step_choice.hpp"
 #include "script/sweep_run.hpp"
 
@@ -14,10 +16,18 @@ namespace ricochet {
 std::vector<Scene> with_planned_steps(Session& session, const std::string& sweep, const std::vector<Scene>& scenes,
                                       const Telling& telling);
 
+/// The plan of a sweep of so many points whose shards are merged; none if there is none (any more). Throws FileError if
+/// it is of something else.
+std::optional<ShardPlan> plan_of_merge(Session& session, const std::string& sweep, std::size_t points);
+
 /// Throws Error that names the shards whose rows are not all there, what they ended by, and the command for them;
-/// with --partial it only warns. `places`: of the scenes in the plan, if they are not in its order.
-void refuse_missing(Session& session, const std::string& sweep, const RowStore& store,
+/// with --partial it only warns. `done`: which points have a row. `places`: of the scenes in the plan, if they are not
+/// in its order.
+void refuse_missing(Session& session, const std::string& sweep, const std::vector<bool>& done,
                     const std::vector<std::size_t>& places = {});
+
+/// What stands in the place of a row that is not there, of this scene.
+Row missing_row(const Scene& scene);
 
 /// The rows of a sweep, with one of status "not_run" at every scene that has none.
 std::vector<Row> with_missing(const RowStore& store, const std::vector<Scene>& scenes);

@@ -21,8 +21,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Steps of the first impact whose outcome is compared: some hundred meet every spring, and cost a hundredth of it.
-constexpr double canary_steps = 300;
+// Steps of the first impact whose outcome is compared: the first meets every spring, and so many cost a hundredth of a
+// usual impact, and little of a small one.
+constexpr double canary_steps = 30;
 
 std::string sorted_words(std::vector<std::string> words) {
   std::sort(words.begin(), words.end());
@@ -119,15 +120,13 @@ Scene ShardPlan::with_step(Scene scene, std::size_t point) const {
   return scene;
 }
 
-Table steps_table(const std::vector<Scene>& scenes) {
-  Table table{{{{"theta"}, {}}, {{"error_step"}, {}}, {{"error_contact"}, {}}}, {{{"method"}, {}}}};
-  for (const Scene& scene : scenes) {
-    table.numbers[0].values.push_back(scene.integration.theta);
-    table.numbers[1].values.push_back(scene.error_step);
-    table.numbers[2].values.push_back(scene.error_contact);
-    table.texts[0].values.push_back(scene.integration.method);
-  }
-  return table;
+void add_step(Table& table, const Scene& scene) {
+  if (table.numbers.empty())
+    table = {{{{"theta"}, {}}, {{"error_step"}, {}}, {{"error_contact"}, {}}}, {{{"method"}, {}}}};
+  table.numbers[0].values.push_back(scene.integration.theta);
+  table.numbers[1].values.push_back(scene.error_step);
+  table.numbers[2].values.push_back(scene.error_contact);
+  table.texts[0].values.push_back(scene.integration.method);
 }
 
 Provenance facts_of(const Session& session) {

@@ -43,11 +43,11 @@ Provenance facts_of(const Session& session);
 /// True if results with this provenance are of the script and arguments of these facts, in whatever order.
 bool is_of_results(const Provenance& facts, const Provenance& results);
 
-/// The hash of what a scene's impact comes to in its first 300 steps. Throws FieldError if it cannot start.
+/// The hash of what a scene's impact comes to in its first steps. Throws FieldError if it cannot start.
 std::string canary_of(const Scene& scene);
 
-/// Steps of all points of a sweep, as trials chose them.
-Table steps_table(const std::vector<Scene>& scenes);
+/// Steps of all points of a sweep, as trials chose them, one after the other.
+void add_step(Table& table, const Scene& scene);
 
 /// Writes the plan unless there is one; of several processes one does, and gets true. Throws FileError.
 bool write_plan(const std::filesystem::path& folder, const ShardPlan& plan, const Provenance& provenance);

@@ -1,5 +1,7 @@
 #include "script/shard_store.hpp"
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "store/files.hpp"
 #include "store/run_names.hpp"
@@ -18,19 +20,27 @@ constexpr int most_listings = 100;
 
 }  // namespace
 
-std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vector<fs::path>()>& list) {
+void while_they_change(const std::function<std::vector<fs::path>()>& list,
+                       const std::function<void(const std::vector<fs::path>&)>& take) {
   for (int listing = 1;; ++listing) {
-    std::size_t strangers = 0;
-    bool gone = false;
-    for (const fs::path& file : list()) try {
-        strangers += rows.load(file);
-      } catch (const FileError&) {
-        std::error_code error;
-        if (fs::exists(file, error) || listing == most_listings) throw;
-        gone = true;
-      }
-    if (!gone) return strangers;
+    const std::vector<fs::path> files = list();
+    try {
+      return take(files);
+    } catch (const FileError&) {
+      std::error_code error;
+      const bool gone = std::any_of(files.begin(), files.end(), [&](auto& file) { return !fs::exists(file, error); });
+      if (!gone || listing == most_listings) throw;
+    }
   }
+}
+
+std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vector<fs::path>()>& list) {
+  std::size_t strangers = 0;
+  while_they_change(list, [&](const std::vector<fs::path>& files) {
+    strangers = 0;
+    for (const fs::path& file : files) strangers += rows.load(file);
+  });
+  return strangers;
 }
 
 ShardStore::ShardStore(Session& session, std::size_t shard, const std::vector<std::string>& hashes,

@@ -13,6 +13,11 @@
 
 namespace ricochet {
 
+/// Calls take(files) with the files that `list` gives, anew as long as it fails with one that is gone by then: its
+/// process has put all rows into another.
+void while_they_change(const std::function<std::vector<std::filesystem::path>()>& list,
+                       const std::function<void(const std::vector<std::filesystem::path>&)>& take);
+
 /// Takes up the files that `list` gives, again as long as one is gone when it is to be read: its process has put all
 /// rows into another by then. Throws FileError as KnownRows::load(). Returns how many rows are of no known scene.
 std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vector<std::filesystem::path>()>& list);

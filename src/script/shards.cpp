@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/hash.hpp"
+#include "script/chunk_steps.hpp"
 #include "script/fields.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
@@ -109,9 +110,27 @@ void refuse_strangers(const fs::path& folder, const std::vector<Scene>& scenes) 
         folder.string(), strangers));
 }
 
-// plan_shards(name, over, first, names, scenes): writes the plan, unless another process does so first. `names`: a list
-// of { name =, values =, changes_lattice = }; `scenes`: of all points, if trials are to choose their steps or rows are
-// there, else empty.
+// plan_steps(name, count, points, scenes): trials choose the steps of some of a sweep's points, for the plan; all of
+// them come in such calls, one after the other.
+int plan_steps(lua_State* L) {
+  Session& session = session_of(L);
+  const std::vector<double> listed = numbers_at(L, 3);
+  const std::vector<std::size_t> points(listed.begin(), listed.end());
+  if (!session.planned_steps)
+    session.planned_steps = std::make_shared<ChunkSteps>(static_cast<std::size_t>(lua_tointeger(L, 2)));
+  const auto name = [&](std::size_t i) { return fmt::format("point {}", points[i] + 1); };
+  std::vector<Scene> scenes = scenes_at(L, 4);
+  try {
+    session.planned_steps->choose(session, points, scenes, printed(session, name));
+  } catch (const SceneError& error) {
+    throw_at_scene(L, 4, error);
+  }
+  return 0;
+}
+
+// plan_shards(name, over, first, names, scenes): writes the plan, with the steps of plan_steps(), unless another
+// process does so first. `names`: a list of { name =, values =, changes_lattice = }; `scenes`: of all points, if rows
+// are there, else empty.
 int plan_shards(lua_State* L) {
   Session& session = session_of(L);
   const std::string over = luaL_checkstring(L, 2);
@@ -120,15 +139,8 @@ int plan_shards(lua_State* L) {
   plan.shards = session.options.shards;
   if (plan.shards == 0) plan.shards = std::max<std::size_t>(1, plan.points() / usual_impacts);
   std::vector<Scene> scenes = scenes_at(L, 5);
-  const auto name = [](std::size_t i) { return fmt::format("point {}", i + 1); };
-  try {
-    if (!std::isnan(first.integration.accuracy)) {
-      scenes = with_chosen_steps(session, scenes, printed(session, name));
-      plan.steps = steps_table(scenes);
-    }
-  } catch (const SceneError& error) {
-    throw_at_scene(L, 5, error);
-  }
+  if (session.planned_steps) plan.steps = session.planned_steps->table();
+  for (std::size_t i = 0; i < scenes.size(); ++i) scenes[i] = plan.with_step(scenes[i], i);
   refuse_strangers(session.sharded, scenes);
   plan.facts = facts_of_sweep(L, over, first);
   plan.facts["canary"] = canary_of_first(L, 3, plan.with_step(first, 0));
@@ -265,7 +277,7 @@ void merge_round(Session& session, const Round& round) {
   if (has_plan) refuse_other(read_plan(folder), facts_of(session), folder);
   Store store(session, round.name, round.hashes, round.parameters, {true, false});
   if (store.count() == 0 || (has_plan && read_plan(folder).facts.at("over") == hash_text(round.text)))
-    refuse_missing(session, round.name, store, round.places);
+    refuse_missing(session, round.name, store.done(), round.places);
   store.assemble();
   run_names::remove_shards(folder);
 }
@@ -369,6 +381,7 @@ Group shard_functions() {
                       {"lattice", guarded<lattice>},
                       {"holds_rows", guarded<holds_rows>},
                       {"shard_points", guarded<shard_points>},
+                      {"plan_steps", guarded<plan_steps>},
                       {"plan_shards", guarded<plan_shards>},
                       {"round_is_there", guarded<round_is_there>},
                       {"end_round", guarded<end_round>},

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/spelling.hpp"
+#include "script/kept_bodies.hpp"
 #include "script/pairs.hpp"
 #include "script/reader.hpp"
 #include "script/script_file.hpp"
@@ -233,19 +234,13 @@ State::State(Session& session)
   lua_register(L_, "print", guarded<print>);
 
   lua_newtable(L_);  // the module's native part, which lua/ricochet/init.lua requires as "ricochet.core"
-  const luaL_Reg natives[] = {{"check", guarded<check>},
-                              {"fail", guarded<fail>},
-                              {"fail_in", guarded<fail_in>},
-                              {"fail_here", guarded<fail_here>},
-                              {"unknown", guarded<unknown>},
-                              {"function_names", function_names},
-                              {"did_you_mean", nearest},
-                              {"wrap", wrap},
-                              {"is", is},
-                              {"plain", guarded<plain>},
-                              {"is_check", is_check},
-                              {"is_resume", is_resume},
-                              {"make_scene", make_scene},
+  const luaL_Reg natives[] = {{"check", guarded<check>},      {"fail", guarded<fail>},
+                              {"fail_in", guarded<fail_in>},  {"fail_here", guarded<fail_here>},
+                              {"unknown", guarded<unknown>},  {"function_names", function_names},
+                              {"did_you_mean", nearest},      {"wrap", wrap},
+                              {"wrap_keeping", wrap_keeping}, {"is", is},
+                              {"plain", guarded<plain>},      {"is_check", is_check},
+                              {"is_resume", is_resume},       {"make_scene", make_scene},
                               {"is_scene", is_scene}};
   for (const luaL_Reg& f : natives) {
     lua_pushcfunction(L_, f.func);

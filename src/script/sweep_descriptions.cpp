@@ -6,37 +6,41 @@ namespace ricochet {
 namespace {
 
 Function sweep_function() {
-  return {.name = "sweep",
-          .doc =
-              "Scenes over every combination of some values. `sweep:run()` runs them on all cores, leaves "
-              "results.h5 and results.csv in the run's folder and "
-              "returns the rows. A sample that did not finish is counted and never averaged in.",
-          .fields =
-              {{"name", "string", "", "names the folder of its results"},
-               {"over", "table", "",
-                "name = list of values, each a number, string or boolean; and what zip or latin_hypercube returns"},
-               {"units", "table", "", "name = unit of a value of 'over', for axes: { gap = \"R\" }", any_number, "{}"},
-               {"scene", "function", "", "function (at) that returns the scene at the values at.name"},
-               {"samples",
-                "string",
-                "",
-                "by_error: as many samples of every point as a wanted error of `of` takes, in rounds; the scene's "
-                "function gets their running number as at.sample, from 1",
-                any_number,
-                "",
-                true,
-                {"by_error"}},
-               {"standard_error", "number", "", "with samples: wanted of the mean at every point", positive, "", true},
-               {"relative_error", "number", "", "the same, over the mean", positive, "", true},
-               {"of", "string", "", "with samples: the outcome that it is about", any_number, "e"},
-               {"most", "integer", "", "with samples: of a point, at most", {8, 1e6}, "10000"},
-               {"pilot", "integer", "", "with samples: of every point in the first round", {8, 1e6}, "8"},
-               {"mirrored", "boolean", "",
-                "with samples: strike lattices from both sides; where that pays, unless given", any_number, "", true}},
-          .returns = "sweep",
-          .example =
-              "ricochet.sweep { name = \"angles\", over = { psi1 = {0, 1} }, scene = function(at) return "
-              "scene_at(at.psi1) end }"};
+  return {
+      .name = "sweep",
+      .doc =
+          "Scenes over every combination of some values. `sweep:run()` runs them on all cores, leaves "
+          "results.h5 and results.csv in the run's folder and "
+          "returns the rows. A sample that did not finish is counted and never averaged in. Of more points than "
+          "--at-once "
+          "(8192) the scenes are made and run chunk by chunk, those that share a lattice together, and the rows are "
+          "read from results.h5 as they are asked for: `scene` must then depend on `at` alone.",
+      .fields =
+          {{"name", "string", "", "names the folder of its results"},
+           {"over", "table", "",
+            "name = list of values, each a number, string or boolean; and what zip or latin_hypercube returns"},
+           {"units", "table", "", "name = unit of a value of 'over', for axes: { gap = \"R\" }", any_number, "{}"},
+           {"scene", "function", "", "function (at) that returns the scene at the values at.name"},
+           {"samples",
+            "string",
+            "",
+            "by_error: as many samples of every point as a wanted error of `of` takes, in rounds; the scene's "
+            "function gets their running number as at.sample, from 1",
+            any_number,
+            "",
+            true,
+            {"by_error"}},
+           {"standard_error", "number", "", "with samples: wanted of the mean at every point", positive, "", true},
+           {"relative_error", "number", "", "the same, over the mean", positive, "", true},
+           {"of", "string", "", "with samples: the outcome that it is about", any_number, "e"},
+           {"most", "integer", "", "with samples: of a point, at most", {8, 1e6}, "10000"},
+           {"pilot", "integer", "", "with samples: of every point in the first round", {8, 1e6}, "8"},
+           {"mirrored", "boolean", "", "with samples: strike lattices from both sides; where that pays, unless given",
+            any_number, "", true}},
+      .returns = "sweep",
+      .example =
+          "ricochet.sweep { name = \"angles\", over = { psi1 = {0, 1} }, scene = function(at) return "
+          "scene_at(at.psi1) end }"};
 }
 
 // lua/ricochet/find.lua

@@ -1,5 +1,7 @@
 #include "script/sweep_read.hpp"
 
+#include <fmt/format.h>
+
 #include "script/objects.hpp"
 #include "script/reader.hpp"
 
@@ -25,6 +27,11 @@ Parameters read_parameters(lua_State* L, int names, int points, int units) {
     lua_pop(L, 1);
   }
   return p;
+}
+
+std::string ran_already(const std::string& name) {
+  return fmt::format(
+      "a sweep called '{}' has run already and its results would be replaced; give this one another name", name);
 }
 
 std::vector<Scene> scenes_at(lua_State* L, int list) {

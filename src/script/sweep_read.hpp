@@ -14,6 +14,9 @@ namespace ricochet {
 /// Each name's values at all points: of numbers, or of texts. `units`: of parameters, by name.
 Parameters read_parameters(lua_State* L, int names, int points, int units);
 
+/// What is wrong with running a second sweep of a name.
+std::string ran_already(const std::string& name);
+
 std::vector<Scene> scenes_at(lua_State* L, int list);
 
 /// Throws the error of a scene of the list at the place that made it; `where`: more about it.

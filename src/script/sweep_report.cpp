@@ -17,23 +17,6 @@
 namespace ricochet {
 namespace {
 
-struct Extent {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-
-  void include(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-  std::string text(int digits = 4) const {
-    return low == high ? fmt::format("{:.{}g}", low, digits)
-                       : fmt::format("{:.{}g} to {:.{}g}", low, digits, high, digits);
-  }
-};
-
-struct Steps {
-  Extent step, theta, most, bound;
-};
-
 std::size_t column(const std::string& name) {
   std::size_t i = 0;
   while (Outcome::fields()[i].first.name != name) ++i;
@@ -71,7 +54,7 @@ namespace {
 // What an estimate doubts that no column of the rows and no number of the line tells, by its kind.
 void collect_doubts(const Estimate& e, std::map<std::string, std::string>& doubts) {
   for (const Doubt& doubt : e.doubts)
-    if (doubt.kind == "few_modes" || doubt.kind == "fast_modes" || doubt.kind == "corner")
+    if (doubt.kind == "few_modes" || doubt.kind == "fast_modes" || doubt.kind == "corner" || doubt.kind == "supersonic")
       doubts.emplace(doubt.kind, doubt.reason);
 }
 
@@ -81,77 +64,136 @@ std::string listed(const std::map<std::string, std::string>& doubts) {
   return text;
 }
 
-}  // namespace
+constexpr double near_limit = 0.9, safe = 0.5;  // of the stability limit
 
-std::string scale_text(const std::vector<Scene>& scenes) {
-  Extent speed, depth, length;
-  std::map<std::string, std::string> doubts;
-  std::size_t unknown = 0;
-  bool elements = false;
-  const std::size_t every = scenes.size() / 200 + 1;  // enough to tell the extent of a sweep
-  for (std::size_t i = 0; i < scenes.size(); i += every) {
-    const Estimate e = estimate(scenes[i]);
-    collect_doubts(e, doubts);
-    if (!e.no_law.empty()) {
-      ++unknown;
-      continue;
-    }
-    for (const Body* body : scenes[i].bodies()) elements = elements || body->numbers.of_elements();
-    const Box box = bounding_box(scenes[i].projectile->outline);
-    speed.include(e.normal_speed / e.slowest_wave);
-    depth.include(2 * e.impact.approach / (box.high - box.low).maxCoeff());
-    length.include(2 * e.impact.half_width / e.spacing);
-  }
-  if (!(speed.low <= speed.high)) return listed(doubts);
-  constexpr double least_length = 4;  // of the contact, in node spacings: ricochet.estimate asks for as many
-  const std::string advice = fmt::format("; below 4 e follows the {}: ricochet.estimate says how fine it takes",
-                                         elements ? "mesh" : "lattice");
-  return fmt::format("  estimated: v/c_P {}, indentation {} R, contact {} node spacings long{}{}\n", speed.text(3),
-                     depth.text(2), length.text(2), unknown > 0 ? " (where a law holds)" : "",
-                     length.low < least_length ? advice : "") +
-         listed(doubts);
+struct Told {
+  const char* column;
+  double above;
+  const char* meaning;
+};
+
+// In the order of SweepTold::Ended.
+constexpr Told told_doubts[] = {
+    {"over_yield", 0,
+     "the estimated pressure passes what starts to yield; nothing yields here, so their e is too high"},
+    {"folded", 0, "springs folded, which takes energy that no solid would; see ricochet.estimate"},
+    {"penetration", 0.01,
+     "a node stood deeper than 0.01 R inside the other body; raise contact.V0, or give "
+     "contact.sides = \"two\""}};
+
+SweepTold::Ended ended(const Scene& scene, const Row& row) {
+  static const std::size_t step = column("step"), theta = column("theta"), most = column("theta_most"),
+                           yield = column("over_yield"), folded = column("folded"), deep = column("penetration");
+  const std::vector<double>& v = row.outcomes;
+  return {&scene.method(), scene.step_is_chosen(), row.finished(), v[step], v[theta], v[most], v[yield], v[folded],
+          v[deep]};
 }
 
-std::string passed_over_text(const std::vector<Scene>& scenes) {
-  std::map<std::string, int> passed_over;  // of each such body once, though a sweep has it in many scenes
-  for (const Scene& scene : scenes)
-    for (const Body* body : scene.bodies())
-      if (body->passed_over > 0) passed_over[body->geometry_text()] = body->passed_over;
+}  // namespace
+
+void SweepTold::Extent::include(double x) {
+  low = std::min(low, x);
+  high = std::max(high, x);
+}
+
+std::string SweepTold::Extent::text(int digits) const {
+  return low == high ? fmt::format("{:.{}g}", low, digits)
+                     : fmt::format("{:.{}g} to {:.{}g}", low, digits, high, digits);
+}
+
+void SweepTold::add_scene(std::size_t place, const Scene& scene) {
+  if (!knows_units_) units_ = scene.units;
+  knows_units_ = true;
+  // Of each such body once, though a sweep has it in many scenes.
+  for (const Body* body : scene.bodies())
+    if (body->passed_over > 0) passed_over_[body->geometry_text()] = body->passed_over;
+  if (place % every_ != 0) return;
+  const Estimate e = estimate(scene);
+  collect_doubts(e, doubts_);
+  if (!e.no_law.empty()) {
+    ++unknown_;
+    return;
+  }
+  for (const Body* body : scene.bodies()) elements_ = elements_ || body->numbers.of_elements();
+  const Box box = bounding_box(scene.projectile->outline);
+  speed_.include(e.normal_speed / e.slowest_wave);
+  depth_.include(2 * e.impact.approach / (box.high - box.low).maxCoeff());
+  length_.include(2 * e.impact.half_width / e.spacing);
+}
+
+void SweepTold::add_row(std::size_t place, const Scene& scene, const Row& row) { add_row(place, ended(scene, row)); }
+
+void SweepTold::add_row(std::size_t place, const Ended& row) {
+  ++rows_;
+  const double doubts[] = {row.over_yield, row.folded, row.penetration};
+  for (std::size_t k = 0; k < std::size(doubts); ++k) doubtful_[k] += doubts[k] > told_doubts[k].above;
+  if (!std::isnan(row.step)) {  // else it passed by
+    Steps& of = methods_[row.method->name];
+    of.step.include(row.step);
+    of.theta.include(row.theta);
+    of.most.include(row.theta_most);
+    of.bound.include(row.theta / row.step);
+  }
+  if (!row.finished || row.step_is_chosen) return;
+  const double share = row.theta_most / row.method->stability_limit;
+  near_limit_ += share > near_limit;
+  if (!(share > std::max(most_, near_limit))) return;
+  most_ = share;
+  worst_ = place;
+  enough_ = row.theta * safe / share;
+}
+
+void SweepTold::warn_of_doubts(Session& session) const {
+  std::istringstream lines(doubts_text());
+  for (std::string line; std::getline(lines, line);) session.warn(line.substr(line.find_first_not_of(' ')));
+}
+
+std::string SweepTold::scale_text() const {
+  if (!(speed_.low <= speed_.high)) return listed(doubts_);
+  constexpr double least_length = 4;  // of the contact, in node spacings: ricochet.estimate asks for as many
+  const std::string advice = fmt::format("; below 4 e follows the {}: ricochet.estimate says how fine it takes",
+                                         elements_ ? "mesh" : "lattice");
+  return fmt::format("  estimated: v/c_P {}, indentation {} R, contact {} node spacings long{}{}\n", speed_.text(3),
+                     depth_.text(2), length_.text(2), unknown_ > 0 ? " (where a law holds)" : "",
+                     length_.low < least_length ? advice : "") +
+         listed(doubts_);
+}
+
+std::string SweepTold::passed_over_text() const {
   int lattices = 0;
-  for (const auto& [text, count] : passed_over) lattices += count;
+  for (const auto& [text, count] : passed_over_) lattices += count;
   if (lattices == 0) return "";
   return fmt::format("  passed over: {} whose rough rim crosses itself, for {}\n",
                      lattices == 1 ? "one lattice" : fmt::format("{} lattices", lattices),
-                     passed_over.size() == 1 ? "one body" : fmt::format("{} bodies", passed_over.size()));
+                     passed_over_.size() == 1 ? "one body" : fmt::format("{} bodies", passed_over_.size()));
 }
 
-std::string doubts_text(const std::vector<Row>& rows) {
-  struct Told {
-    const char* column;
-    double above;
-    const char* meaning;
-  };
-  static constexpr Told doubts[] = {
-      {"over_yield", 0,
-       "the estimated pressure passes what starts to yield; nothing yields here, so their e is too high"},
-      {"folded", 0, "springs folded, which takes energy that no solid would; see ricochet.estimate"},
-      {"penetration", 0.01,
-       "a node stood deeper than 0.01 R inside the other body; raise contact.V0, or give "
-       "contact.sides = \"two\""}};
+std::string SweepTold::doubts_text() const {
   std::string text;
-  for (const Told& doubt : doubts) {
-    const std::size_t place = column(doubt.column);
-    const auto count =
-        std::count_if(rows.begin(), rows.end(), [&](const Row& row) { return row.outcomes[place] > doubt.above; });
-    if (count > 0)
-      text += fmt::format("  {}: in {} of {} impacts {}\n", doubt.column, count, rows.size(), doubt.meaning);
-  }
+  for (std::size_t k = 0; k < doubtful_.size(); ++k)
+    if (doubtful_[k] > 0)
+      text += fmt::format("  {}: in {} of {} impacts {}\n", told_doubts[k].column, doubtful_[k], rows_,
+                          told_doubts[k].meaning);
   return text;
 }
 
-void warn_of_doubts(Session& session, const std::vector<Row>& rows) {
-  std::istringstream lines(doubts_text(rows));
-  for (std::string line; std::getline(lines, line);) session.warn(line.substr(line.find_first_not_of(' ')));
+std::string SweepTold::steps_text() const {
+  std::string text;
+  for (const auto& [name, s] : methods_)
+    text +=
+        fmt::format("  {}, time step {} {}, theta {} and at most {:.3g} (stable below {:.4g}); frequency bound {} {}\n",
+                    name, s.step.text(), units_.name("R/c"), s.theta.text(), s.most.high,
+                    method_named(name).stability_limit, s.bound.text(), units_.name("c/R"));
+  return text + of_scenes();
+}
+
+void SweepTold::warn_of_limit(Session& session, const std::function<std::string(std::size_t)>& name) const {
+  if (near_limit_ == 0) return;
+  session.warn(fmt::format(
+      "{}: the frequency bound rose until the step was {:.0f} % of the longest stable one, where errors of several per "
+      "cent may pass unseen{}; give theta = {:.2g} or less, or accuracy = 1e-3, which tells the error",
+      name(worst_), 100 * most_, near_limit_ > 1 ? fmt::format(" ({} impacts came that near)", near_limit_) : "",
+      enough_));
 }
 
 RunProgress::RunProgress(bool quiet, bool terminal, double time_limit, const Units& units)
@@ -173,50 +215,6 @@ void RunProgress::tell(double time) {
   if (text.empty()) return;
   say(terminal_ ? "\r\033[K" + text : text + "\n");
   told_ = true;
-}
-
-std::string steps_text(const std::vector<Scene>& scenes, const std::vector<Row>& rows) {
-  const std::size_t step = column("step"), theta = column("theta"), most = column("theta_most");
-  const Units units = scenes.empty() ? Units{} : scenes.front().units;
-  std::map<std::string, Steps> methods;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::vector<double>& values = rows[i].outcomes;
-    if (std::isnan(values[step])) continue;  // passed by
-    Steps& of = methods[scenes[i].method().name];
-    of.step.include(values[step]);
-    of.theta.include(values[theta]);
-    of.most.include(values[most]);
-    of.bound.include(values[theta] / values[step]);
-  }
-  std::string text;
-  for (const auto& [name, s] : methods)
-    text +=
-        fmt::format("  {}, time step {} {}, theta {} and at most {:.3g} (stable below {:.4g}); frequency bound {} {}\n",
-                    name, s.step.text(), units.name("R/c"), s.theta.text(), s.most.high,
-                    method_named(name).stability_limit, s.bound.text(), units.name("c/R"));
-  return text + scale_text(scenes) + passed_over_text(scenes) + doubts_text(rows);
-}
-
-void warn_of_limit(Session& session, const std::vector<Scene>& scenes, const std::vector<Row>& rows,
-                   const std::function<std::string(std::size_t)>& name) {
-  constexpr double near = 0.9, safe = 0.5;  // of the stability limit
-  const std::size_t theta_most = column("theta_most"), theta = column("theta");
-  std::size_t count = 0, worst = 0;
-  double most = near;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!rows[i].finished() || scenes[i].step_is_chosen()) continue;
-    const double share = rows[i].outcomes[theta_most] / scenes[i].method().stability_limit;
-    count += share > near;
-    if (!(share > most)) continue;
-    most = share;
-    worst = i;
-  }
-  if (count == 0) return;
-  const double enough = rows[worst].outcomes[theta] * safe / most;
-  session.warn(fmt::format(
-      "{}: the frequency bound rose until the step was {:.0f} % of the longest stable one, where errors of several per "
-      "cent may pass unseen{}; give theta = {:.2g} or less, or accuracy = 1e-3, which tells the error",
-      name(worst), 100 * most, count > 1 ? fmt::format(" ({} impacts came that near)", count) : "", enough));
 }
 
 }  // namespace ricochet

@@ -23,6 +23,12 @@ std::vector<std::string> hashes_of(const std::vector<Scene>& scenes) {
   return hashes;
 }
 
+std::string use_text(const SweepUse& use) {
+  return fmt::format("  {:.3g} s on {} thread{}, {:.2g} % of their time idle, {:.2g} % of the lanes' steps idle\n",
+                     use.seconds, use.threads, use.threads == 1 ? "" : "s", 100 * use.idle_threads,
+                     100 * use.idle_lanes);
+}
+
 namespace {
 
 void warn_of_twins(Session& session, const std::string& name, const std::vector<std::string>& hashes) {
@@ -57,7 +63,8 @@ bool run_rows(Session& session, RowStore& store, const SweepWork& work, SweepUse
     std::vector<std::pair<std::size_t, Row>> batch;
     std::size_t failed = 0;
     for (const Result& result : results) {
-      batch.emplace_back(result.index, row_of(scenes[result.index], result.outcome, result.seconds));
+      batch.emplace_back(result.index,
+                         row_of(scenes[result.index], result.outcome, result.seconds, work.hashes[result.index]));
       failed += result.outcome.status != Status::finished;
     }
     const std::size_t before = store.count();

@@ -40,6 +40,9 @@ SweepOptions options_of(const Session& session);
 
 std::vector<std::string> hashes_of(const std::vector<Scene>& scenes);
 
+/// "  20 s on 2 threads, 0.1 % of their time idle ...", a line.
+std::string use_text(const SweepUse& use);
+
 /// Refuses a step that some lattice does not take, before anything is written. Throws SceneError.
 void check_steps(const Session& session, const std::vector<Scene>& scenes);
 

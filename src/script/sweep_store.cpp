@@ -16,20 +16,10 @@ namespace fs = std::filesystem;
 
 Store::Store(Session& session, const std::string& name, const std::vector<std::string>& hashes,
              const Parameters& parameters, const Earlier& earlier)
-    : RowStore(hashes),
-      session_(session),
-      folder_(session.folders.named(name)),
-      parts_(run_names::parts(folder_)),
-      parameters_(parameters) {
-  std::error_code error;
-  merges_ = session.options.part == Part::merge;
-  if (!merges_ && !session.options.force && fs::exists(run_names::plan(folder_), error))
-    throw FileError(fmt::format(
-        "{} holds shards of this sweep; ricochet merge makes results of them, --force drops them", folder_.string()));
-  session.folders.claim(folder_);
-  if (session.options.force || (session.options.resume && fs::exists(run_names::new_parts(folder_), error)))
-    parts_ = run_names::new_parts(folder_);
-  if (earlier.taken) load(earlier.strangers);
+    : RowStore(hashes), folder_(session, name), parameters_(parameters) {
+  if (!earlier.taken) return;
+  const std::size_t strangers = load_while_they_change(known_, [this] { return folder_.stored(); });
+  if (!earlier.strangers) folder_.refuse_strangers(strangers);
 }
 
 void Store::add(const std::vector<std::pair<std::size_t, Row>>& batch) {
@@ -41,54 +31,24 @@ void Store::add(const std::vector<std::pair<std::size_t, Row>>& batch) {
     places.push_back(index);
     key += row.hash;
   }
-  if (session_.options.force && count() == 0) run_names::remove_parts(parts_);  // of another try
-  make_folder(parts_);
+  if (folder_.session().options.force && count() == 0) run_names::remove_parts(folder_.parts());  // of another try
+  make_folder(folder_.parts());
   Table table = table_of(rows);
   parameters_.add_to(table, places);
-  write_table(run_names::part(parts_, hash_text(key)), table, session_.made_by());
+  write_table(run_names::part(folder_.parts(), hash_text(key)), table, Session::made_by());
   for (const auto& [index, row] : batch) known_.accept(row);
 }
 
-bool Store::replaces() const {
-  std::error_code error;
-  return parts_ == run_names::new_parts(folder_) &&
-         (fs::exists(run_names::readable_results(folder_), error) || fs::exists(run_names::plan(folder_), error));
-}
-
 void Store::stop_early() {
-  if (!replaces()) assemble();
-}
-
-std::string Store::left_behind() const {
-  return fmt::format("{} of {} impacts are stored in {}; {}--resume goes on from there{}", count(), rows().size(),
-                     folder_.string(), session_.options.fresh ? "--new " : "",
-                     replaces() ? ", and the earlier results stay until all are there" : "");
+  if (!folder_.replaces()) assemble();
 }
 
 std::string Store::assemble() {
   Table table = table_of(known_.list());
   parameters_.add_to(table, known_.places());
-  write_everywhere(run_names::results(folder_), table, session_.provenance());
-  for (const fs::path& parts : {run_names::parts(folder_), run_names::new_parts(folder_)})
-    run_names::remove_parts(parts);
-  if (count() == rows().size()) run_names::remove_shards(folder_);
-  session_.folders.results_are_whole(folder_);
+  write_everywhere(run_names::results(folder()), table, folder_.session().provenance());
+  folder_.results_are_written(count() == rows().size());
   return digest_of(table);
-}
-
-void Store::load(bool strangers_too) {
-  const auto files = [this] {
-    std::vector<fs::path> list = run_names::stored(folder_);
-    if (!merges_) return list;
-    for (const fs::path& file : run_names::shard_files(folder_)) list.push_back(file);
-    return list;
-  };
-  const std::size_t strangers = load_while_they_change(known_, files);
-  if (strangers > 0 && !strangers_too)
-    throw FileError(fmt::format(
-        "{} holds {} rows of other scenes than this sweep's, which --resume would lose; use the same parameters (and "
-        "the same scenes where accuracy chooses the step: trials of them chose it), --force, or another --out",
-        folder_.string(), strangers));
 }
 
 }  // namespace ricochet

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "script/session.hpp"
+#include "script/store_folder.hpp"
 #include "script/sweep_parameters.hpp"
 #include "script/sweep_run.hpp"
 #include "store/table.hpp"
@@ -27,7 +28,7 @@ class Store : public RowStore {
   Store(Session& session, const std::string& name, const std::vector<std::string>& hashes, const Parameters& parameters,
         const Earlier& earlier);
 
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
 
   /// Keeps a finished batch as a part file: from then on it survives a kill.
   void add(const std::vector<std::pair<std::size_t, Row>>& batch) override;
@@ -39,16 +40,10 @@ class Store : public RowStore {
   /// beside them.
   void stop_early();
   /// "12 of 40 impacts are stored in out/s; --resume goes on from there".
-  std::string left_behind() const;
+  std::string left_behind() const { return folder_.left_behind(count(), rows().size()); }
 
  private:
-  // True if earlier results stay until all new rows are there.
-  bool replaces() const;
-  void load(bool strangers_too);
-
-  Session& session_;
-  std::filesystem::path folder_, parts_;
-  bool merges_ = false;  // takes up the rows of shards
+  StoreFolder folder_;
   const Parameters& parameters_;
 };
 

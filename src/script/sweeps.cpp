@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <unordered_map>
 
 #include "impact/sweep.hpp"
 #include "script/fields.hpp"
@@ -111,18 +112,20 @@ std::vector<Row> check_only(Session& session, const Request& sweep) {
 void tell_end(Session& session, const Request& sweep, const fs::path& folder, const std::vector<Row>& rows,
               const std::string& digest, const SweepUse* use) {
   std::size_t finished = 0;
-  for (const Row& row : rows) finished += row.finished();
+  SweepTold told(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    finished += rows[i].finished();
+    told.add_scene(i, sweep.scenes[i]);
+    told.add_row(i, sweep.scenes[i], rows[i]);
+  }
   std::string text = fmt::format("{}: {} of {} impacts finished; {}\n{}", sweep.name, finished, rows.size(),
-                                 run_names::readable_results(folder).string(), steps_text(sweep.scenes, rows));
+                                 run_names::readable_results(folder).string(), told.steps_text());
   text += fmt::format("  digest of outcomes {}\n", digest);
-  if (use)
-    text += fmt::format("  {:.3g} s on {} thread{}, {:.2g} % of their time idle, {:.2g} % of the lanes' steps idle\n",
-                        use->seconds, use->threads, use->threads == 1 ? "" : "s", 100 * use->idle_threads,
-                        100 * use->idle_lanes);
+  if (use) text += use_text(*use);
   for (const Row& row : rows) session.count(row);
   session.inform(text);
-  warn_of_limit(session, sweep.scenes, rows, sweep.scene_name());
-  if (session.options.quiet) warn_of_doubts(session, rows);
+  told.warn_of_limit(session, sweep.scene_name());
+  if (session.options.quiet) told.warn_of_doubts(session);
 }
 
 std::vector<Scene> with_steps(Session& session, const Request& sweep) {
@@ -130,6 +133,16 @@ std::vector<Scene> with_steps(Session& session, const Request& sweep) {
   if (sweep.stage != Stage::whole) return with_steps_of_rounds(session, sweep.name, sweep.scenes, telling);
   return session.options.part == Part::whole ? with_chosen_steps(session, sweep.scenes, telling)
                                              : with_planned_steps(session, sweep.name, sweep.scenes, telling);
+}
+
+// Scenes that are all there, by their hashes.
+auto scenes_by_hash(const std::vector<Scene>& scenes, const std::vector<std::string>& hashes) {
+  auto of_hash = std::make_shared<std::unordered_map<std::string, Scene>>();
+  for (std::size_t i = 0; i < scenes.size(); ++i) of_hash->emplace(hashes[i], scenes[i]);
+  return [of_hash](const std::string& hash) {
+    const auto found = of_hash->find(hash);
+    return found == of_hash->end() ? std::nullopt : std::optional<Scene>(found->second);
+  };
 }
 
 // Runs what is not stored yet.
@@ -160,14 +173,14 @@ std::vector<Row> run(Session& session, Request& sweep) {
   const std::size_t before = store.count();
   SweepUse use;
   if (merges)
-    refuse_missing(session, sweep.name, store);
+    refuse_missing(session, sweep.name, store.done());
   else
     use = run_rest(session, store, sweep, hashes);
   if (sweep.goes_on()) return store.rows();
   const std::string digest = store.assemble();
   const std::vector<Row> rows = store.count() < hashes.size() ? with_missing(store, sweep.scenes) : store.rows();
   tell_end(session, sweep, store.folder(), rows, digest, store.count() > before ? &use : nullptr);
-  session.swept.push_back({sweep.name, store.folder(), sweep.scenes});
+  session.swept.push_back({sweep.name, store.folder(), scenes_by_hash(sweep.scenes, hashes)});
   return rows;
 }
 
@@ -198,11 +211,7 @@ int run_sweep_from_lua(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1);
   const std::string stage = luaL_optstring(L, 5, "whole");
   const bool first = stage != "last" && !(stage == "round" && session.rounds.contains(name));
-  if (first && !session.first_sweep_named(name))
-    throw at_this_call(
-        L,
-        fmt::format("a sweep called '{}' has run already and its results would be replaced; give this one another name",
-                    name));
+  if (first && !session.first_sweep_named(name)) throw at_this_call(L, ran_already(name));
   Request sweep{name, read_parameters(L, 2, 3, 6), scenes_at(L, 4), stage_named(stage, first)};
   if (stage == "round") session.rounds[name];
   std::vector<Row> rows;
@@ -228,13 +237,14 @@ int save_rows(lua_State* L) {
     lua_pop(L, 2);
     NumberColumn numbers{field, {}};
     TextColumn texts{field, {}};
-    each_element(L, 3, [&](lua_Integer) {
+    for (lua_Integer i = 1; i <= luaL_len(L, 3); ++i) {  // of a long sweep they are read as they are asked for
+      lua_geti(L, 3, i);
       lua_getfield(L, -1, field.name.c_str());
       numbers.values.push_back(lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : not_given);
       texts.values.push_back(luaL_tolstring(L, -1, nullptr));
       if (lua_type(L, -2) != LUA_TNUMBER) numbers.field.type = "string";
-      lua_pop(L, 2);
-    });
+      lua_pop(L, 3);
+    }
     numbers.field.type.empty() ? table.numbers.push_back(numbers) : table.texts.push_back(texts);
   });
   if (session.options.check) return 0;

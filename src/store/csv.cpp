@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "store/files.hpp"
@@ -34,14 +35,44 @@ std::string line(const Table& table, OfNumber of_number, OfText of_text) {
 
 }  // namespace
 
-std::string csv(const Table& table) {
+namespace {
+
+std::string head_of(const Table& table) {
   const auto head = [](const auto& column) { return heading(column.field); };
-  std::string text = line(table, head, head);
+  return line(table, head, head);
+}
+
+std::string lines_of(const Table& table) {
+  std::string text;
   for (std::size_t row = 0; row < table.rows(); ++row)
     text += line(
         table, [row](const NumberColumn& column) { return cell(column.values[row]); },
         [row](const TextColumn& column) { return quoted(column.values[row]); });
   return text;
+}
+
+template <class Column>
+void put_in_order(std::vector<Column>& columns, const std::vector<std::string>& names) {
+  const auto place = [&](const Column& c) { return std::find(names.begin(), names.end(), c.field.name); };
+  std::sort(columns.begin(), columns.end(), [&](const Column& a, const Column& b) { return place(a) < place(b); });
+}
+
+}  // namespace
+
+std::string csv(const Table& table) { return head_of(table) + lines_of(table); }
+
+void write_long_csv(const std::filesystem::path& path, const StoredTable& table,
+                    const std::vector<std::string>& names) {
+  constexpr std::size_t block = 4096;  // rows
+  AtomicFile file(path);
+  for (std::size_t first = 0; first < table.rows(); first += block) {
+    Table part = table.part(first, std::min(block, table.rows() - first), [](const Field&) { return true; });
+    put_in_order(part.numbers, names);
+    put_in_order(part.texts, names);
+    if (first == 0) file.add(head_of(part));
+    file.add(lines_of(part));
+  }
+  file.finish();
 }
 
 void write_csv(const std::filesystem::path& path, const Table& table, const Provenance&) {

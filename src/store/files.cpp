@@ -80,29 +80,46 @@ FolderLock::~FolderLock() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
-void write_atomically(const std::filesystem::path& path, std::string_view bytes) {
+AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)), beside_(run_names::unfinished(path_)) {
+  unlink(beside_.c_str());  // left by a run that was killed; and no link is ever followed
+  descriptor_ = open(beside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
+  if (descriptor_ < 0) fail(path_, "write", errno);
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ < 0) return;
+  close(descriptor_);
+  unlink(beside_.c_str());
+}
+
+void AtomicFile::add(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) fail(path_, "write", written < 0 ? errno : EIO);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void AtomicFile::finish() {
+  if (fsync(descriptor_) != 0) fail(path_, "write", errno);
+  close(std::exchange(descriptor_, -1));
+  rename_over(beside_, path_);
+}
+
+void finish_beside(const std::filesystem::path& path) {
   const std::filesystem::path beside = run_names::unfinished(path);
   {
-    unlink(beside.c_str());  // left by a run that was killed; and no link is ever followed
-    const Descriptor file(open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644));
-    if (file.value() < 0) fail(path, "write", errno);
-    while (!bytes.empty()) {
-      const ssize_t written = write(file.value(), bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written <= 0) {
-        const int error = written < 0 ? errno : EIO;
-        unlink(beside.c_str());
-        fail(path, "write", error);
-      }
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    if (fsync(file.value()) != 0) {
-      const int error = errno;
-      unlink(beside.c_str());
-      fail(path, "write", error);
-    }
+    const Descriptor file(open(beside.c_str(), O_RDONLY | O_CLOEXEC));
+    if (file.value() < 0 || fsync(file.value()) != 0) fail(path, "write", errno);
   }
   rename_over(beside, path);
+}
+
+void write_atomically(const std::filesystem::path& path, std::string_view bytes) {
+  AtomicFile file(path);
+  file.add(bytes);
+  file.finish();
 }
 
 void rename_over(const std::filesystem::path& file, const std::filesystem::path& path) {
@@ -150,12 +167,16 @@ void remove_file(const std::filesystem::path& path) {
   if (error) fail(path, "remove", error.value());
 }
 
-std::string read_file(const std::filesystem::path& path) {
+void check_readable(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
     throw FileError(fmt::format("cannot read {}: it is a folder", path.string()));
   if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
     throw FileError(fmt::format("cannot read {}: it is no regular file", path.string()));
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  check_readable(path);
   std::ifstream file(path, std::ios::binary);
   if (!file) fail(path, "read", errno);
   return {std::istreambuf_iterator<char>(file), {}};

@@ -10,11 +10,34 @@ namespace ricochet {
 /// synced, renamed. Throws FileError.
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// The same of a file that is written piece by piece: nothing is at its path before finish().
+class AtomicFile {
+ public:
+  /// Throws FileError, as all members do.
+  explicit AtomicFile(std::filesystem::path path);
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  ~AtomicFile();
+
+  void add(std::string_view bytes);
+  void finish();
+
+ private:
+  std::filesystem::path path_, beside_;
+  int descriptor_;
+};
+
+/// Syncs a file that another library wrote beside `path`, and gives it that name. Throws FileError.
+void finish_beside(const std::filesystem::path& path);
+
 /// Makes a folder and its parents. Throws FileError.
 void make_folder(const std::filesystem::path& path);
 
 /// Removes a file or an empty folder, if there is one; a link, not what it leads to. Throws FileError.
 void remove_file(const std::filesystem::path& path);
+
+/// Throws FileError for a folder, or what is no regular file.
+void check_readable(const std::filesystem::path& path);
 
 /// The whole file. Throws FileError.
 std::string read_file(const std::filesystem::path& path);

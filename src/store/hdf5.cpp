@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <sstream>
 
 #include "core/hash.hpp"
+#include "core/hash_pieces.hpp"
 #include "store/files.hpp"
 #include "store/hdf5_version.hpp"
+#include "store/run_names.hpp"
 
 namespace ricochet::hdf5 {
 namespace {
@@ -111,22 +115,80 @@ std::string image(const Handle& file, const std::string& content) {
   return seal_of(bytes, content) + bytes;  // an image begins behind the user block
 }
 
-std::string seal_of(std::string_view bytes, const std::string& content) {
-  std::string seal = std::string(seal_words) + hash_text(bytes) + "\n";
-  if (!content.empty()) seal += line_of({seal_size + bytes.size(), content});
+namespace {
+
+/// What a file says of itself, the hash of what it holds, and its size.
+struct Sealed {
+  std::string seal, hash;
+  std::size_t size = 0;
+};
+
+Sealed sealed_in(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw FileError(fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
+  std::string piece(1 << 20, '\0');
+  const auto next = [&](std::size_t most) {
+    file.read(piece.data(), static_cast<std::streamsize>(most));
+    return std::string_view(piece).substr(0, static_cast<std::size_t>(file.gcount()));
+  };
+  Sealed found;
+  found.seal = next(seal_size);
+  found.size = found.seal.size();
+  Hasher hasher;
+  for (std::string_view bytes = next(piece.size()); !bytes.empty(); bytes = next(piece.size())) {
+    hasher.add(bytes);
+    found.size += bytes.size();
+  }
+  found.hash = hasher.text();
+  return found;
+}
+
+std::string seal_with(const std::string& hash, const Content& content) {
+  std::string seal = std::string(seal_words) + hash + "\n";
+  if (!content.hash.empty()) seal += line_of(content);
   seal.resize(seal_size, '\n');
   return seal;
 }
 
-namespace {
+}  // namespace
 
-hid_t opened(const std::filesystem::path& path) {
+std::string seal_of(std::string_view bytes, const std::string& content) {
+  return seal_with(hash_text(bytes), {seal_size + bytes.size(), content});
+}
+
+void seal(const std::filesystem::path& path, const std::string& content) {
+  const Sealed found = sealed_in(path);
+  const std::string text = seal_with(found.hash, {found.size, content});
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  if (!file.write(text.data(), static_cast<std::streamsize>(text.size())).flush())
+    throw FileError(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
+}
+
+Handle new_file_beside(const std::filesystem::path& path) {
+  quiet();
+  const std::filesystem::path beside = run_names::unfinished(path);
+  remove_file(beside);
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "make properties");
+  check(H5Pset_userblock(creation, seal_size), "leave room for the seal");
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
+  check(H5Pset_file_locking(access, 0, 1), "do without locks");
+  const hid_t id = H5Fcreate(beside.c_str(), H5F_ACC_EXCL, creation, access);
+  if (id < 0) throw FileError(fmt::format("cannot write {}; give a writable folder with --out", path.string()));
+  return {id, H5Fclose, "make a file"};
+}
+
+Handle open_known_file(const std::filesystem::path& path) {
+  quiet();
   // One process writes a file, and gives it its name when it is whole: no lock is needed, and some file systems have
   // none.
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
   check(H5Pset_file_locking(access, 0, 1), "do without locks");
-  return H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  if (id < 0) throw FileError(fmt::format("{} is sealed, but HDF5 cannot open it; {}", path.string(), damage_remedy));
+  return {id, H5Fclose, "open a file"};
 }
+
+namespace {
 
 // True if HDF5 itself says that the file ends where it does: it added what stands there.
 bool ends_by_hdf5(hid_t file, std::size_t size) {
@@ -137,26 +199,23 @@ bool ends_by_hdf5(hid_t file, std::size_t size) {
 }  // namespace
 
 Opened open_with_additions(const std::filesystem::path& path) {
-  quiet();
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw FileError(fmt::format("{} does not exist", path.string()));
-  const std::string bytes = read_file(path);
-  if (!bytes.starts_with(seal_words))
+  check_readable(path);
+  const Sealed found = sealed_in(path);
+  if (!found.seal.starts_with(seal_words))
     throw FileError(
         fmt::format("{} is no file of ricochet's (it begins without a seal), or its beginning is damaged; {}",
                     path.string(), damage_remedy));
-  const Content content = content_of(bytes);
-  const bool whole = bytes.size() >= seal_size &&
-                     bytes.compare(0, seal_size, seal_of(std::string_view(bytes).substr(seal_size), content.hash)) == 0;
-  const bool grew = !content.hash.empty() && bytes.size() > content.size;
+  const Content content = content_of(found.seal);
+  const bool whole = found.seal == seal_with(found.hash, content);
+  const bool grew = !content.hash.empty() && found.size > content.size;
   if (!whole && !grew)
     throw FileError(
         fmt::format("{} is damaged: its bytes are not those that were written (the seal does not match); {}",
                     path.string(), damage_remedy));
-  const hid_t id = opened(path);
-  if (id < 0) throw FileError(fmt::format("{} is sealed, but HDF5 cannot open it; {}", path.string(), damage_remedy));
-  Handle file(id, H5Fclose, "open a file");
-  if (!whole && !ends_by_hdf5(file, bytes.size()))
+  Handle file = open_known_file(path);
+  if (!whole && !ends_by_hdf5(file, found.size))
     throw FileError(fmt::format("{} is damaged: more stands there than was written, and HDF5 did not add it; {}",
                                 path.string(), damage_remedy));
   return {std::move(file), whole ? "" : content.hash};
@@ -227,15 +286,58 @@ Handle numbers(hid_t parent, const char* name, std::span<const double> values) {
   return dataset(parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, shape, {}, values.empty() ? nullptr : values.data());
 }
 
-Handle texts(hid_t parent, const char* name, std::span<const std::string> values) {
+namespace {
+
+std::size_t longest(std::span<const std::string> values) {
   std::size_t length = 1;
   for (const std::string& value : values) length = std::max(length, value.size());
-  std::string packed(values.size() * length, '\0');
+  return length;
+}
+
+// The values one after the other, each as long as the longest.
+std::string packed(std::span<const std::string> values, std::size_t length) {
+  std::string bytes(values.size() * length, '\0');
   for (std::size_t i = 0; i < values.size(); ++i)
-    std::copy(values[i].begin(), values[i].end(), packed.begin() + static_cast<std::ptrdiff_t>(i * length));
+    std::copy(values[i].begin(), values[i].end(), bytes.begin() + static_cast<std::ptrdiff_t>(i * length));
+  return bytes;
+}
+
+// A part of a dataset of one dimension, in the file.
+Handle part_of(const Handle& set, std::size_t first, std::size_t count) {
+  Handle space(H5Dget_space(set), H5Sclose, "read a shape");
+  const hsize_t start = first, length = count;
+  check(H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &length, nullptr), "choose rows");
+  return space;
+}
+
+Handle line_of(std::size_t count) {
+  const hsize_t length = count;
+  return {H5Screate_simple(1, &length, nullptr), H5Sclose, "make a shape"};
+}
+
+}  // namespace
+
+Handle texts(hid_t parent, const char* name, std::span<const std::string> values) {
+  const std::size_t length = longest(values);
+  const std::string bytes = packed(values, length);
   const hsize_t shape[] = {values.size()};
   const Handle type = text_type(length);
-  return dataset(parent, name, type, type, shape, {}, packed.empty() ? nullptr : packed.data());
+  return dataset(parent, name, type, type, shape, {}, bytes.empty() ? nullptr : bytes.data());
+}
+
+Handle many_texts(hid_t parent, const char* name, std::span<const std::string> values) {
+  constexpr std::size_t long_text = 64, block = 1 << 14;
+  const std::size_t length = longest(values);
+  const hsize_t shape[] = {values.size()}, chunk[] = {std::min(block, std::max<std::size_t>(1, values.size()))};
+  const Handle type = text_type(length);
+  Handle set = dataset(parent, name, type, type, shape,
+                       length > long_text ? std::span<const hsize_t>(chunk) : std::span<const hsize_t>(), nullptr);
+  for (std::size_t first = 0; first < values.size(); first += block) {
+    const auto some = values.subspan(first, std::min(block, values.size() - first));
+    const Handle memory = line_of(some.size()), file = part_of(set, first, some.size());
+    check(H5Dwrite(set, type, memory, file, H5P_DEFAULT, packed(some, length).data()), "write a dataset");
+  }
+  return set;
 }
 
 bool holds_text(hid_t parent, const char* name) {
@@ -251,18 +353,35 @@ std::vector<float> read_floats(hid_t parent, const char* name) {
   return read_all<float>(parent, name, H5T_NATIVE_FLOAT);
 }
 
-std::vector<std::string> read_texts(hid_t parent, const char* name) {
+std::vector<double> read_numbers(hid_t parent, const char* name, std::size_t first, std::size_t count) {
+  const Handle set = open_set(parent, name);
+  std::vector<double> values(count);
+  if (count == 0) return values;
+  const Handle memory = line_of(count), file = part_of(set, first, count);
+  check(H5Dread(set, H5T_NATIVE_DOUBLE, memory, file, H5P_DEFAULT, values.data()), "read a dataset");
+  return values;
+}
+
+std::size_t length_of(hid_t parent, const char* name) { return value_count(open_set(parent, name)); }
+
+std::vector<std::string> read_texts(hid_t parent, const char* name, std::size_t first, std::size_t count) {
   const Handle set = open_set(parent, name);
   const Handle type(H5Dget_type(set), H5Tclose, "read a type");
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
     throw FileError("a text column is not plain text");
-  const std::size_t length = H5Tget_size(type), count = value_count(set);
+  const std::size_t length = H5Tget_size(type);
   if (length > 0 && count > most_values / length) throw FileError("a text column is larger than any of ours");
-  std::string packed(count * length, '\0');
-  if (count > 0) check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()), "read a dataset");
+  if (count == 0) return {};
+  std::string bytes(count * length, '\0');
+  const Handle memory = line_of(count), file = part_of(set, first, count);
+  check(H5Dread(set, type, memory, file, H5P_DEFAULT, bytes.data()), "read a dataset");
   std::vector<std::string> values;
-  for (std::size_t i = 0; i < count; ++i) values.emplace_back(std::string(packed, i * length, length).c_str());
+  for (std::size_t i = 0; i < count; ++i) values.emplace_back(std::string(bytes, i * length, length).c_str());
   return values;
+}
+
+std::vector<std::string> read_texts(hid_t parent, const char* name) {
+  return read_texts(parent, name, 0, length_of(parent, name));
 }
 
 std::vector<std::string> link_names(hid_t where) {
@@ -273,6 +392,16 @@ std::vector<std::string> link_names(hid_t where) {
   };
   check(H5Literate(where, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names), "list a group");
   return names;
+}
+
+void describe(const Handle& set, const Field& field) {
+  attribute(set, "unit", field.unit);
+  attribute(set, "doc", field.doc);
+}
+
+Field described(hid_t parent, const std::string& name) {
+  const Handle set = open_set(parent, name.c_str());
+  return {name, "", text_attribute(set, "unit"), text_attribute(set, "doc")};
 }
 
 void write_provenance(hid_t file, const std::map<std::string, std::string>& provenance) {

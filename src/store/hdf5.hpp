@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/field.hpp"
 
 namespace ricochet::hdf5 {
 
@@ -45,6 +46,14 @@ std::string image(const Handle& file, const std::string& content = "");
 /// The seal of these bytes, which go behind it.
 std::string seal_of(std::string_view bytes, const std::string& content = "");
 
+/// A file on disk, for what is too long for memory, beside what will be at `path` (run_names::unfinished); seal() once
+/// it is closed.
+Handle new_file_beside(const std::filesystem::path& path);
+/// Writes the seal of such a file into its first bytes; `content` as for image(). Throws FileError.
+void seal(const std::filesystem::path& file, const std::string& content);
+/// The same as open_file() of one that this process has opened before.
+Handle open_known_file(const std::filesystem::path& path);
+
 /// A file that is open to read, of what was written or more. If `content` is not empty, something was added to it, by
 /// HDF5 and so that it grew: what we wrote must have that hash.
 struct Opened {
@@ -70,16 +79,27 @@ std::vector<std::string> attribute_names(hid_t object);
 /// One-dimensional datasets. Text is stored with a fixed length, padded with zeros.
 Handle numbers(hid_t parent, const char* name, std::span<const double> values);
 Handle texts(hid_t parent, const char* name, std::span<const std::string> values);
+/// The same of very many, written in blocks; long ones are compressed, since most rows have none.
+Handle many_texts(hid_t parent, const char* name, std::span<const std::string> values);
 /// The values of a dataset of numbers of any shape, in its order.
 std::vector<double> read_numbers(hid_t parent, const char* name);
 std::vector<float> read_floats(hid_t parent, const char* name);
 std::vector<std::string> read_texts(hid_t parent, const char* name);
+/// `count` values from the one at `first` on, of a dataset of one dimension.
+std::vector<double> read_numbers(hid_t parent, const char* name, std::size_t first, std::size_t count);
+std::vector<std::string> read_texts(hid_t parent, const char* name, std::size_t first, std::size_t count);
+/// How many values a dataset has.
+std::size_t length_of(hid_t parent, const char* name);
 bool holds_text(hid_t parent, const char* name);
 std::vector<std::string> link_names(hid_t group);
 
 /// A dataset of any shape from memory of type `memory_type`, stored as `file_type`; chunk 0 sizes make it contiguous.
 Handle dataset(hid_t parent, const char* name, hid_t file_type, hid_t memory_type, std::span<const hsize_t> shape,
                std::span<const hsize_t> chunk, const void* values);
+
+/// What a column's field says of it, as attributes; and of the dataset of that name.
+void describe(const Handle& set, const Field& field);
+Field described(hid_t parent, const std::string& name);
 
 /// The group "provenance": a text for each name.
 void write_provenance(hid_t file, const std::map<std::string, std::string>& provenance);

@@ -81,13 +81,15 @@ TEST_CASE("estimate: where no law holds it says why, and its numbers are undefin
 TEST_CASE("estimate: it doubts what a corner does, whoever it meets, but none of a flat side", "[estimate]") {
   Body tilted{box(2, 2), numbers(400, 1e4, 0, 1), {}, {}};
   for (Vec2& p : tilted.outline) p = Turn(0.3)(p);
-  const auto square = std::make_shared<Body>(tilted);
-  for (const auto& target : {plane(), block(4e4)}) {
-    const Estimate e = estimate(scene_of(square, target, 0.1));
-    CHECK(e.no_law == "a corner touches, and the law is of smooth outlines");
-    REQUIRE(e.doubts.size() == 1);
-    CHECK(e.doubts[0].kind == "corner");
-  }
+  Body turned{box(2, 2), numbers(400, 1e4, 0, 1), {}, {}};
+  turned.numbers.angle = 30;
+  for (const Body& square : {tilted, turned})
+    for (const auto& target : {plane(), block(4e4)}) {
+      const Estimate e = estimate(scene_of(std::make_shared<Body>(square), target, 0.1));
+      CHECK(e.no_law == "a corner touches, and the law is of smooth outlines");
+      REQUIRE(e.doubts.size() == 1);
+      CHECK(e.doubts[0].kind == "corner");
+    }
   const auto bar = std::make_shared<Body>(Body{box(0.5, 2), numbers(200, 1e4, 0, 1), {}, {}});
   CHECK(estimate(scene_of(bar, bar, 0.1)).doubts.empty());  // end on end
   CHECK(estimate(scene_of(bar, block(4e4), 0.1)).doubts.empty());

@@ -109,3 +109,21 @@ assert(math.abs(moduli.E / 205e9 - 1) < 0.1, moduli.E)
   CHECK(ended.status == 0);
   CHECK_THAT(ended.err, Contains("nu = 0.22") && !Contains("nu = 0.29"));
 }
+
+TEST_CASE("numbers in MPa or GPa are told, not taken for Pa") {
+  const Workplace here;
+  const auto run = [&](const std::string& material, const std::string& last) {
+    return here.script("local ricochet = require 'ricochet'\nlocal odd = ricochet.material { " + material + R"(,
+  nu = 0.33, density = 2700 }
+local scene = ricochet.scene { units = "SI", target = ricochet.plane {}, launch = { speed = 3 },
+  projectile = ricochet.disk { radius = 0.005, material = odd, nodes = 100, interior = "elements",
+    state = "plane_strain" }, effects = { ricochet.yielding {} } }
+)" + last,
+                       "--quiet --force");
+  };
+  const std::string estimated = "for _, w in ipairs(ricochet.estimate(scene).warnings) do print(w.kind, w.reason) end";
+  CHECK_THAT(run("E = 70, yield = 1", estimated).out, Contains("supersonic") && Contains("in SI, are E and density"));
+  CHECK_THAT(run("E = 70e9, yield = 276e6", estimated).out, !Contains("supersonic"));
+  CHECK_THAT(run("E = 70e9, yield = 276", "scene:run()").first_line(),
+             Contains("has a yield stress of 3.9e-09 of its E") && Contains("in SI both are in Pa"));
+}

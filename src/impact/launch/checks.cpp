@@ -65,6 +65,9 @@ void check_effects(const Scene& scene, const Solids& solids) {
     throw FieldError("effects", conflict);
 }
 
+// Of E: what yields sooner is a number in another unit.
+constexpr double least_yield_share = 1e-6;
+
 void check_yielding(const Scene& scene) {
   const auto bodies = scene.bodies();
   const int count = static_cast<int>(bodies.size());
@@ -75,6 +78,11 @@ void check_yielding(const Scene& scene) {
     const std::string of = "yielding: the " + body_name(static_cast<std::size_t>(b));
     if (std::isnan(yielding->yield + yielding->hardening))
       throw FieldError("effects", of + " is of no material with a yield stress; give yield and hardening");
+    if (yielding->yield < least_yield_share * numbers.stiffness)
+      throw FieldError("effects",
+                       fmt::format("{} has a yield stress of {:.2g} of its E, and metals have 1e-4 to 1e-2: in "
+                                   "SI both are in Pa",
+                                   of, yielding->yield / numbers.stiffness));
     if (numbers.state == "plane_stress")
       throw FieldError("effects", of + " is free to bulge, and would flow across the plane too; give it state = "
                                        "\"plane_strain\" or \"axisymmetric\"");
