@@ -101,9 +101,9 @@ end
 
 local is_all = p.claim == "all"
 local by_words = "By the paper's words: nodes at random, all of Delaunay's springs, forces along the spring's normal. "
-local caption = ("%s: %s. %sContact: V0 = %g, ξ = %g/R, sides = %s. %d + %d nodes unless told, %d lattices a point."):format(
-  is_all and "Best readings, from above" or "Reading", table.concat(docs, "; "), is_all and by_words or "", p.V0, p.xi,
-  p.sides, p.nodes, 5 * p.nodes, samples)
+local caption = ("%s: %s. %sContact: V0 = %g, ξ = %g/R, sides = %s. %d + %d nodes unless told, %d lattices a point.")
+  :format(is_all and "Best readings, from above" or "Reading", table.concat(docs, "; "), is_all and by_words or "",
+    p.V0, p.xi, p.sides, p.nodes, 5 * p.nodes, samples)
 ricochet.plot {
   rows = rows_of(drawn), x = "psi1", y = panels, by = "reading", name = "four_claims", ylabel = labels,
   title = is_all and "Four claims of the paper, by its words and by the best reading of each"

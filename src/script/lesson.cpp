@@ -152,8 +152,7 @@ Function lesson_function() {
       .doc =
           "Makes NAME.html of a sweep that has run, a page for a class: sliders over the sweep's settings, a guess "
           "before each result, the replay of each setting's own impact, a graph that fills as the pupil tries, "
-          "questions "
-          "with folded answers. One file of at most 6 MB without network, beside the report.",
+          "questions with folded answers. One file of at most 6 MB without network, beside the report.",
       .fields = {{"grid", "sweep", "", "that has run, over one to three names: at least 12 settings, each finished"},
                  {"title", "string", "", "of the page"},
                  {"intro", "strings", "", std::string("paragraphs below the title.") + numbers_of_rows},
