@@ -147,14 +147,12 @@ void record_row(lua_State* L, const Swept& swept, std::vector<FilmedScene>& scen
 // record_rows(name, hashes or how, frames): records rows of a sweep that has run; a list of what their impacts gave.
 int record_rows(lua_State* L) {
   Session& session = session_of(L);
-  const std::string name = luaL_checkstring(L, 1);
   const int frames = static_cast<int>(luaL_checkinteger(L, 3));
   lua_newtable(L);
   const int list = lua_gettop(L);
   if (session.options.check) return 1;
-  const auto swept =
-      std::find_if(session.swept.begin(), session.swept.end(), [&](const Swept& one) { return one.name == name; });
-  if (swept == session.swept.end()) throw at_this_call(L, "this sweep has not run; call sweep:run() first");
+  const Swept* swept = swept_named(session, luaL_checkstring(L, 1));
+  if (!swept) throw at_this_call(L, "this sweep has not run; call sweep:run() first");
   lua_Integer count = 0;
   for (const std::string& hash : wanted_hashes(L, *swept)) {
     std::vector<FilmedScene> scenes{filmed_row(L, *swept, hash)};

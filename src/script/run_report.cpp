@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
 #include "impact/parallel.hpp"
 #include "script/page.hpp"
@@ -75,8 +74,7 @@ std::vector<std::size_t> rows_wanted(const Table& table, const PageWish& wish, s
 // The scenes to run once more: of rows that the script has named, or of those chosen that time allows.
 std::vector<Replay> planned_replays(const PageSection& section, const std::vector<Scene>& scenes, const PageWish& wish,
                                     std::size_t count) {
-  std::unordered_map<std::string, const Scene*> of_hash;
-  for (const Scene& scene : scenes) of_hash.emplace(scene.hash(), &scene);
+  const auto of_hash = scenes_by_hash(scenes);
   const Table& table = section.table;
   const TextColumn* hashes = table.text("scene_hash");
   double all = 0, taken = 0;
