@@ -5,7 +5,7 @@
 -- numbers differ from those of the first reading, lattice by lattice. Then where e and mu are greatest on the soft
 -- wall, by a bootstrap over lattices. Where one segment alone pushes a node is what not to do: energy is gained or
 -- lost, which the script allows (energy_tolerance = 10) and tells. `samples`: lattices a reading; two minutes on two
--- cores by default. `full=true`: 64, a quarter of an hour.
+-- cores by default. `full=true`: 64, half an hour.
 local ricochet = require "ricochet"
 local readings = require "ricochet.readings"
 local rows_of = require("ricochet.rows").rows_of

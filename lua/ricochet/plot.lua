@@ -287,7 +287,7 @@ local function plot(given)
   local entries, longest = most_entries(t, list, theory, published), 0
   for _, series in ipairs(list) do longest = math.max(longest, utf8.len(series.name or "") or 0) end
   local beside = t.by and #list > 6
-  local each = beside and math.max(285, 40 + 18 * entries) or 285 + 18 * entries
+  local each = beside and math.max(285, 110 + 19 * entries) or 285 + 18 * entries
   script:panels {
     count = #t.y, width = beside and 860 + 8 * longest or 800, font = 12,
     key = beside and ("outside right top vertical Left reverse samplen 2\nset rmargin %d"):format(longest + 8)
