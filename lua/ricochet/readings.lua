@@ -37,8 +37,8 @@ readings.list = {
 }
 
 --- A touch lasts until its force has fallen to this share of its greatest, which decides what a first parting is: on
---- the soft wall e at the first parting is 0.93, 0.94, 0.90 at Psi1 = 6, 8, 10 by 0.1 %, 0.86, 0.87, 0.76 by 1 % and
---- 0.62, 0.64, 0.48 by 5 % (40 lattices, +- 0.03 to 0.06).
+--- the soft wall e at the first parting is 0.88, 0.77, 0.67 at Psi1 = 6, 8, 10 by 1 %, 0.92, 0.84, 0.76 by 0.4 %, and
+--- level from 4 to 10 by 0.1 % (100 lattices, +- 0.02 to 0.04; scripts/README.md).
 readings.parted = 0.01
 
 readings.by_name = {}
