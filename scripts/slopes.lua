@@ -10,7 +10,8 @@
 -- * A tilted surface: slopes have the mean 0 and are met alike: <e> - e0 = -(1 + e0) s^2, next to nothing.
 -- A contact of length l spans l/spacing facets, and its chord has only the slope s spacing/l where that is less than
 -- s. The second picture is drawn over Psi1^2 s^2, the first over the same with the slope of the chord.
--- `samples`: lattices a point; two minutes on two cores by default. `full=true`: 40 lattices and more rims, half an hour.
+-- `samples`: lattices a point; two minutes on two cores by default. `full=true`: 40 lattices and more rims, half an
+-- hour.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 local readings = require "ricochet.readings"

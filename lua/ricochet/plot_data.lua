@@ -24,8 +24,8 @@ local function check_entry(entry, i, field, bad)
   end
 end
 
---- A list of { name =, f = } or { name =, points = } for each column of `t[field]`. A function or a list of points alone
---- is one entry.
+--- A list of { name =, f = } or { name =, points = } for each column of `t[field]`. A function or a list of points
+--- alone is one entry.
 function plot_data.entries_of(t, field, initial_name)
   local result = {}
   for column, value in pairs(t[field]) do
