@@ -71,6 +71,18 @@ near(share_of(1000, exponentials, median, math.log(2)), 0.945, 0.03, "median of 
 )");
 }
 
+TEST_CASE("bootstrap: no more than one resample is held at a time") {
+  ran(R"(local values, most = normals(1000, 0, 1), 0
+collectgarbage()
+local before = collectgarbage "count"
+ricochet.bootstrap { values = values, resamples = 2000, of = function(list)
+  most = math.max(most, collectgarbage "count")
+  return list[1]
+end }
+assert(most - before < 2000, most - before)  -- kB; all draws at once would be 32000
+)");
+}
+
 TEST_CASE("bootstrap: what has no error says why, and what is no number is refused") {
   ran(R"(local one = ricochet.bootstrap { values = { 4, 0 / 0 } }
 assert(one.value == 4 and one.se ~= one.se and one.count == 1 and one.reason:find "no scatter", one.reason)
@@ -124,6 +136,9 @@ assert(rising.at == 6 and rising.inside == 0)
 local lost = rows_of(4, function(x) return -(x - 4) ^ 2 end, 0)
 lost[4].status = "tunnelled"  -- one lattice has no row there; others tell
 assert(peak_of(lost, 1).at == 4)
+local series = rows_of(8, function(x) return -(x - 4) ^ 2 end, 0)
+for _, row in ipairs(series) do row.status = nil end  -- as rows of a series are
+assert(peak_of(series, 1).at == 4 and peak_of(series, 1).units == 8)
 local alone = peak_of(rows_of(1, function(x) return x end, 0), 1)
 assert(alone.at ~= alone.at and alone.reason:find "tell of no peak", alone.reason)
 )");
