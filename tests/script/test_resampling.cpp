@@ -72,15 +72,15 @@ near(share_of(1000, exponentials, median, math.log(2)), 0.945, 0.03, "median of 
 }
 
 TEST_CASE("bootstrap: no more than one resample is held at a time") {
-  ran(R"(local values, most = normals(1000, 0, 1), 0
-collectgarbage()
-local before = collectgarbage "count"
-ricochet.bootstrap { values = values, resamples = 2000, of = function(list)
-  most = math.max(most, collectgarbage "count")
-  return list[1]
-end }
-assert(most - before < 2000, most - before)  -- kB; all draws at once would be 32000
-)");
+  const Workplace here;
+  here.write("s.lua", R"(local values = {}
+for i = 1, 20000 do values[i] = i end
+local drawn = require "ricochet".bootstrap { values = values, resamples = 1000, of = function(list) return list[1] end }
+assert(math.abs(drawn.se / 20000 * math.sqrt(12) - 1) < 0.05, drawn.se))");
+  // All draws at once would be 320 MB.
+  const Ended ended = here.shell("ulimit -v 250000; ricochet run s.lua --quiet --force");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
 }
 
 TEST_CASE("bootstrap: what has no error says why, and what is no number is refused") {
