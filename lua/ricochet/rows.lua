@@ -4,6 +4,7 @@ local bootstrap = require "ricochet.bootstrap"
 local paired = require "ricochet.paired"
 local power_law = require "ricochet.power_law"
 local statistics = require "ricochet.statistics"
+local is_data = statistics.is_data
 
 local Rows, Summary = { __name = "rows", __metatable = false }, { __name = "a summary", __metatable = false }
 Summary.__index = function(summary, name)
@@ -31,12 +32,6 @@ local function known_column(rows, name, ...)
   local names = {}
   for column in pairs(rows[1]) do names[#names + 1] = column end
   core.fail(("the rows have no column '%s'%s"):format(name, core.did_you_mean(name, names)), ...)
-end
-
--- A row of a series has no status: it is data.
-local function is_data(row)
-  local status = rawget(row, "status")
-  return status == nil or status == "finished"
 end
 
 local function is_less(a, b)

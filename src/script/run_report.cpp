@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
 #include "impact/parallel.hpp"
 #include "script/page.hpp"
@@ -60,7 +59,7 @@ double seconds_of(const Table& table, std::size_t row) {
   return column ? column->values[row] : 0;
 }
 
-// The rows of the table that are to be replayed.
+// The rows of the table that are to be replayed: all that the script has named, or so many.
 std::vector<std::size_t> rows_wanted(const Table& table, const PageWish& wish, std::size_t count) {
   if (wish.hashes.empty()) return rows_to_replay(table, wish.which, count);
   const TextColumn* hashes = table.text("scene_hash");
@@ -69,15 +68,13 @@ std::vector<std::size_t> rows_wanted(const Table& table, const PageWish& wish, s
     const auto found = std::find(hashes->values.begin(), hashes->values.end(), hash);
     if (found != hashes->values.end()) rows.push_back(static_cast<std::size_t>(found - hashes->values.begin()));
   }
-  if (rows.size() > count) rows.resize(count);
   return rows;
 }
 
 // The scenes to run once more: of rows that the script has named, or of those chosen that time allows.
 std::vector<Replay> planned_replays(const PageSection& section, const std::vector<Scene>& scenes, const PageWish& wish,
                                     std::size_t count) {
-  std::unordered_map<std::string, const Scene*> of_hash;
-  for (const Scene& scene : scenes) of_hash.emplace(scene.hash(), &scene);
+  const auto of_hash = scenes_by_hash(scenes);
   const Table& table = section.table;
   const TextColumn* hashes = table.text("scene_hash");
   double all = 0, taken = 0;

@@ -175,7 +175,9 @@ TEST_CASE("a point none of whose impacts finishes is told and not tried for ever
 
 // README tells the figures. The one that sits lowest is skewed: where a sweep stops because the deviation is small by
 // chance, the mean is off to the same side.
-TEST_CASE("intervals of a sweep by error hold the mean in 92 to 97 of 100 cases, of few in 88, whatever the law of the samples") {
+TEST_CASE(
+    "intervals of a sweep by error hold the mean in 92 to 97 of 100 cases, of few in 88, whatever the law of the "
+    "samples") {
   const Ended ended = script_with_module(std::string(coverage) + R"lua(math.randomseed(11)
 local function gamma()
   local product = 1
@@ -198,7 +200,9 @@ end
   CHECK(ended.status == 0);
 }
 
-TEST_CASE("intervals of a sweep by error hold the mean of 300 real lattices in 92 to 97 of 100 cases, of few in 89, and pairs pay") {
+TEST_CASE(
+    "intervals of a sweep by error hold the mean of 300 real lattices in 92 to 97 of 100 cases, of few in 89, and "
+    "pairs pay") {
   std::ifstream file(std::string(RICOCHET_SOURCE) + "/tests/script/lattices.csv");  // lattices.lua makes it
   const std::string table{std::istreambuf_iterator<char>(file), {}};
   REQUIRE(!table.empty());
