@@ -651,6 +651,20 @@ function ricochet.estimate(scene) end
 ---@return ricochet.sweep
 function ricochet.sweep(t) end
 
+---@class ricochet.find_fields
+---@field name? string names the folder of the impacts (default find)
+---@field scene function function (at) that returns the scene at the value at.NAME, on the lattice of at.sample, from 1
+---@field column string the outcome
+---@field value number wanted of its mean
+---@field over table { NAME = { low, high } }: one name, and where to look
+---@field units? table as those of a sweep (default {})
+---@field samples integer lattices
+---@field tolerance number how far apart the last two values may be
+--- At which value of one parameter the mean of a column is `value`, by bisection: the same lattices are struck at every value that is tried, so that the mean goes one way where it does so at all; one that turns back is refused, and so is a range in which the value does not lie. Prints the result, and leaves all impacts as the results of a sweep. Returns a table: `at`, by a straight line between the last two values tried (`bracket`); `se`, the standard error of the mean over its `slope` there, which is taken between the nearest values whose means differ by 4 standard errors; `low` and `high`, between which it is with 95 % by Student's t; `count`, of the lattices whose impacts all finished; `places`, of values tried; `rows`. Without an error (nan), `reason` says why.
+---@param t ricochet.find_fields
+---@return table
+function ricochet.find(t) end
+
 ---@class ricochet.rows_summary_fields
 ---@field by string|string[] column to group by, or several: a line each combination
 ---@field of string[] columns to average; undefined values are left out

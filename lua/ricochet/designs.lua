@@ -21,9 +21,22 @@ local function add_group(flat, group)
   return { names = names }
 end
 
+-- Refuses a key that is neither a place in the list nor, where it may be, a name: its values would be left out in
+-- silence.
+local function refuse_other_keys(t, may_be_name)
+  for key in pairs(t) do
+    local place = math.type(key) == "integer" and key >= 1 and key <= #t
+    if not place and not (may_be_name and type(key) == "string") then
+      core.fail(("over: the values of [%s] belong to no name; give name = list of values"):format(tostring(key)),
+        "over")
+    end
+  end
+end
+
 --- The lists of `over` by name, and its factors in order: { names = {...} }, whose values go together.
 function designs.of(over)
   local flat, factors = {}, {}
+  refuse_other_keys(over, true)
   for name, values in pairs(over) do
     if type(name) == "string" then
       flat[name] = values
@@ -33,7 +46,9 @@ function designs.of(over)
   for i = 1, #over do
     local groups = over[i]
     if type(groups) ~= "table" then core.fail("'over' takes name = list of values", "over") end
-    for _, group in ipairs(#groups > 0 and groups or { groups }) do
+    local list = #groups > 0 and groups or { groups }
+    refuse_other_keys(list)
+    for _, group in ipairs(list) do
       if type(group) ~= "table" then core.fail("'over' takes name = list of values", "over") end
       factors[#factors + 1] = add_group(flat, group)
     end

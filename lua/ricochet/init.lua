@@ -30,6 +30,7 @@ ricochet.bootstrap = core.wrap(require("ricochet.bootstrap").call)
 ricochet.plan = core.wrap(require("ricochet.plan").plan)
 ricochet.dem = core.wrap(require("ricochet.dem").dem)
 ricochet.compare = core.wrap(require("ricochet.compare").compare)
+ricochet.find = core.wrap(require("ricochet.find").find)
 ricochet.lesson = core.wrap(require("ricochet.lesson").lesson)
 
 for name, design in pairs(require "ricochet.designs") do

@@ -135,10 +135,11 @@ local function keep(sweep, states)
   core.functions["file.write"](sweep.name .. "_samples.csv", table.concat(lines, "\n") .. "\n")
 end
 
-local function told(state, names, t)
+local function told(state, names, t, goes_on)
   local parts = {}
   for _, name in ipairs(names) do parts[#parts + 1] = ("%s=%s"):format(name, cell(state.point[name])) end
-  local missed = state.of.units < 2 and "cannot be planned: fewer than two impacts of the pilot finished"
+  local missed = goes_on and ""
+    or state.of.units < 2 and "cannot be planned: fewer than two impacts of the pilot finished"
     or state.of.se > state.wanted and ("not met with %d, at most: raise 'most'"):format(t.most) or ""
   print(("  %-20s %s %.4f +- %.2g (wanted %.2g) of %d impacts, %s%s  %s"):format(table.concat(parts, " "), t.of,
     state.of.mean, state.of.se, state.wanted, #state.rows,
@@ -155,6 +156,39 @@ local function tell(sweep, t, states, rounds)
   print(("  by the pilot's deviations %d samples of every point would have met it too: %d impacts"):format(number, all))
 end
 
+-- What decides which scenes a round has, exactly.
+local function text_of(sweep, states)
+  local lines = {}
+  for i, state in ipairs(states) do
+    local parts = {}
+    for k, name in ipairs(sweep.names) do parts[k] = ("%s = %q"):format(name, state.point[name]) end
+    lines[i] = ("%s: %d, %d of them from both sides"):format(table.concat(parts, ", "), state.count,
+      math.min(state.both, state.count))
+  end
+  return table.concat(lines, "\n")
+end
+
+-- The rows of all rounds so far. In shards they are those that were merged, and the first round of which some are not
+-- there ends the script: with its plan, with a shard of it, or when what is there was merged.
+local function rows_of_round(sweep, t, states, names, round)
+  local points, scenes = asked(sweep, states)
+  if core.part() ~= "whole" then
+    local most = 0
+    for _, state in ipairs(states) do most = math.max(most, state.count) end
+    if not core.round_is_there(sweep.name, names, points, scenes, sweep.units, text_of(sweep, states), most,
+      #states) then
+      if round > 1 then
+        local impacts = 0
+        for _, state in ipairs(states) do impacts = impacts + #state.rows end
+        print(("%s: %d impacts in %d rounds so far"):format(sweep.name, impacts, round - 1))
+        for _, state in ipairs(states) do told(state, sweep.names, t, not state.done) end
+      end
+      core.end_round(sweep.name, round)
+    end
+  end
+  return core.run_sweep(sweep.name, names, points, scenes, "round", sweep.units)
+end
+
 --- Runs it; the rows. sweep: { name =, names =, points = without samples, make = function (point) }.
 local function run(sweep, t)
   local states, names, rounds = {}, copy(sweep.names), 0
@@ -167,8 +201,7 @@ local function run(sweep, t)
   if core.is_check() then return core.run_sweep(sweep.name, names, asked(sweep, states)) end
   local goes_on = true
   while goes_on do
-    local points, scenes = asked(sweep, states)
-    sorted(core.run_sweep(sweep.name, names, points, scenes, "round", sweep.units), states)
+    sorted(rows_of_round(sweep, t, states, names, rounds + 1), states)
     goes_on, rounds = false, rounds + 1
     for _, state in ipairs(states) do
       if not state.done then

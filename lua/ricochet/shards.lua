@@ -3,12 +3,6 @@ local core = require "ricochet.core"
 
 local shards = {}
 
--- Where shards are run or merged, nothing may depend on what has come out so far.
-function shards.refuse_rounds()
-  core.fail("samples = \"by_error\" decides by rows how many samples to run, which no shard has: give the numbers " ..
-    "of samples in over.sample, as an earlier run found them", "samples")
-end
-
 -- How many values a factor has.
 local function values_of(sweep, factor) return #sweep.over[factor.names[1]] end
 
@@ -81,7 +75,8 @@ function shards.run(sweep, make)
   if not points then
     local names = names_of(sweep, first, make)
     local _, by_trials = core.lattice(first)
-    core.plan_shards(sweep.name, over, first, names, by_trials and all_scenes(sweep, names, make) or {})
+    local scenes = (by_trials or core.holds_rows(sweep.name)) and all_scenes(sweep, names, make) or {}
+    core.plan_shards(sweep.name, over, first, names, scenes)
     points = core.shard_points(sweep.name, over, first)
   end
   local values, scenes = {}, {}

@@ -132,7 +132,6 @@ end)
 methods.run = core.wrap(function(self)
   local sweep = contents(self) or core.fail "is a method of a sweep: write sweep:run(), with a colon"
   if sweep.by_error then
-    if core.part() ~= "whole" then shards.refuse_rounds() end
     local own = { name = sweep.name, names = sweep.names, points = sweep.points, units = sweep.units }
     local names = { table.unpack(sweep.names) }
     names[#names + 1] = "sample"

@@ -10,7 +10,16 @@
 namespace ricochet {
 namespace {
 
-constexpr int most_nodes = 300'000;
+// Numbers, of 8 bytes each, that a node with its springs or elements has about; shapes of modes come beside.
+constexpr std::size_t per_node = 25;
+constexpr std::size_t most_numbers = 300'000 * per_node;
+
+std::size_t numbers_in(const Solid& solid) {
+  std::size_t count = per_node * static_cast<std::size_t>(solid.nodes());
+  if (const Modes* modes = solid.modes())
+    count += modes->all.shape.size() + modes->rim.shape.size() + numbers_in(*modes->of);
+  return count;
+}
 
 /// The solids asked for last, the latest first.
 class Kept {
@@ -28,9 +37,9 @@ class Kept {
     if (place_.contains(name)) return;  // another thread was faster
     latest_.push_front({name, solid});
     place_[name] = latest_.begin();
-    nodes_ += solid->nodes();
-    while (nodes_ > most_nodes) {
-      nodes_ -= latest_.back().solid->nodes();
+    numbers_ += numbers_in(*solid);
+    while (numbers_ > most_numbers) {
+      numbers_ -= numbers_in(*latest_.back().solid);
       place_.erase(latest_.back().name);
       latest_.pop_back();
     }
@@ -44,7 +53,7 @@ class Kept {
   std::mutex mutex_;
   std::list<Entry> latest_;
   std::map<std::string, std::list<Entry>::iterator> place_;
-  int nodes_ = 0;
+  std::size_t numbers_ = 0;
 };
 
 }  // namespace

@@ -185,30 +185,41 @@ std::string name_of_trials(const std::vector<Scene>& scenes, const Places& tried
   return hash_text(name);
 }
 
+// What trials choose for a kind's scenes, which get it. Throws Error if they were interrupted: half a trial is none.
+TriedChoice tried_now(std::vector<Scene>& scenes, const Places& members, const Places& places, int threads,
+                      const std::atomic<bool>& stop, const Telling& telling) {
+  const Integration asked = scenes[members.front()].integration;
+  std::vector<TrialScene> tried;
+  for (const std::size_t i : places) tried.push_back(trial_scene(scenes, i));
+  tell_start(asked, places.size(), members.size(), telling);
+  TriedChoice found{};
+  try {
+    found.choice = choose_for_accuracy(tried, members.size(), threads, stop);
+  } catch (const FieldError& error) {
+    throw SceneError(error, members.front());
+  }
+  tell_left_out(asked, found.choice, places, telling);
+  tell_choice(asked, found.choice, places.size(), scenes[members.front()].units, false, telling);
+  take(scenes, members, places, found.choice);
+  found.error_contact = error_of_contact(scenes, places, tried, found.choice, threads, stop);
+  if (stop) throw Error("interrupted", Exit::interrupted);
+  return found;
+}
+
 // A kind's scenes get what trials choose, or have chosen before.
 KindsChoice try_kind(std::vector<Scene>& scenes, const Places& members, int threads, const std::atomic<bool>& stop,
                      const Telling& telling, TriedChoices& before) {
   const Places places = tried_of(scenes, members);
-  const Integration asked = scenes[members.front()].integration;
   const std::string name = name_of_trials(scenes, places, members.size());
   auto found = before.find(name);
-  const bool remembered = found != before.end();
-  std::vector<TrialScene> tried;
-  if (!remembered) {
-    for (const std::size_t i : places) tried.push_back(trial_scene(scenes, i));
-    tell_start(asked, places.size(), members.size(), telling);
-    try {
-      found = before.emplace(name, TriedChoice{choose_for_accuracy(tried, members.size(), threads, stop), 0}).first;
-    } catch (const FieldError& error) {
-      throw SceneError(error, members.front());
-    }
-    tell_left_out(asked, found->second.choice, places, telling);
+  if (found == before.end()) {
+    found = before.emplace(name, tried_now(scenes, members, places, threads, stop, telling)).first;
+  } else {
+    const Scene& first = scenes[members.front()];
+    tell_choice(first.integration, found->second.choice, places.size(), first.units, true, telling);
+    take(scenes, members, places, found->second.choice);
   }
-  const Choice& choice = found->second.choice;
-  tell_choice(asked, choice, places.size(), scenes[members.front()].units, remembered, telling);
-  take(scenes, members, places, choice);
-  double& of_contact = found->second.error_contact;
-  if (!remembered) of_contact = error_of_contact(scenes, places, tried, choice, threads, stop);
+  const auto& [choice, of_contact] = found->second;
   take_contact(scenes, members, of_contact, telling);
   return {choice.method, choice.theta, choice.longest, choice.error, of_contact};
 }

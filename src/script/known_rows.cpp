@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "impact/outcome.hpp"
+#include "script/session.hpp"
 
 namespace ricochet {
 
@@ -83,11 +84,10 @@ std::vector<Row> rows_of(const fs::path& path) {
   return rows;
 }
 
-}  // namespace
-
-std::vector<Row> stored_rows(const fs::path& file, const Provenance& made_by) {
+// The rows of a file. Throws FileError if it is damaged, or was written by another version or commit than this.
+std::vector<Row> checked_rows(const fs::path& file) {
   const Provenance theirs = read_provenance(file);
-  for (const auto& [name, value] : made_by)
+  for (const auto& [name, value] : Session::made_by())
     if (const auto it = theirs.find(name); it == theirs.end() || it->second != value)
       throw FileError(
           fmt::format("{} was written by {} {}, and this is {}: rows of both would stand side by side; finish it by "
@@ -95,8 +95,6 @@ std::vector<Row> stored_rows(const fs::path& file, const Provenance& made_by) {
                       file.string(), name, it == theirs.end() ? "unknown" : it->second, value));
   return rows_of(file);
 }
-
-namespace {
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (a != a && b != b); }
 
@@ -148,9 +146,9 @@ bool KnownRows::accept(const Row& row, const fs::path& origin) {
   return true;
 }
 
-std::size_t KnownRows::load(const fs::path& file, const Provenance& made_by) {
+std::size_t KnownRows::load(const fs::path& file) {
   std::size_t strangers = 0;
-  for (const Row& row : stored_rows(file, made_by)) strangers += !accept(row, file);
+  for (const Row& row : checked_rows(file)) strangers += !accept(row, file);
   return strangers;
 }
 

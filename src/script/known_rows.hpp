@@ -14,9 +14,6 @@ namespace ricochet {
 /// All columns of rows, in the units of the first.
 Table table_of(const std::vector<const Row*>& rows);
 
-/// The rows of a file. Throws FileError if it is damaged, or was written by another version or commit than `made_by`.
-std::vector<Row> stored_rows(const std::filesystem::path& file, const Provenance& made_by);
-
 class KnownRows {
  public:
   /// `hashes`: of the sweep's scenes, in its order.
@@ -27,9 +24,9 @@ class KnownRows {
   /// from one that is known: equal work gives equal bits.
   bool accept(const Row& row, const std::filesystem::path& origin = {});
 
-  /// Takes up a file's rows; returns how many are of none of the scenes. Throws FileError as stored_rows() and
-  /// accept().
-  std::size_t load(const std::filesystem::path& file, const Provenance& made_by);
+  /// Takes up a file's rows; returns how many are of none of the scenes. Throws FileError if it is damaged or was
+  /// written by another version or commit of the program, and as accept().
+  std::size_t load(const std::filesystem::path& file);
 
   const std::vector<Row>& rows() const { return rows_; }  ///< in the order of the scenes
   const std::vector<bool>& done() const { return done_; }

@@ -13,8 +13,10 @@
 #include "effect/catalogue.hpp"
 #include "script/digest.hpp"
 #include "script/fields.hpp"
+#include "script/stored_rows.hpp"
 #include "script/terminal.hpp"
 #include "store/h5md.hpp"
+#include "store/run_names.hpp"
 #include "store/table.hpp"
 #include "theory/catalogue.hpp"
 #include "theory/claims.hpp"
@@ -119,16 +121,23 @@ void print_errata() {
 
 namespace {
 
-// The file that is meant: of a folder its results.h5, or those below it where there is but one.
-std::string meant(const fs::path& path) {
+// A sweep's folder of which results are still to be made; else the file of those, where a folder has some.
+fs::path meant_in(const fs::path& folder) {
+  return run_names::holds_parts(folder) ? folder : run_names::readable_results(folder);
+}
+
+// What is meant: a file; of a folder what meant_in() says, or of those below it where there is but one.
+fs::path meant(const fs::path& path) {
   if (path.extension() == ".csv")
     throw FileError(
         fmt::format("{} is text, which says of itself only its columns; give the .h5 beside it", path.string()));
-  if (!fs::is_directory(path)) return path.string();
+  if (!fs::is_directory(path)) return path;
+  if (run_names::holds_results(path)) return meant_in(path);
   std::vector<fs::path> found;
   for (const auto& entry : fs::recursive_directory_iterator(path))
-    if (entry.path().filename() == "results.h5") found.push_back(entry.path());
-  if (found.size() == 1) return found.front().string();
+    if (fs::is_directory(entry.path()) && run_names::holds_results(entry.path()))
+      found.push_back(meant_in(entry.path()));
+  if (found.size() == 1) return found.front();
   if (found.empty()) throw FileError(fmt::format("the folder {} holds no results.h5; name a file", path.string()));
   std::sort(found.begin(), found.end());
   std::string names;
@@ -144,7 +153,11 @@ void print_results(const Table& table) {
 }  // namespace
 
 void print_info(const std::string& given) {
-  const std::string path = meant(given);
+  const fs::path path = meant(given);
+  if (fs::is_directory(path)) {
+    putf("{}: a run or shards are at work there, or were cut off; stored so far:\n", path.string());
+    return print_results(stored_rows(path));
+  }
   for (const auto& [name, text] : read_provenance(path))
     if (name != "script" && !text.empty()) put(named_lines(name, text));
   if (is_trajectory(path))

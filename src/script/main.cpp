@@ -99,7 +99,7 @@ struct Commands {
   QueueOptions queue;
   std::string script, file, theory, shard;
   std::vector<std::string> arguments;
-  bool price = false, stubs = false;
+  bool price = false, stubs = false, csv = false;
 };
 
 void add_script(Commands& c, CLI::App* command) {
@@ -195,10 +195,12 @@ void add_submit(Commands& c) {
   command->add_option("--sbatch", wanted.sbatch, "a further option of sbatch for both jobs: --sbatch=--mem=2G")
       ->allow_extra_args(false);
   command->add_flag("--dry-run", wanted.dry_run, "write the plan and the scripts, submit nothing");
-  command->add_option("--out", c.options.out, fmt::format("folder of the results (default: {})", RunOptions{}.out));
-  command->add_flag("--quiet", c.options.quiet, "print what the script prints, and warnings, alone");
-  command->add_option("--round", wanted.round)->group("");  // by the merging job
+  add_running(c, command);
+  command->add_option("--round", wanted.round)->group("");  // both by the merging job
+  command->add_option("--of", wanted.of)->group("");
   command->callback([&c, &wanted] {
+    if (c.script == standard_input)
+      throw Error("jobs cannot read a script from standard input; give submit a file", Exit::usage);
     if (!wanted.slurm) throw Error("submit needs to know where to: --slurm", Exit::usage);
     c.options.part = Part::plan;
     run(c.options, c.script, c.arguments, &wanted);
@@ -208,7 +210,8 @@ void add_submit(Commands& c) {
 void add_status(Commands& c) {
   CLI::App* command = c.app.add_subcommand("status", "How far the sweeps of a folder are, shards or not");
   command->add_option("DIR", c.file, "a sweep's folder, or that of several")->required();
-  command->callback([&c] { print_status(c.file); });
+  command->add_flag("--csv", c.csv, "print the rows that are stored of one sweep, as comma-separated text");
+  command->callback([&c] { c.csv ? print_stored(c.file) : print_status(c.file); });
 }
 
 void add_accuracy(Commands& c) {

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "script/own_commit.hpp"
 #include "script/version.hpp"
 #include "store/files.hpp"
 
@@ -16,14 +17,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kind_of_file = "steps that trials chose, by ricochet ";
-constexpr std::size_t most_choices = 20'000;  // 5 MB
+constexpr std::size_t most_choices = 20'000;  // 3.2 MB
 
-// A program built from changed sources is like no other: its own hash stands for the changes.
-std::string heading() {
-  const std::string commit = version_commit;
-  const std::string changes = commit.ends_with("-dirty") ? ", program " + hash_text(read_file("/proc/self/exe")) : "";
-  return fmt::format("{}{} (commit {}{})", kind_of_file, version_number, commit, changes);
-}
+std::string heading() { return fmt::format("{}{} (commit {})", kind_of_file, version_number, own_commit()); }
 
 std::string line_of(const std::string& name, const TriedChoice& tried) {
   const Choice& c = tried.choice;
@@ -81,6 +77,7 @@ TriedChoices choices_in(const fs::path& file, std::string& warning) {
   }
   std::istringstream lines(text.substr(second + 1));
   for (std::string line; std::getline(lines, line);) read_line(line, all);
+  if (all.size() > most_choices) all.clear();  // begins anew rather than grow for ever
   return all;
 }
 
@@ -102,7 +99,6 @@ void RememberedSteps::write(const fs::path& file) const {
   std::string unused;
   TriedChoices all = tried_;
   all.merge(choices_in(file, unused));  // what another run has written since
-  if (all.size() > most_choices) all = tried_;
   std::string lines;
   for (const auto& [name, tried] : all) lines += line_of(name, tried);
   write_atomically(file, fmt::format("{}\n{}\n{}", heading(), hash_text(lines), lines));

@@ -9,7 +9,8 @@
 namespace ricochet {
 
 /// What trials of earlier runs and of this one chose. The file is text: a line a choice, under a heading with the
-/// program's version and commit, whose choices alone are taken, and a hash of the rest.
+/// program's version and commit, whose choices alone are taken, and a hash of the rest. One of more than 20,000 choices
+/// counts as empty.
 class RememberedSteps {
  public:
   /// All of it; the file is read the first time. One of another version counts as empty, and so does a damaged one, of

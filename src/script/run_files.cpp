@@ -28,7 +28,7 @@ fs::path below(lua_State* L, const fs::path& folder, const char* what, const std
   const fs::path whole = folder / path;
   std::error_code error;
   const fs::path real = fs::weakly_canonical(whole, error), root = fs::weakly_canonical(folder, error);
-  if (!links && (error || std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end()))
+  if (!links && (error || !is_within(real, root)))
     throw FileError(at_line(L, fmt::format("'{}' leads out of {} {}", name, what, folder.string())).what());
   return whole;
 }

@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "script/own_commit.hpp"
 #include "script/terminal.hpp"
 #include "script/version.hpp"
 #include "store/files.hpp"
@@ -101,12 +102,9 @@ void Session::finish() {
 }
 
 bool Session::first_picture_named(const fs::path& path) {
-  const auto within = [](const fs::path& inner, const fs::path& outer) {
-    return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
-  };
   if (repl) return true;
   for (const fs::path& other : pictures_)
-    if (within(path, other) || within(other, path)) return false;
+    if (is_within(path, other) || is_within(other, path)) return false;
   return pictures_.insert(path).second;
 }
 
@@ -137,7 +135,7 @@ fs::path Session::steps_file() const {
   return options.steps.empty() ? fs::path(options.out) / run_names::steps : fs::path(options.steps);
 }
 
-Provenance Session::made_by() { return {{"version", version_number}, {"commit", version_commit}}; }
+Provenance Session::made_by() { return {{"version", version_number}, {"commit", own_commit()}}; }
 
 Provenance Session::provenance() const {
   Provenance p;

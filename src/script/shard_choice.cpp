@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <optional>
@@ -26,20 +27,25 @@ Whole number_in_variable(const char* variable) {
   return text ? whole_number_in(text) : std::nullopt;
 }
 
-/// What a process is told of itself: its number, of the first (0 unless named), and of how many, if that is told.
+/// What a process is told of itself: its number, of the first, and of how many, if that is told.
 struct Launcher {
   const char* number;
-  const char* first;
+  std::size_t base;   ///< of the first, unless named
+  const char* first;  ///< the variable of the first, if there is one
   const char* count;
 };
 
-constexpr Launcher launchers[] = {
-    {"OMPI_COMM_WORLD_RANK", nullptr, "OMPI_COMM_WORLD_SIZE"},
-    {"PMI_RANK", nullptr, "PMI_SIZE"},
-    {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_COUNT"},
-    {"SLURM_PROCID", nullptr, "SLURM_NTASKS"},
-    {"PBS_ARRAY_INDEX", nullptr, nullptr},
-    {"SGE_TASK_ID", "SGE_TASK_FIRST", nullptr},
+/// Jobs of an array, and processes that are started together, maybe within one of them.
+constexpr Launcher arrays[] = {
+    {"SLURM_ARRAY_TASK_ID", 0, "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_COUNT"},
+    {"PBS_ARRAY_INDEX", 0, nullptr, nullptr},
+    {"SGE_TASK_ID", 1, nullptr, nullptr},
+};
+// The number of a job's tasks is told where one process alone runs, too: srun tells that of its own step.
+constexpr Launcher ranks[] = {
+    {"OMPI_COMM_WORLD_RANK", 0, nullptr, "OMPI_COMM_WORLD_SIZE"},
+    {"PMI_RANK", 0, nullptr, "PMI_SIZE"},
+    {"SLURM_PROCID", 0, nullptr, "SLURM_STEP_NUM_TASKS"},
 };
 
 constexpr const char* forms =
@@ -49,21 +55,53 @@ constexpr const char* forms =
   throw Error(fmt::format("--shard {}: {}; {}", given, why, forms), Exit::usage);
 }
 
-// With a count that was given, the number is meant as it is: an array of what is missing has gaps.
-void choose_by_launcher(RunOptions& options, const std::string& given, Whole count) {
-  for (const Launcher& launcher : launchers) {
-    const Whole number = number_in_variable(launcher.number);
-    if (!number) continue;
-    const Whole total = count ? count : number_in_variable(launcher.count);
-    if (!total)
-      refuse(given, fmt::format("{} = {} tells which, but nothing tells of how many", launcher.number, *number));
-    options.shard = *number - (count ? 0 : number_in_variable(launcher.first).value_or(0));
-    options.shards = *total;
-    return;
+/// Which of how many, as one launcher tells.
+struct Told {
+  std::string by;
+  std::size_t number = 0;
+  Whole count;
+};
+
+std::optional<Told> told_by(const Launcher& launcher) {
+  const Whole number = number_in_variable(launcher.number);
+  if (!number) return std::nullopt;
+  return Told{fmt::format("{} = {}", launcher.number, *number), *number - std::min(*number, launcher.base),
+              number_in_variable(launcher.count)};
+}
+
+std::optional<Told> array_task(bool counted) {
+  for (const Launcher& launcher : arrays)
+    if (auto told = told_by(launcher)) {
+      // With a count that was given, the number is meant as it is: an array of what is missing has gaps.
+      if (!counted) told->number -= std::min(told->number, number_in_variable(launcher.first).value_or(0));
+      return told;
+    }
+  return std::nullopt;
+}
+
+// The first that tells of several processes, else the first of one.
+std::optional<Told> rank() {
+  std::optional<Told> single;
+  for (const Launcher& launcher : ranks) {
+    const auto told = told_by(launcher);
+    if (told && told->count && *told->count > 1) return told;
+    if (told && told->count && !single) single = told;
   }
-  refuse(given,
-         "no variable of a job tells which (OMPI_COMM_WORLD_RANK, PMI_RANK, SLURM_ARRAY_TASK_ID, SLURM_PROCID, "
-         "PBS_ARRAY_INDEX, SGE_TASK_ID)");
+  return single;
+}
+
+// Processes within a task of an array share its share.
+void choose_by_launcher(RunOptions& options, const std::string& given, Whole count) {
+  const auto task = array_task(count.has_value()), process = rank();
+  if (!task && !process)
+    refuse(given,
+           "no variable of a job tells which (OMPI_COMM_WORLD_RANK, PMI_RANK, SLURM_ARRAY_TASK_ID, SLURM_PROCID and "
+           "SLURM_STEP_NUM_TASKS, PBS_ARRAY_INDEX, SGE_TASK_ID)");
+  const std::size_t processes = process ? *process->count : 1;
+  if (task && !task->count && !count)
+    refuse(given, fmt::format("{} tells which, but nothing tells of how many", task->by));
+  options.shard = (task ? task->number * processes : 0) + (process ? process->number : 0);
+  options.shards = count ? *count : (task ? *task->count : 1) * processes;
 }
 
 }  // namespace

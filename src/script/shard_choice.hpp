@@ -5,8 +5,8 @@
 
 namespace ricochet {
 
-/// Which shard `--shard K/N`, `auto` or `auto/N` means, into `options`. `auto` asks what Open MPI, other MPIs, Slurm's
-/// arrays and srun, PBS and Grid Engine tell a process of itself, in this order. Throws Error.
+/// Which shard `--shard K/N`, `auto` or `auto/N` means, into `options`. `auto` asks what arrays of Slurm, PBS
+/// and Grid Engine, and Open MPI, other MPIs and srun within them tell a process of itself. Throws Error.
 void choose_shard(RunOptions& options, const std::string& given);
 
 }  // namespace ricochet

@@ -30,10 +30,11 @@ struct Tally {
   std::size_t points = 0, rows = 0;
 };
 
-std::map<std::size_t, Tally> unfinished(const ShardPlan& plan, const RowStore& store) {
+std::map<std::size_t, Tally> unfinished(const ShardPlan& plan, const RowStore& store,
+                                        const std::vector<std::size_t>& places) {
   std::map<std::size_t, Tally> shards;
   for (std::size_t i = 0; i < store.done().size(); ++i) {
-    Tally& tally = shards[plan.shard_of(i)];
+    Tally& tally = shards[plan.shard_of(places.empty() ? i : places[i])];
     ++tally.points;
     tally.rows += store.done()[i];
   }
@@ -52,11 +53,11 @@ std::string line_of(const fs::path& folder, std::size_t shard, const Tally& tall
 
 }  // namespace
 
-std::string command_of(const Session& session, const std::string& command, const std::string& options) {
-  std::vector<std::string> words{session.script.string()};
+std::string command_of(const Session& session, const std::string& command, const std::string& options,
+                       const std::string& program) {
+  std::vector<std::string> words{program, command, session.script.string()};
   words.insert(words.end(), session.arguments.begin(), session.arguments.end());
-  return fmt::format("ricochet {} {} {}{}--out {}", command, shell_words(words), options, options.empty() ? "" : " ",
-                     shell_words(session.options.out));
+  return fmt::format("{} {} --out {}", shell_words(words), options, shell_words(session.options.out));
 }
 
 std::vector<Scene> with_planned_steps(Session& session, const std::string& sweep, const std::vector<Scene>& scenes,
@@ -73,14 +74,15 @@ std::vector<Scene> with_planned_steps(Session& session, const std::string& sweep
   return planned;
 }
 
-void refuse_missing(Session& session, const std::string& sweep, const RowStore& store) {
+void refuse_missing(Session& session, const std::string& sweep, const RowStore& store,
+                    const std::vector<std::size_t>& places) {
   if (store.count() == store.rows().size()) return;
   const fs::path folder = session.folders.named(sweep);
   if (!has_plan(folder))
     throw Error(fmt::format("no shard of '{}' has run; run them: {}", sweep, command_of(session, "run", "--shard K/N")),
                 Exit::numerical);
   const ShardPlan plan = read_plan(folder);
-  const std::map<std::size_t, Tally> missing = unfinished(plan, store);
+  const std::map<std::size_t, Tally> missing = unfinished(plan, store, places);
   std::string text =
       fmt::format("{} of {} impacts of '{}' are missing, in {} of {} shards", store.rows().size() - store.count(),
                   store.rows().size(), sweep, missing.size(), plan.shards);
@@ -90,7 +92,8 @@ void refuse_missing(Session& session, const std::string& sweep, const RowStore& 
   if (missing.size() > most_told) text += fmt::format("\n  and {} more", missing.size() - most_told);
   const std::string first = fmt::format("--shard {}/{}", missing.begin()->first, plan.shards);
   text += fmt::format("\n  run them: {}{}", command_of(session, "run", first), missing.size() > 1 ? ", and so on" : "");
-  if (!session.options.partial) throw Error(text + "; or merge what is there with --partial", Exit::numerical);
+  if (!session.options.partial)
+    throw Error(text + (places.empty() ? "; or merge what is there with --partial" : ""), Exit::numerical);
   session.warn(text);
 }
 
@@ -108,7 +111,7 @@ std::vector<Row> with_missing(const RowStore& store, const std::vector<Scene>& s
 std::vector<Row> merged_rows(Session& session, const std::string& sweep, const std::vector<std::string>& hashes) {
   KnownRows known(hashes);
   const fs::path folder = session.folders.named(sweep);
-  known.load(run_names::readable_results(folder), Session::made_by());
+  known.load(run_names::readable_results(folder));
   if (known.count() < hashes.size())
     throw FileError(
         fmt::format("{} holds {} of {} impacts of '{}', which the script runs before the sweep of this "

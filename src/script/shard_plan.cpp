@@ -24,11 +24,16 @@ namespace {
 // Steps of the first impact whose outcome is compared: some hundred meet every spring, and cost a hundredth of it.
 constexpr double canary_steps = 300;
 
+std::string sorted_words(std::vector<std::string> words) {
+  std::sort(words.begin(), words.end());
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
 // The files beside the script that it requires. The library is the program's.
 std::string required_by(const Session& session) {
   std::string text;
   for (const auto& [name, source] : session.sources)
-    if (name != session.script.string() && !name.starts_with(session.library.string()))
+    if (name != session.script.string() && !is_within(name, session.library))
       text += fmt::format("{} {}\n", hash_text(source), fs::path(name).filename().string());
   return text;
 }
@@ -78,11 +83,9 @@ std::size_t ShardPlan::points() const {
   return count;
 }
 
-std::size_t ShardPlan::lattices() const {
-  std::size_t count = 1;
-  for (const SweptName& name : over)
-    if (name.changes_lattice) count *= name.values;
-  return count;
+std::size_t ShardPlan::impacts() const {
+  const auto told = facts.find("impacts");
+  return told == facts.end() ? points() : std::stoul(told->second);
 }
 
 std::size_t ShardPlan::shard_of(std::size_t point) const {
@@ -129,12 +132,21 @@ Table steps_table(const std::vector<Scene>& scenes) {
 
 Provenance facts_of(const Session& session) {
   Provenance p = Session::made_by();
-  std::vector<std::string> arguments = session.arguments;
-  std::sort(arguments.begin(), arguments.end());
-  p["arguments"] = fmt::format("{}", fmt::join(arguments, " "));
+  p["arguments"] = sorted_words(session.arguments);
   p["script_hash"] = hash_text(session.sources.at(session.script.string()));
   p["required"] = required_by(session);
   return p;
+}
+
+bool is_of_results(const Provenance& facts, const Provenance& results) {
+  const auto of_results = [&](const char* name) {
+    const auto found = results.find(name);
+    return found == results.end() ? "" : found->second;
+  };
+  std::istringstream lines(of_results("arguments"));
+  std::vector<std::string> arguments;
+  for (std::string line; std::getline(lines, line);) arguments.push_back(line);
+  return of_results("script_hash") == facts.at("script_hash") && sorted_words(arguments) == facts.at("arguments");
 }
 
 std::string canary_of(const Scene& scene) {
@@ -148,7 +160,7 @@ std::string canary_of(const Scene& scene) {
   return digest_of(table_of({&row}));
 }
 
-void write_plan(const fs::path& folder, const ShardPlan& plan, const Provenance& provenance) {
+bool write_plan(const fs::path& folder, const ShardPlan& plan, const Provenance& provenance) {
   Provenance all = provenance;
   for (const auto& [name, text] : plan.facts) all[name] = text;
   all["shards"] = fmt::format("{}", plan.shards);
@@ -156,8 +168,9 @@ void write_plan(const fs::path& folder, const ShardPlan& plan, const Provenance&
   make_folder(folder);
   const fs::path own = folder / own_name("plan", ".h5");
   write_table(own, plan.steps, all);
-  link_first(own, run_names::plan(folder));
+  const bool first = link_first(own, run_names::plan(folder));
   remove_file(own);
+  return first;
 }
 
 ShardPlan read_plan(const fs::path& folder) {
@@ -166,7 +179,7 @@ ShardPlan read_plan(const fs::path& folder) {
   try {
     plan.shards = std::stoul(plan.facts.at("shards"));
     plan.over = over_of(plan.facts.at("names"));
-    if (plan.shards == 0 || plan.points() == 0) throw std::invalid_argument("a count");
+    if (plan.shards == 0 || plan.impacts() == 0) throw std::invalid_argument("a count");
   } catch (const std::logic_error&) {
     throw FileError(fmt::format("{} is no plan of shards; remove it, or give another --out", path.string()));
   }

@@ -29,7 +29,7 @@ struct ShardPlan {
   Table steps;       ///< of every point, if trials chose them; else empty
 
   std::size_t points() const;
-  std::size_t lattices() const;
+  std::size_t impacts() const;  ///< of all shards: the points, unless a fact says of how many of them
   std::size_t shard_of(std::size_t point) const;
   /// In their order.
   std::vector<std::size_t> points_of(std::size_t shard) const;
@@ -40,14 +40,17 @@ struct ShardPlan {
 /// Of a session: its script, arguments and program.
 Provenance facts_of(const Session& session);
 
+/// True if results with this provenance are of the script and arguments of these facts, in whatever order.
+bool is_of_results(const Provenance& facts, const Provenance& results);
+
 /// The hash of what a scene's impact comes to in its first 300 steps. Throws FieldError if it cannot start.
 std::string canary_of(const Scene& scene);
 
 /// Steps of all points of a sweep, as trials chose them.
 Table steps_table(const std::vector<Scene>& scenes);
 
-/// Writes the plan unless there is one; of several processes one succeeds. Throws FileError.
-void write_plan(const std::filesystem::path& folder, const ShardPlan& plan, const Provenance& provenance);
+/// Writes the plan unless there is one; of several processes one does, and gets true. Throws FileError.
+bool write_plan(const std::filesystem::path& folder, const ShardPlan& plan, const Provenance& provenance);
 
 /// The plan in a sweep's folder; throws FileError if there is none or it cannot be read.
 ShardPlan read_plan(const std::filesystem::path& folder);

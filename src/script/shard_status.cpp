@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <set>
 
 #include "core/error.hpp"
 #include "script/shard_plan.hpp"
 #include "script/slurm.hpp"
+#include "script/stored_rows.hpp"
 #include "script/sweep_table.hpp"
 #include "script/terminal.hpp"
+#include "store/csv.hpp"
 #include "store/files.hpp"
 #include "store/run_names.hpp"
 
@@ -70,13 +71,15 @@ struct Standing {
 
 Standing standing_of(const fs::path& folder, const ShardPlan& plan) {
   Standing standing;
-  std::error_code error;
+  const std::set<std::string> names = run_names::shard_names(folder);
   for (std::size_t k = 0; k < plan.shards; ++k) {
-    if (fs::exists(run_names::shard(folder, k), error))
+    const std::string whole = run_names::shard(folder, k).filename(), stem = run_names::shard(folder, k).stem();
+    const auto part = names.lower_bound(stem + "-");
+    if (names.contains(whole))
       standing.done.push_back(k);
-    else if (fs::exists(run_names::shard_error(folder, k), error))
+    else if (names.contains(run_names::shard_error(folder, k).filename()))
       standing.failed.push_back(k);
-    else if (!run_names::shard_files(folder, k).empty())
+    else if (part != names.end() && part->starts_with(stem + "-"))
       standing.begun.push_back(k);
     else
       standing.untouched.push_back(k);
@@ -84,22 +87,18 @@ Standing standing_of(const fs::path& folder, const ShardPlan& plan) {
   return standing;
 }
 
-int running_of(const std::string& states) {
-  const std::size_t end = states.find(" running");
-  if (end == std::string::npos) return 0;
-  std::size_t begin = end;
-  while (begin > 0 && std::isdigit(static_cast<unsigned char>(states[begin - 1]))) --begin;
-  return std::stoi(states.substr(begin, end - begin));
-}
-
 // Of the queue: what is at work, and how long it may take.
 void print_queue(const fs::path& folder, const Stored& stored, std::size_t points) {
   const std::string list = submitted_jobs(folder);
   if (list.empty()) return;
-  const std::string states = states_of(list);
-  putf("  jobs {}: {}\n", list, states.empty() ? "none of them is in the queue (any more)" : states);
-  const int running = running_of(states);
-  if (running == 0 || stored.scenes.empty()) return;
+  const QueueStates states = states_of(list);
+  putf("  jobs {}: {}\n", list,
+       !states.trouble.empty() ? "the queue does not tell: " + states.trouble
+       : states.tasks.empty()  ? "none of them is in the queue (any more)"
+                               : states.text());
+  const auto found = states.tasks.find("running");
+  if (found == states.tasks.end() || stored.scenes.empty()) return;
+  const int running = found->second;
   const double each = stored.seconds / static_cast<double>(stored.scenes.size());
   const double left = each * static_cast<double>(points - std::min(points, stored.scenes.size())) / running;
   putf("  about {:.3g} min left, if {} tasks stay at work with a thread each\n", left / 60, running);
@@ -113,13 +112,13 @@ void print_shards(const fs::path& folder) {
       "{}: {} of {} impacts are stored, {} of them failed; {} shards: {} done, {} begun{}, {} ended with an error{}, "
       "{} "
       "not begun{}\n",
-      folder.filename().string(), stored.scenes.size(), plan.points(), stored.failed, plan.shards, standing.done.size(),
-      standing.begun.size(), shards_listed(standing.begun), standing.failed.size(), shards_listed(standing.failed),
-      standing.untouched.size(), shards_listed(standing.untouched));
+      folder.filename().string(), stored.scenes.size(), plan.impacts(), stored.failed, plan.shards,
+      standing.done.size(), standing.begun.size(), shards_listed(standing.begun), standing.failed.size(),
+      shards_listed(standing.failed), standing.untouched.size(), shards_listed(standing.untouched));
   for (std::size_t i = 0; i < std::min(most_errors_told, standing.failed.size()); ++i)
     putf("  shard {} ended with: {}\n", standing.failed[i],
          read_file(run_names::shard_error(folder, standing.failed[i])));
-  print_queue(folder, stored, plan.points());
+  print_queue(folder, stored, plan.impacts());
 }
 
 bool is_sweep(const fs::path& folder) {
@@ -131,15 +130,14 @@ void print_sweep(const fs::path& folder) {
   std::error_code error;
   if (fs::exists(run_names::plan(folder), error)) return print_shards(folder);
   const Stored stored = stored_in(run_names::stored(folder));
-  const bool whole = !fs::exists(run_names::parts(folder), error) && !fs::exists(run_names::new_parts(folder), error);
   putf("{}: {} impacts are stored, {} of them failed; {}\n", folder.filename().string(), stored.scenes.size(),
        stored.failed,
-       whole ? "no run is at work or was cut off" : "a run is at work, or was cut off: --resume goes on");
+       run_names::holds_parts(folder) ? "a run is at work, or was cut off: --resume goes on"
+                                      : "no run is at work or was cut off");
 }
 
-}  // namespace
-
-void print_status(const std::string& given) {
+// A folder itself, or those right below it.
+std::vector<fs::path> sweeps_in(const std::string& given) {
   const fs::path folder = fs::path(given).lexically_normal();
   std::error_code error;
   if (!fs::is_directory(folder, error)) throw FileError(fmt::format("there is no folder {}", folder.string()));
@@ -150,7 +148,23 @@ void print_status(const std::string& given) {
   if (sweeps.empty())
     throw FileError(fmt::format("{} holds no sweep; give the folder that --out named, or one below", folder.string()));
   std::sort(sweeps.begin(), sweeps.end());
-  for (const fs::path& sweep : sweeps) print_sweep(sweep);
+  return sweeps;
+}
+
+}  // namespace
+
+void print_status(const std::string& given) {
+  for (const fs::path& sweep : sweeps_in(given)) print_sweep(sweep);
+}
+
+void print_stored(const std::string& given) {
+  const std::vector<fs::path> sweeps = sweeps_in(given);
+  if (sweeps.size() > 1) {
+    std::vector<std::string> names;
+    for (const fs::path& sweep : sweeps) names.push_back(sweep.string());
+    throw FileError(fmt::format("{} holds {} sweeps: name one of {}", given, sweeps.size(), fmt::join(names, ", ")));
+  }
+  put(csv(stored_rows(sweeps.front())));
 }
 
 }  // namespace ricochet

@@ -7,4 +7,8 @@ namespace ricochet {
 /// Takes no lock. Throws FileError if there is none.
 void print_status(const std::string& folder);
 
+/// Prints the rows that are stored of the one sweep in a folder, or right below it, as comma-separated text. Takes no
+/// lock. Throws FileError if there are none or several.
+void print_stored(const std::string& folder);
+
 }  // namespace ricochet

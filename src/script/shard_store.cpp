@@ -18,13 +18,12 @@ constexpr int most_listings = 100;
 
 }  // namespace
 
-std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vector<fs::path>()>& list,
-                                   const Provenance& made_by) {
+std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vector<fs::path>()>& list) {
   for (int listing = 1;; ++listing) {
     std::size_t strangers = 0;
     bool gone = false;
     for (const fs::path& file : list()) try {
-        strangers += rows.load(file, made_by);
+        strangers += rows.load(file);
       } catch (const FileError&) {
         std::error_code error;
         if (fs::exists(file, error) || listing == most_listings) throw;
@@ -34,8 +33,9 @@ std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vec
   }
 }
 
-ShardStore::ShardStore(Session& session, fs::path folder, std::size_t shard, const std::vector<std::string>& hashes)
-    : RowStore(hashes), session_(session), folder_(std::move(folder)), shard_(shard) {
+ShardStore::ShardStore(Session& session, std::size_t shard, const std::vector<std::string>& hashes,
+                       const Parameters& parameters)
+    : RowStore(hashes), session_(session), folder_(session.sharded), shard_(shard), parameters_(parameters) {
   const auto all = [this] {
     std::vector<fs::path> list = files();
     std::error_code error;
@@ -43,21 +43,24 @@ ShardStore::ShardStore(Session& session, fs::path folder, std::size_t shard, con
       list.push_back(results);
     return list;
   };
-  load_while_they_change(known_, all, session.made_by());
+  load_while_they_change(known_, all);
 }
 
 std::vector<fs::path> ShardStore::files() const { return run_names::shard_files(folder_, shard_); }
 
-Provenance ShardStore::origin() const {
+void ShardStore::write(const fs::path& file, const std::vector<const Row*>& rows,
+                       const std::vector<std::size_t>& places) const {
   Provenance origin = Session::made_by();
   origin["host"] = host_name();
-  return origin;
+  Table table = table_of(rows);
+  parameters_.add_to(table, places);
+  write_table(file, table, origin);
 }
 
 void ShardStore::add(const std::vector<std::pair<std::size_t, Row>>& batch) {
   for (const auto& [index, row] : batch) {
     known_.accept(row);
-    waiting_.push_back(row);
+    waiting_.emplace_back(index, row);
   }
   const std::chrono::duration<double> since = Clock::now() - flushed_;
   if (waiting_.size() >= most_waiting || since.count() >= session_.options.flush) flush();
@@ -67,20 +70,29 @@ void ShardStore::flush() {
   flushed_ = Clock::now();
   if (waiting_.empty()) return;
   std::vector<const Row*> rows;
-  for (const Row& row : waiting_) rows.push_back(&row);
+  std::vector<std::size_t> places;
+  for (const auto& [index, row] : waiting_) {
+    rows.push_back(&row);
+    places.push_back(index);
+  }
   make_folder(run_names::shards(folder_));
-  write_table(run_names::shard_part(folder_, shard_), table_of(rows), origin());
+  write(run_names::shard_part(folder_, shard_), rows, places);
   waiting_.clear();
 }
 
 void ShardStore::finish() {
   make_folder(run_names::shards(folder_));
   const fs::path own = run_names::shard_part(folder_, shard_), whole = run_names::shard(folder_, shard_);
-  write_table(own, table_of(known_.list()), origin());
+  write(own, known_.list(), known_.places());
   std::vector<fs::path> others;
-  load_while_they_change(
-      known_, [&] { return others = files(); }, Session::made_by());
-  rename_over(own, whole);
+  load_while_they_change(known_, [&] { return others = files(); });
+  try {
+    rename_over(own, whole);
+  } catch (const FileError&) {
+    // Another process of this shard has taken up what is here, compared it with its own rows and removed it.
+    std::error_code error;
+    if (fs::exists(own, error) || !fs::exists(whole, error)) throw;
+  }
   for (const fs::path& other : others)
     if (other != own && other != whole) remove_file(other);
   remove_file(run_names::shard_error(folder_, shard_));

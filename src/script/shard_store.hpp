@@ -8,19 +8,20 @@
 #include <vector>
 
 #include "script/session.hpp"
+#include "script/sweep_parameters.hpp"
 #include "script/sweep_run.hpp"
 
 namespace ricochet {
 
 /// Takes up the files that `list` gives, again as long as one is gone when it is to be read: its process has put all
 /// rows into another by then. Throws FileError as KnownRows::load(). Returns how many rows are of no known scene.
-std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vector<std::filesystem::path>()>& list,
-                                   const Provenance& made_by);
+std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vector<std::filesystem::path>()>& list);
 
 class ShardStore : public RowStore {
  public:
   /// Takes up what is stored of the shard, and what of an earlier sweep's results is its own.
-  ShardStore(Session& session, std::filesystem::path folder, std::size_t shard, const std::vector<std::string>& hashes);
+  /// `parameters`: of the shard's points.
+  ShardStore(Session& session, std::size_t shard, const std::vector<std::string>& hashes, const Parameters& parameters);
 
   /// Keeps rows in memory until enough time or enough of them have passed, then as a part.
   void add(const std::vector<std::pair<std::size_t, Row>>& batch) override;
@@ -33,12 +34,15 @@ class ShardStore : public RowStore {
   using Clock = std::chrono::steady_clock;
 
   std::vector<std::filesystem::path> files() const;
-  Provenance origin() const;
+
+  void write(const std::filesystem::path& file, const std::vector<const Row*>& rows,
+             const std::vector<std::size_t>& places) const;
 
   Session& session_;
   std::filesystem::path folder_;
   std::size_t shard_;
-  std::vector<Row> waiting_;
+  const Parameters& parameters_;
+  std::vector<std::pair<std::size_t, Row>> waiting_;
   Clock::time_point flushed_ = Clock::now();
 };
 

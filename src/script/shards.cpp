@@ -6,9 +6,11 @@
 #include "script/fields.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
+#include "script/shard_merge.hpp"
 #include "script/shard_plan.hpp"
 #include "script/shard_store.hpp"
 #include "script/sweep_read.hpp"
+#include "script/sweep_store.hpp"
 #include "store/files.hpp"
 #include "store/run_names.hpp"
 
@@ -89,25 +91,49 @@ std::vector<SweptName> swept_names(lua_State* L, int list) {
   return names;
 }
 
+// holds_rows(name): true if an earlier run left rows of a sweep of this name.
+int holds_rows(lua_State* L) {
+  lua_pushboolean(L, !run_names::stored(session_of(L).folders.named(luaL_checkstring(L, 1))).empty());
+  return 1;
+}
+
+// Rows of other scenes would stand in the way of the merging, once all shards have run.
+void refuse_strangers(const fs::path& folder, const std::vector<Scene>& scenes) {
+  KnownRows known(hashes_of(scenes));
+  std::size_t strangers = 0;
+  for (const fs::path& file : run_names::stored(folder)) strangers += known.load(file);
+  if (strangers > 0)
+    throw FileError(fmt::format(
+        "{} holds {} rows of other scenes than this sweep's, beside which its shards could not be merged; give "
+        "another --out, or the script and the parameters of those",
+        folder.string(), strangers));
+}
+
 // plan_shards(name, over, first, names, scenes): writes the plan, unless another process does so first. `names`: a list
-// of { name =, values =, changes_lattice = }; `scenes`: of all points, if trials are to choose their steps, else empty.
+// of { name =, values =, changes_lattice = }; `scenes`: of all points, if trials are to choose their steps or rows are
+// there, else empty.
 int plan_shards(lua_State* L) {
   Session& session = session_of(L);
   const std::string over = luaL_checkstring(L, 2);
+  const Scene& first = scene_at(L, 3).scene;
   ShardPlan plan{.over = swept_names(L, 4)};
   plan.shards = session.options.shards;
   if (plan.shards == 0) plan.shards = std::max<std::size_t>(1, plan.points() / usual_impacts);
-  const std::vector<Scene> scenes = scenes_at(L, 5);
+  std::vector<Scene> scenes = scenes_at(L, 5);
   const auto name = [](std::size_t i) { return fmt::format("point {}", i + 1); };
   try {
-    if (!scenes.empty()) plan.steps = steps_table(with_chosen_steps(session, scenes, printed(session, name)));
+    if (!std::isnan(first.integration.accuracy)) {
+      scenes = with_chosen_steps(session, scenes, printed(session, name));
+      plan.steps = steps_table(scenes);
+    }
   } catch (const SceneError& error) {
     throw_at_scene(L, 5, error);
   }
-  const Scene& first = scene_at(L, 3).scene;
+  refuse_strangers(session.sharded, scenes);
   plan.facts = facts_of_sweep(L, over, first);
   plan.facts["canary"] = canary_of_first(L, 3, plan.with_step(first, 0));
-  write_plan(session.sharded, plan, session.provenance());
+  // A later sweep's shards make this one's scenes again.
+  if (write_plan(session.sharded, plan, session.provenance())) session.steps.write(session.steps_file());
   return 0;
 }
 
@@ -133,11 +159,11 @@ void tell_shard_end(Session& session, const std::string& name, const RowStore& s
 }
 
 void run_points(Session& session, const std::string& name, const std::vector<Scene>& scenes,
-                const SceneName& scene_name) {
-  std::vector<std::string> hashes;
-  for (const Scene& scene : scenes) hashes.push_back(scene.hash());
+                const Parameters& parameters) {
+  const SceneName scene_name = [&](std::size_t scene) { return parameters.place(scene); };
+  const std::vector<std::string> hashes = hashes_of(scenes);
   check_steps(session, scenes);
-  ShardStore store(session, session.sharded, session.options.shard, hashes);
+  ShardStore store(session, session.options.shard, hashes, parameters);
   const std::string called = fmt::format("{}, shard {}/{}", name, session.options.shard, session.options.shards);
   SweepUse use;
   const Storing storing;
@@ -164,14 +190,149 @@ int run_shard(lua_State* L) {
   Session& session = session_of(L);
   const std::string name = luaL_checkstring(L, 1);
   const Parameters parameters = read_parameters(L, 2, 3, 6);
-  const SceneName scene_name = [&](std::size_t scene) { return parameters.place(scene); };
   try {
     const std::vector<Scene> scenes = planned_scenes(read_plan(session.sharded), scenes_at(L, 4), numbers_at(L, 5));
-    run_points(session, name, scenes, scene_name);
+    run_points(session, name, scenes, parameters);
   } catch (const SceneError& error) {
     throw_at_scene(L, 4, error, fmt::format(" (at {})", parameters.place(error.scene)));
   }
   end_script(session);
+}
+
+/// A round of a sweep that takes as many samples of every point as an error needs: all scenes so far, with their steps.
+struct Round {
+  std::string name, text;  ///< of the sweep; what decides which scenes it has
+  Parameters parameters;
+  std::vector<Scene> scenes = {};
+  std::vector<std::string> hashes = {};
+  std::vector<std::size_t> places = {};  ///< of the scenes in the plan: lattices by their number, and their points
+  std::size_t lattices = 0, points = 0;  ///< at most, of a point; of the sweep
+
+  SceneName scene_name() const {
+    return [this](std::size_t scene) { return parameters.place(scene); };
+  }
+};
+
+// Throws an error of a scene of a round at the place that made it.
+[[noreturn]] void throw_at_round(lua_State* L, const Round& round, const SceneError& error) {
+  throw_at_scene(L, 4, error, fmt::format(" (at {})", round.parameters.place(error.scene)));
+}
+
+Round round_at(lua_State* L) {
+  Session& session = session_of(L);
+  Round round{luaL_checkstring(L, 1), luaL_checkstring(L, 6), read_parameters(L, 2, 3, 5)};
+  round.lattices = static_cast<std::size_t>(luaL_checkinteger(L, 7));
+  round.points = static_cast<std::size_t>(luaL_checkinteger(L, 8));
+  try {
+    round.scenes = with_steps_of_rounds(session, round.name, scenes_at(L, 4), printed(session, round.scene_name()));
+  } catch (const SceneError& error) {
+    throw_at_round(L, round, error);
+  }
+  round.hashes = hashes_of(round.scenes);
+  const std::vector<std::string>& names = round.parameters.names;
+  const auto pair = std::find(names.begin(), names.end(), "pair") - names.begin();
+  for (const double number : round.parameters.numbers[static_cast<std::size_t>(pair)])
+    round.places.push_back(static_cast<std::size_t>(number) - 1);
+  return round;
+}
+
+// How many of a round's rows are there: merged ones, and where they are to be merged, those of shards.
+std::size_t known_of(const Session& session, const Round& round, const fs::path& folder) {
+  KnownRows known(round.hashes);
+  load_while_they_change(known, [&] {
+    std::error_code error;
+    if (session.options.part != Part::merge) {
+      const fs::path results = run_names::readable_results(folder);
+      return fs::exists(results, error) ? std::vector<fs::path>{results} : std::vector<fs::path>{};
+    }
+    std::vector<fs::path> files = run_names::stored(folder);
+    for (const fs::path& file : run_names::shard_files(folder)) files.push_back(file);
+    return files;
+  });
+  return known.count();
+}
+
+// Of a round whose shards are not all there, says so; of one that none has run yet, makes results of those before.
+void merge_round(Session& session, const Round& round) {
+  if (session.options.partial)
+    throw Error(
+        "merge --partial: samples = \"by_error\" decides by all rows how many samples to run; run the shards that are "
+        "missing",
+        Exit::usage);
+  const fs::path folder = session.folders.named(round.name);
+  std::error_code error;
+  const bool has_plan = fs::exists(run_names::plan(folder), error);
+  if (has_plan) refuse_other(read_plan(folder), facts_of(session), folder);
+  Store store(session, round.name, round.hashes, round.parameters, {true, false});
+  if (store.count() == 0 || (has_plan && read_plan(folder).facts.at("over") == hash_text(round.text)))
+    refuse_missing(session, round.name, store, round.places);
+  store.assemble();
+  run_names::remove_shards(folder);
+}
+
+// Plans a round, unless another process does so first.
+void plan_round(lua_State* L, const Round& round, std::size_t known, const Provenance& facts) {
+  Session& session = session_of(L);
+  ShardPlan plan{.over = {{"sample", round.lattices, true}, {"point", round.points, false}}};
+  plan.shards = session.options.shards;
+  if (plan.shards == 0) plan.shards = std::max<std::size_t>(1, (round.scenes.size() - known) / usual_impacts);
+  refuse_strangers(session.sharded, round.scenes);
+  plan.facts = facts;
+  plan.facts["impacts"] = fmt::format("{}", round.scenes.size());
+  if (write_plan(session.sharded, plan, session.provenance())) session.steps.write(session.steps_file());
+}
+
+// Runs what of a round is this process's shard.
+void run_round(lua_State* L, const Round& round, const ShardPlan& plan) {
+  Session& session = session_of(L);
+  std::vector<std::size_t> own;
+  std::vector<Scene> scenes;
+  for (std::size_t i = 0; i < round.scenes.size(); ++i) {
+    if (plan.shard_of(round.places[i]) != session.options.shard) continue;
+    own.push_back(i);
+    scenes.push_back(round.scenes[i]);
+  }
+  try {
+    run_points(session, round.name, scenes, round.parameters.of(own));
+  } catch (const SceneError& error) {
+    throw_at_round(L, round, SceneError(error, own[error.scene]));
+  }
+}
+
+// round_is_there(name, names, points, scenes, units, text, lattices, count): true if all rows of a round are there;
+// false where it was merged and no shard has run it yet. Else plans the round or runs this process's shard of it, and
+// ends the script. `text`: what decides which scenes it has; `lattices`, `count`: at most, of a point; of points.
+int round_is_there(lua_State* L) {
+  Session& session = session_of(L);
+  const Round round = round_at(L);
+  const fs::path folder = session.folders.named(round.name);
+  const std::size_t known = known_of(session, round, folder);
+  lua_pushboolean(L, known == round.hashes.size());
+  if (known == round.hashes.size()) return 1;
+  if (session.options.part == Part::merge) {
+    merge_round(session, round);
+    return 1;
+  }
+  session.sharded = folder;
+  lua_rawgeti(L, 4, 1);
+  Provenance facts = facts_of_sweep(L, round.text, round.scenes.front());
+  facts["canary"] = canary_of_first(L, -1, round.scenes.front());
+  std::error_code error;
+  if (!fs::exists(run_names::plan(folder), error)) plan_round(L, round, known, facts);
+  const ShardPlan plan = read_plan(folder);
+  refuse_other_number(session, plan);
+  refuse_other(plan, facts, folder);
+  if (session.options.part == Part::shard) run_round(L, round, plan);
+  end_script(session);
+}
+
+// end_round(name, round): ends the merging of a round after which another one is needed.
+int end_round(lua_State* L) {
+  const Session& session = session_of(L);
+  throw Error(fmt::format("round {} of '{}' is to be run: its wanted error is not reached; ricochet submit does so, or "
+                          "run its shards: {}",
+                          luaL_checkinteger(L, 2), luaL_checkstring(L, 1), command_of(session, "run", "--shard K/N")),
+              Exit::numerical);
 }
 
 // part(): "whole", "plan", "shard" or "merge": what of its sweeps this process does.
@@ -186,14 +347,8 @@ int is_merged(lua_State* L) {
   const Session& session = session_of(L);
   const fs::path folder = session.folders.named(luaL_checkstring(L, 1)), results = run_names::readable_results(folder);
   std::error_code error;
-  bool merged = fs::exists(results, error) && !fs::exists(run_names::plan(folder), error);
-  if (merged) {
-    Provenance theirs = read_provenance(results);
-    const Provenance own = session.provenance();
-    merged = theirs["script_hash"] == own.at("script_hash") &&
-             theirs["arguments"] == (own.contains("arguments") ? own.at("arguments") : "");
-  }
-  lua_pushboolean(L, merged);
+  const bool whole = fs::exists(results, error) && !fs::exists(run_names::plan(folder), error);
+  lua_pushboolean(L, whole && is_of_results(facts_of(session), read_provenance(results)));
   return 1;
 }
 
@@ -212,8 +367,11 @@ Group shard_functions() {
   return {.natives = {{"part", part},
                       {"is_merged", guarded<is_merged>},
                       {"lattice", guarded<lattice>},
+                      {"holds_rows", guarded<holds_rows>},
                       {"shard_points", guarded<shard_points>},
                       {"plan_shards", guarded<plan_shards>},
+                      {"round_is_there", guarded<round_is_there>},
+                      {"end_round", guarded<end_round>},
                       {"run_shard", guarded<run_shard>}}};
 }
 

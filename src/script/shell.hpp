@@ -10,13 +10,13 @@ namespace ricochet {
 std::string shell_words(const std::string& word);
 std::string shell_words(const std::vector<std::string>& words);
 
-/// A program's exit status, 127 if there is none of this name, and what it said.
+/// A program's exit status, 127 if there is none of this name; what it said, and what it complained of.
 struct Answer {
   int status;
-  std::string text;
+  std::string text, complaint;
 };
 
-/// Runs a program to its end.
+/// Runs a program to its end. Throws FileError where there is no place for what it says.
 Answer ask(const std::vector<std::string>& words);
 
 }  // namespace ricochet

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "script/shard_merge.hpp"
 #include "script/shard_plan.hpp"
 #include "script/shell.hpp"
 #include "script/terminal.hpp"
@@ -36,6 +37,7 @@ struct Scripts {
   Session& session;
   const QueueOptions& wanted;
   const ShardPlan& plan;
+  int round;                        ///< how often its lost shards were submitted again
   std::vector<std::size_t> shards;  ///< those that are not there
   std::size_t tasks;
 
@@ -45,12 +47,12 @@ struct Scripts {
 std::string program() { return fs::read_symlink("/proc/self/exe").string(); }
 
 // The program with a command for this script.
-std::string call(const Scripts& s, const std::string& command) {
-  std::vector<std::string> words{program(), command, s.session.script.string()};
-  words.insert(words.end(), s.session.arguments.begin(), s.session.arguments.end());
-  words.insert(words.end(), {"--out", s.session.options.out});
-  return shell_words(words);
+std::string call(const Scripts& s, const std::string& command, const std::string& options) {
+  return command_of(s.session, command, options, program());
 }
+
+// Of shards, merging and planning alike.
+constexpr const char* own_threads = "--quiet --threads \"${SLURM_CPUS_PER_TASK:-1}\"";
 
 // The lines for Slurm.
 std::string header(const Scripts& s, const std::string& name, const std::string& log,
@@ -68,12 +70,18 @@ std::string header(const Scripts& s, const std::string& name, const std::string&
 // What a task does: its numbers, shards and calls are put before.
 constexpr const char* task_text = R"sh(
 echo "$(date +%FT%T) task $SLURM_ARRAY_TASK_ID on $(hostname), restart ${SLURM_RESTART_COUNT:-0}"
-stopped= process=
-trap 'stopped=1; [ -z "$process" ] || kill -TERM "$process"' TERM
+stopped= process= told=
+# A shard is told to stop once, whenever the signal came: told twice, it ends at once.
+tell() { [ -z "$stopped" ] || [ -z "$process" ] || [ -n "$told" ] || { told=1; kill -TERM "$process"; }; }
+trap 'stopped=1; tell' TERM
 
 # The end of its time is near, or the node is wanted: what is done is stored. Cancelled jobs stay so.
 again() {
-  if [ "$(squeue -h -j "$SLURM_JOB_ID" -o %T)" = RUNNING ] && [ "${SLURM_RESTART_COUNT:-0}" -lt $most_restarts ]; then
+  for try in 1 2 3 4 5; do
+    state=$(squeue -h -j "$SLURM_JOB_ID" -o %T) && break
+    sleep 2
+  done
+  if [ "$state" = RUNNING ] && [ "${SLURM_RESTART_COUNT:-0}" -lt $most_restarts ]; then
     echo "queued again"
     scontrol requeue "$SLURM_JOB_ID"
   fi
@@ -85,13 +93,14 @@ for ((i = SLURM_ARRAY_TASK_ID; i < ${#shards[@]}; i += tasks)); do
   [ -z "$stopped" ] || again
   run_shard "${shards[i]}" &
   process=$!
+  tell
   # A signal ends the waiting, not the process.
   while wait "$process"; status=$?; kill -0 "$process" 2>/dev/null; do :; done
   [ "$status" != 143 ] || { wait "$process"; status=$?; }
   process=
   case $status in
     0) ;;
-    130) again ;;
+    130 | 143) again ;;
     *) echo "shard ${shards[i]} ended with $status"; failed=$status ;;
   esac
 done
@@ -107,26 +116,32 @@ std::string shard_text(const Scripts& s) {
   return header(s, s.session.sharded.filename().string(), "task-%a.log", own) +
          "# Shards of a sweep, some in each task one after another. Made by ricochet submit, which makes it anew.\n" +
          fmt::format("shards=({})\ntasks={} most_restarts={}\n", fmt::join(s.shards, " "), s.tasks, most_restarts) +
-         fmt::format(
-             "run_shard() {{\n  exec {} --quiet --threads \"${{SLURM_CPUS_PER_TASK:-1}}\" --shard \"$1/{}\"\n}}\n",
-             call(s, "run"), s.plan.shards) +
+         fmt::format("run_shard() {{\n  exec {}\n}}\n",
+                     call(s, "run", fmt::format("{} --shard \"$1/{}\"", own_threads, s.plan.shards))) +
          task_text;
 }
 
+// What a merging job submits again is of the same sweep, and of the same round of it; else it is no loss.
+std::string work_of(const Session& session, const ShardPlan& plan) {
+  return session.sharded.filename().string() + ":" + plan.facts.at("over");
+}
+
 std::string merge_text(const Scripts& s) {
+  const std::string name = s.session.sharded.filename().string();
   std::vector<std::string> own{"--cpus-per-task=1"};
   std::string again =
-      call(s, "submit") + fmt::format(" --slurm --round {} --cpus {} --max-running {} --warning {}", s.wanted.round + 1,
-                                      s.wanted.cpus, s.wanted.running, s.wanted.warning);
+      fmt::format("{} --slurm --round {} --of {} --cpus {} --max-running {} --warning {}", own_threads, s.round + 1,
+                  shell_words(work_of(s.session, s.plan)), s.wanted.cpus, s.wanted.running, s.wanted.warning);
+  if (s.session.options.shards > 0) again += fmt::format(" --shards {}", s.session.options.shards);
   if (!s.wanted.time.empty()) again += " --time " + shell_words(s.wanted.time);
   if (!s.wanted.partition.empty()) again += " --partition " + shell_words(s.wanted.partition);
   for (const std::string& option : s.wanted.sbatch) again += " " + shell_words("--sbatch=" + option);
-  std::string text = header(s, s.session.sharded.filename().string() + "-merge", "merge.log", own);
+  std::string text = header(s, name + "-merge", "merge.log", own);
   text += "# Results of all shards. Made by ricochet submit, which makes it anew.\n";
-  text += fmt::format("{} --quiet\nstatus=$?\n", call(s, "merge"));
-  if (s.wanted.round < most_rounds)
-    text += fmt::format("# Impacts are missing: lost with their nodes, or of a later sweep.\n[ $status != 3 ] || {}\n",
-                        again);
+  text += fmt::format("{}\nstatus=$?\n", call(s, "merge", own_threads));
+  text += fmt::format(
+      "# Impacts are missing: lost with their nodes, or of a later round or sweep.\n[ $status != 3 ] || {}\n",
+      call(s, "submit", again));
   return text + "exit $status\n";
 }
 
@@ -148,12 +163,12 @@ std::size_t most_tasks() {
 }
 
 // Before a submission: shards that ended with an error stay so, unless a user asks anew.
-void refuse_errors(const Session& session, const QueueOptions& wanted, const std::vector<std::size_t>& shards) {
+void refuse_errors(const Scripts& s) {
   std::error_code error;
-  for (const std::size_t k : shards) {
-    const fs::path file = run_names::shard_error(session.sharded, k);
+  for (const std::size_t k : s.shards) {
+    const fs::path file = run_names::shard_error(s.session.sharded, k);
     if (!fs::exists(file, error)) continue;
-    if (wanted.round > 0)
+    if (s.round > 0)
       throw Error(fmt::format("shard {} ended with: {}\n  it is not submitted again: what went wrong would go wrong "
                               "again; mend it, and call ricochet submit",
                               k, read_file(file)),
@@ -168,8 +183,12 @@ std::string submit(const std::vector<std::string>& words) {
     throw Error(
         "there is no sbatch here; call ricochet submit where jobs are submitted, or with --dry-run, which only "
         "writes the scripts");
-  if (answer.status != 0) throw Error(fmt::format("sbatch refused {}: {}", words.back(), answer.text));
-  return answer.text.substr(0, answer.text.find(';'));
+  if (answer.status != 0) throw Error(fmt::format("sbatch refused {}: {}", words.back(), answer.complaint));
+  const std::string number = answer.text.substr(0, answer.text.find(';'));
+  if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos)
+    throw Error(fmt::format("sbatch took {}, but said '{}' where it should say the job's number; look for it by squeue",
+                            words.back(), answer.text));
+  return number;
 }
 
 // Those of shards that are not there, and the one that merges them.
@@ -211,20 +230,68 @@ std::string submitted_jobs(const fs::path& folder) {
   return list.substr(0, list.find('\n'));
 }
 
-std::string states_of(const std::string& list) {
-  if (list.empty()) return "";
+QueueStates states_of(const std::string& list) {
+  QueueStates states;
+  if (list.empty()) return states;
   const Answer answer = ask({"squeue", "-h", "-r", "-j", list, "-o", "%T"});
-  if (answer.status != 0) return "";
-  std::map<std::string, int> counts;
+  // Of a job that ended long ago it says so and fails.
+  const bool forgotten = answer.complaint.find("Invalid job id") != std::string::npos;
+  if (answer.status == 127)
+    states.trouble = "there is no squeue here";
+  else if (answer.status != 0 && !forgotten)
+    states.trouble = answer.complaint.empty() ? fmt::format("squeue ended with {}", answer.status) : answer.complaint;
   std::istringstream words(answer.text);
-  for (std::string word; words >> word;) {
+  for (std::string word; states.trouble.empty() && words >> word;) {
     std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-    ++counts[word];
+    ++states.tasks[word];
   }
+  return states;
+}
+
+std::string QueueStates::text() const {
   std::string text;
-  for (const auto& [state, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, state);
+  for (const auto& [state, count] : tasks) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, state);
   return text;
 }
+
+namespace {
+
+// Twice the same shards at a time would be no mistake, but twice the work.
+void refuse_others_at_work(const Session& session, const QueueOptions& wanted) {
+  if (!wanted.of.empty()) return;  // the merging job that asks is at work itself
+  const std::string list = submitted_jobs(session.sharded);
+  const QueueStates states = states_of(list);
+  if (!states.tasks.empty())
+    throw Error(fmt::format("jobs {} are at work on these shards ({}); wait for them, or scancel {}", list,
+                            states.text(), list));
+  if (!states.trouble.empty() && !wanted.dry_run)
+    throw Error(
+        fmt::format("whether jobs {} are still at work on these shards is not known: {}; call ricochet submit "
+                    "again where and when the queue answers",
+                    list, states.trouble));
+}
+
+void refuse_further_round(const Scripts& s) {
+  if (s.round <= most_rounds) return;
+  throw Error(
+      fmt::format("{} shards of '{}' are still not there after they were submitted again {} times; see why in "
+                  "{}, mend it, and call ricochet submit",
+                  s.shards.size(), s.session.sharded.filename().string(), most_rounds, (s.folder() / "*.log").string()),
+      Exit::numerical);
+}
+
+void tell_how_to_submit(const Scripts& s) {
+  const std::string merge = shell_words((s.folder() / merge_script).string()),
+                    name = s.session.sharded.filename().string();
+  if (s.shards.empty())
+    return putf("all shards of '{}' are there; submit their merging by hand:\n  sbatch {}\n", name, merge);
+  putf(
+      "{} shards of '{}' in {} tasks; submit them by hand:\n  array=$(sbatch --parsable {})\n"
+      "  sbatch --dependency=afterany:$array {}\n",
+      s.shards.size(), name, s.tasks, shell_words((s.folder() / shard_script).string()), merge);
+}
+
+}  // namespace
 
 void submit_shards(Session& session, const QueueOptions& wanted) {
   if (session.sharded.empty()) {
@@ -232,24 +299,17 @@ void submit_shards(Session& session, const QueueOptions& wanted) {
     return;
   }
   const ShardPlan plan = read_plan(session.sharded);
-  const std::string list = submitted_jobs(session.sharded);
-  // A merging job that submits what is lost is at work itself.
-  if (const std::string states = wanted.round > 0 ? "" : states_of(list); !states.empty())
-    throw Error(
-        fmt::format("jobs {} are at work on these shards ({}); wait for them, or scancel {}", list, states, list));
-  Scripts scripts{session, wanted, plan, missing_shards(session, plan), 0};
-  refuse_errors(session, wanted, scripts.shards);
+  refuse_others_at_work(session, wanted);
+  const int round = wanted.of == work_of(session, plan) ? wanted.round : 0;
+  Scripts scripts{session, wanted, plan, round, missing_shards(session, plan), 0};
+  refuse_errors(scripts);
+  refuse_further_round(scripts);
   scripts.tasks = std::min(scripts.shards.size(), most_tasks());
   make_folder(scripts.folder());
   if (!scripts.shards.empty()) write_atomically(scripts.folder() / shard_script, shard_text(scripts));
   write_atomically(scripts.folder() / merge_script, merge_text(scripts));
   warn_of_build(session);
-  if (!wanted.dry_run) return submit_scripts(scripts);
-  putf(
-      "{} shards of '{}' in {} tasks; submit them by hand:\n  array=$(sbatch --parsable {})\n"
-      "  sbatch --dependency=afterany:$array {}\n",
-      scripts.shards.size(), session.sharded.filename().string(), scripts.tasks,
-      shell_words((scripts.folder() / shard_script).string()), shell_words((scripts.folder() / merge_script).string()));
+  wanted.dry_run ? tell_how_to_submit(scripts) : submit_scripts(scripts);
 }
 
 }  // namespace ricochet

@@ -39,6 +39,37 @@ Function sweep_function() {
               "scene_at(at.psi1) end }"};
 }
 
+// lua/ricochet/find.lua
+Function find_function() {
+  return {
+      .name = "find",
+      .doc =
+          "At which value of one parameter the mean of a column is `value`, by bisection: the same lattices are struck "
+          "at every value that is tried, so that the mean goes one way where it does so at all; one that turns back is "
+          "refused, and so is a range in which the value does not lie. Prints the result, and leaves all impacts as "
+          "the results of a sweep. Returns a table: `at`, by a straight line between the last two values tried "
+          "(`bracket`); `se`, the standard error of the mean over its `slope` there, which is taken between the "
+          "nearest "
+          "values whose means differ by 4 standard errors; `low` and `high`, between which it is with 95 % by "
+          "Student's t; `count`, of the lattices whose impacts all finished; `places`, of values tried; `rows`. "
+          "Without "
+          "an error (nan), `reason` says why.",
+      .fields = {{"name", "string", "", "names the folder of the impacts", any_number, "find"},
+                 {"scene", "function", "",
+                  "function (at) that returns the scene at the value at.NAME, on the lattice of at.sample, from 1"},
+                 {"column", "string", "", "the outcome"},
+                 {"value", "number", "", "wanted of its mean"},
+                 {"over", "table", "", "{ NAME = { low, high } }: one name, and where to look"},
+                 {"units", "table", "", "as those of a sweep", any_number, "{}"},
+                 {"samples", "integer", "", "lattices", {1, 1e6}},
+                 {"tolerance", "number", "", "how far apart the last two values may be", positive}},
+      .returns = "table",
+      .example =
+          "local found = ricochet.find { column = \"e\", value = 0.9, over = { speed = { 0.02, 0.4 } }, "
+          "samples = 16, tolerance = 1e-3,\n  scene = function(at) return scene_at(at.speed, at.sample) end }",
+      .is_adaptive = true};
+}
+
 // lua/ricochet/rows.lua
 std::vector<Function> rows_functions() {
   return {
@@ -123,8 +154,8 @@ std::vector<Function> design_functions() {
 }  // namespace
 
 std::vector<Function> sweep_descriptions() {
-  return std::vector<Function>{sweep_function()} + rows_functions() + std::vector<Function>{range_function()} +
-         design_functions();
+  return std::vector<Function>{sweep_function(), find_function()} + rows_functions() +
+         std::vector<Function>{range_function()} + design_functions();
 }
 
 }  // namespace ricochet

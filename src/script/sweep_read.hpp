@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "impact/scene.hpp"
-#include "script/sweep_store.hpp"
+#include "script/sweep_parameters.hpp"
 
 namespace ricochet {
 

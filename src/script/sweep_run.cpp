@@ -17,6 +17,12 @@ SweepOptions options_of(const Session& session) {
   return options;
 }
 
+std::vector<std::string> hashes_of(const std::vector<Scene>& scenes) {
+  std::vector<std::string> hashes;
+  for (const Scene& scene : scenes) hashes.push_back(scene.hash());
+  return hashes;
+}
+
 namespace {
 
 void warn_of_twins(Session& session, const std::string& name, const std::vector<std::string>& hashes) {

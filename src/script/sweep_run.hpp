@@ -38,6 +38,8 @@ struct SweepWork {
 
 SweepOptions options_of(const Session& session);
 
+std::vector<std::string> hashes_of(const std::vector<Scene>& scenes);
+
 /// Refuses a step that some lattice does not take, before anything is written. Throws SceneError.
 void check_steps(const Session& session, const std::vector<Scene>& scenes);
 

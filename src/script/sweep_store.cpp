@@ -6,7 +6,6 @@
 #include "core/hash.hpp"
 #include "script/digest.hpp"
 #include "script/shard_store.hpp"
-#include "script/sweep_table.hpp"
 #include "store/files.hpp"
 #include "store/run_names.hpp"
 #include "store/sinks.hpp"
@@ -14,14 +13,6 @@
 namespace ricochet {
 
 namespace fs = std::filesystem;
-
-std::string Parameters::place(std::size_t scene) const {
-  std::string text;
-  for (std::size_t p = 0; p < names.size(); ++p)
-    text += fmt::format("{}{} = {}", p ? ", " : "", names[p],
-                        texts[p].empty() ? fmt::format("{:g}", numbers[p][scene]) : "'" + texts[p][scene] + "'");
-  return text;
-}
 
 Store::Store(Session& session, const std::string& name, const std::vector<std::string>& hashes,
              const Parameters& parameters, const Earlier& earlier)
@@ -43,14 +34,18 @@ Store::Store(Session& session, const std::string& name, const std::vector<std::s
 
 void Store::add(const std::vector<std::pair<std::size_t, Row>>& batch) {
   std::vector<const Row*> rows;
+  std::vector<std::size_t> places;
   std::string key;
   for (const auto& [index, row] : batch) {
     rows.push_back(&row);
+    places.push_back(index);
     key += row.hash;
   }
   if (session_.options.force && count() == 0) run_names::remove_parts(parts_);  // of another try
   make_folder(parts_);
-  write_table(run_names::part(parts_, hash_text(key)), table_of(rows), session_.made_by());
+  Table table = table_of(rows);
+  parameters_.add_to(table, places);
+  write_table(run_names::part(parts_, hash_text(key)), table, session_.made_by());
   for (const auto& [index, row] : batch) known_.accept(row);
 }
 
@@ -72,28 +67,13 @@ std::string Store::left_behind() const {
 
 std::string Store::assemble() {
   Table table = table_of(known_.list());
-  const std::vector<std::size_t> scenes = known_.places();
-  for (std::size_t p = parameters_.names.size(); p-- > 0;) add_parameter(table, p, scenes);
+  parameters_.add_to(table, known_.places());
   write_everywhere(run_names::results(folder_), table, session_.provenance());
   for (const fs::path& parts : {run_names::parts(folder_), run_names::new_parts(folder_)})
     run_names::remove_parts(parts);
   if (count() == rows().size()) run_names::remove_shards(folder_);
   session_.folders.results_are_whole(folder_);
   return digest_of(table);
-}
-
-void Store::add_parameter(Table& table, std::size_t p, const std::vector<std::size_t>& scenes) const {
-  const std::string& name = parameters_.names[p];
-  // An outcome of the same name is what the impact had; the parameter is what the sweep asked for: keep both.
-  const Field field{table.number(name) || table.text(name) ? "over_" + name : name, "number", parameters_.units[p],
-                    sweep_table::parameter};
-  if (!parameters_.texts[p].empty()) {
-    table.texts.insert(table.texts.begin(), {field, {}});
-    for (const std::size_t i : scenes) table.texts.front().values.push_back(parameters_.texts[p][i]);
-  } else {
-    table.numbers.insert(table.numbers.begin(), {field, {}});
-    for (const std::size_t i : scenes) table.numbers.front().values.push_back(parameters_.numbers[p][i]);
-  }
 }
 
 void Store::load(bool strangers_too) {
@@ -103,7 +83,7 @@ void Store::load(bool strangers_too) {
     for (const fs::path& file : run_names::shard_files(folder_)) list.push_back(file);
     return list;
   };
-  const std::size_t strangers = load_while_they_change(known_, files, session_.made_by());
+  const std::size_t strangers = load_while_they_change(known_, files);
   if (strangers > 0 && !strangers_too)
     throw FileError(fmt::format(
         "{} holds {} rows of other scenes than this sweep's, which --resume would lose; use the same parameters (and "

@@ -7,20 +7,11 @@
 #include <vector>
 
 #include "script/session.hpp"
+#include "script/sweep_parameters.hpp"
 #include "script/sweep_run.hpp"
 #include "store/table.hpp"
 
 namespace ricochet {
-
-/// The sweep's own parameters, by name; numbers are NaN and texts empty where the other kind was given.
-struct Parameters {
-  std::vector<std::string> names, units;        // [parameter]; the user's word for the unit, or none
-  std::vector<std::vector<double>> numbers;     // [parameter][scene]
-  std::vector<std::vector<std::string>> texts;  // [parameter][scene]; empty if the parameter is numeric
-
-  /// "psi1 = 2, sample = 7" for messages.
-  std::string place(std::size_t scene) const;
-};
 
 /// What of a sweep's earlier rows a store takes up.
 struct Earlier {
@@ -53,8 +44,6 @@ class Store : public RowStore {
  private:
   // True if earlier results stay until all new rows are there.
   bool replaces() const;
-  // Puts the column of parameter `p` before all others.
-  void add_parameter(Table& table, std::size_t p, const std::vector<std::size_t>& scenes) const;
   void load(bool strangers_too);
 
   Session& session_;

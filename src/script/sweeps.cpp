@@ -127,15 +127,9 @@ void tell_end(Session& session, const Request& sweep, const fs::path& folder, co
 
 std::vector<Scene> with_steps(Session& session, const Request& sweep) {
   const Telling telling = printed(session, sweep.scene_name());
-  if (session.options.part != Part::whole) return with_planned_steps(session, sweep.name, sweep.scenes, telling);
-  return sweep.stage == Stage::whole ? with_chosen_steps(session, sweep.scenes, telling)
-                                     : with_steps_of_rounds(session, sweep.name, sweep.scenes, telling);
-}
-
-std::vector<std::string> hashes_of(const std::vector<Scene>& scenes) {
-  std::vector<std::string> hashes;
-  for (const Scene& scene : scenes) hashes.push_back(scene.hash());
-  return hashes;
+  if (sweep.stage != Stage::whole) return with_steps_of_rounds(session, sweep.name, sweep.scenes, telling);
+  return session.options.part == Part::whole ? with_chosen_steps(session, sweep.scenes, telling)
+                                             : with_planned_steps(session, sweep.name, sweep.scenes, telling);
 }
 
 // Runs what is not stored yet.

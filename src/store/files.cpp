@@ -6,11 +6,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <random>
 
 #include "core/error.hpp"
 #include "store/run_names.hpp"
@@ -47,7 +49,11 @@ void sync_folder(const std::filesystem::path& folder) {
 
 }  // namespace
 
-ScratchFolder::ScratchFolder() : path_(std::filesystem::temp_directory_path() / own_name("ricochet", "")) {}
+ScratchFolder::ScratchFolder() {
+  std::string name = std::filesystem::temp_directory_path() / "ricochet-XXXXXX";
+  if (!mkdtemp(name.data())) fail(name, "make folder", errno);
+  path_ = name;
+}
 
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
@@ -116,6 +122,10 @@ bool link_first(const std::filesystem::path& file, const std::filesystem::path& 
   return false;
 }
 
+bool is_within(const std::filesystem::path& inner, const std::filesystem::path& outer) {
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
 std::string host_name() {
   char host[256] = "unknown";
   gethostname(host, sizeof host - 1);
@@ -124,7 +134,8 @@ std::string host_name() {
 
 std::string own_name(const std::string& stem, const std::string& extension) {
   static std::atomic<int> count = 0;
-  return fmt::format("{}-{}-{}-{}{}", stem, host_name(), getpid(), count++, extension);
+  static const unsigned bits = std::random_device()();  // containers may share host name and process number
+  return fmt::format("{}-{}-{}-{:08x}-{}{}", stem, host_name(), getpid(), bits, count++, extension);
 }
 
 void make_folder(const std::filesystem::path& path) {

@@ -26,16 +26,19 @@ void rename_over(const std::filesystem::path& file, const std::filesystem::path&
 /// whatever machines, one gets true. Throws FileError.
 bool link_first(const std::filesystem::path& file, const std::filesystem::path& path);
 
+/// True if `inner` is `outer` or lies below it, by their components as they stand.
+bool is_within(const std::filesystem::path& inner, const std::filesystem::path& outer);
+
 /// The name of this machine.
 std::string host_name();
 
-/// A name that no other process, on whatever machine, gives a file: STEM-<host>-<process>-<count>EXTENSION.
+/// A name that no other process, on whatever machine, gives a file: STEM-<host>-<process>-<random>-<count>EXTENSION.
 std::string own_name(const std::string& stem, const std::string& extension);
 
-/// A folder where temporary files go, made when it is first written into, and removed with all in it at the end.
+/// A folder where temporary files go, this user's alone, removed with all in it at the end.
 class ScratchFolder {
  public:
-  ScratchFolder();
+  ScratchFolder();  ///< Throws FileError.
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
   ~ScratchFolder();

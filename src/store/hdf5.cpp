@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <sstream>
 
 #include "core/hash.hpp"
 #include "store/files.hpp"
@@ -13,9 +14,8 @@ namespace ricochet::hdf5 {
 namespace {
 
 constexpr std::string_view seal_words = "ricochet: HDF5 from byte 512 on; XXH3-128 of that: ";
+constexpr std::string_view content_words = "size and hash of content, and the hash of both: ";
 constexpr std::size_t seal_size = 512;
-constexpr const char* damage_remedy =
-    "restore it from a copy, or remove it, or run the script that wrote it again with --force or another --out";
 
 // More than any table or text of ours holds.
 constexpr hsize_t most_values = 1'000'000'000;
@@ -77,22 +77,66 @@ Handle memory_file() {
   return {H5Fcreate("memory", H5F_ACC_TRUNC, creation, access), H5Fclose, "make a file in memory"};
 }
 
-std::string image(const Handle& file) {
+namespace {
+
+/// How large a file was when it was written, and the hash of its content then.
+struct Content {
+  std::size_t size = 0;
+  std::string hash;
+};
+
+std::string line_of(const Content& content) {
+  const std::string text = fmt::format("{} {}", content.size, content.hash);
+  return fmt::format("{}{} {}\n", content_words, text, hash_text(text));
+}
+
+// Of a file that begins with its seal; no hash if none stands there, or it is damaged.
+Content content_of(const std::string& bytes) {
+  const std::size_t begin = bytes.find('\n') + 1;
+  if (bytes.compare(begin, content_words.size(), content_words) != 0) return {};
+  Content content;
+  std::istringstream(bytes.substr(begin + content_words.size(), seal_size)) >> content.size >> content.hash;
+  const std::string line = line_of(content);
+  return bytes.compare(begin, line.size(), line) == 0 ? content : Content{};
+}
+
+}  // namespace
+
+std::string image(const Handle& file, const std::string& content) {
   check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush a file in memory");
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
   if (size < 0) throw FileError("HDF5 cannot give a file's image");
   std::string bytes(static_cast<std::size_t>(size), '\0');
   if (H5Fget_file_image(file, bytes.data(), bytes.size()) < 0) throw FileError("HDF5 cannot give a file's image");
-  return seal_of(bytes) + bytes;  // an image begins behind the user block
+  return seal_of(bytes, content) + bytes;  // an image begins behind the user block
 }
 
-std::string seal_of(std::string_view bytes) {
+std::string seal_of(std::string_view bytes, const std::string& content) {
   std::string seal = std::string(seal_words) + hash_text(bytes) + "\n";
+  if (!content.empty()) seal += line_of({seal_size + bytes.size(), content});
   seal.resize(seal_size, '\n');
   return seal;
 }
 
-Handle open_file(const std::filesystem::path& path) {
+namespace {
+
+hid_t opened(const std::filesystem::path& path) {
+  // One process writes a file, and gives it its name when it is whole: no lock is needed, and some file systems have
+  // none.
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
+  check(H5Pset_file_locking(access, 0, 1), "do without locks");
+  return H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+}
+
+// True if HDF5 itself says that the file ends where it does: it added what stands there.
+bool ends_by_hdf5(hid_t file, std::size_t size) {
+  haddr_t end = 0;
+  return H5Fget_eoa(file, &end) >= 0 && end == size;
+}
+
+}  // namespace
+
+Opened open_with_additions(const std::filesystem::path& path) {
   quiet();
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw FileError(fmt::format("{} does not exist", path.string()));
@@ -101,17 +145,28 @@ Handle open_file(const std::filesystem::path& path) {
     throw FileError(
         fmt::format("{} is no file of ricochet's (it begins without a seal), or its beginning is damaged; {}",
                     path.string(), damage_remedy));
-  if (bytes.size() < seal_size || bytes.compare(0, seal_size, seal_of(std::string_view(bytes).substr(seal_size))) != 0)
+  const Content content = content_of(bytes);
+  const bool whole = bytes.size() >= seal_size &&
+                     bytes.compare(0, seal_size, seal_of(std::string_view(bytes).substr(seal_size), content.hash)) == 0;
+  const bool grew = !content.hash.empty() && bytes.size() > content.size;
+  if (!whole && !grew)
     throw FileError(
         fmt::format("{} is damaged: its bytes are not those that were written (the seal does not match); {}",
                     path.string(), damage_remedy));
-  // One process writes a file, and gives it its name when it is whole: no lock is needed, and some file systems have
-  // none.
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make properties");
-  check(H5Pset_file_locking(access, 0, 1), "do without locks");
-  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  const hid_t id = opened(path);
   if (id < 0) throw FileError(fmt::format("{} is sealed, but HDF5 cannot open it; {}", path.string(), damage_remedy));
-  return {id, H5Fclose, "open a file"};
+  Handle file(id, H5Fclose, "open a file");
+  if (!whole && !ends_by_hdf5(file, bytes.size()))
+    throw FileError(fmt::format("{} is damaged: more stands there than was written, and HDF5 did not add it; {}",
+                                path.string(), damage_remedy));
+  return {std::move(file), whole ? "" : content.hash};
+}
+
+Handle open_file(const std::filesystem::path& path) {
+  Opened opened = open_with_additions(path);
+  if (opened.content.empty()) return std::move(opened.file);
+  throw FileError(
+      fmt::format("{} is not as it was written: something was added to it; {}", path.string(), damage_remedy));
 }
 
 Handle group(hid_t parent, const char* name) {

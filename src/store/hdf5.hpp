@@ -39,13 +39,27 @@ class Handle {
 
 Handle memory_file();
 /// The bytes of a file as it would lie on disk, sealed: HDF5 leaves the first 512 bytes to whoever writes it, and there
-/// stands the hash of all that follows, so that not one flipped bit goes unnoticed.
-std::string image(const Handle& file);
+/// stands the hash of all that follows, so that not one flipped bit goes unnoticed. `content`: a hash of what we put
+/// into it, by which that is known again where somebody has added to the file; empty: nothing may be added.
+std::string image(const Handle& file, const std::string& content = "");
 /// The seal of these bytes, which go behind it.
-std::string seal_of(std::string_view bytes);
-/// Opens a file to read. Throws FileError that names it if it is not ours, or is damaged: HDF5 sees only what was
-/// written.
+std::string seal_of(std::string_view bytes, const std::string& content = "");
+
+/// A file that is open to read, of what was written or more. If `content` is not empty, something was added to it, by
+/// HDF5 and so that it grew: what we wrote must have that hash.
+struct Opened {
+  Handle file;
+  std::string content;
+};
+/// Throws FileError that names the file if it is not ours, or is damaged: HDF5 sees only what was written, and what was
+/// added to it.
+Opened open_with_additions(const std::filesystem::path& path);
+/// The same of a file to which nothing may be added.
 Handle open_file(const std::filesystem::path& path);
+
+/// What to do about a damaged file.
+inline constexpr const char* damage_remedy =
+    "restore it from a copy, or remove it, or run the script that wrote it again with --force or another --out";
 
 Handle group(hid_t parent, const char* name);
 Handle open_group(hid_t parent, const char* name);

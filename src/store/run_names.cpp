@@ -118,6 +118,13 @@ std::vector<fs::path> shard_files(const fs::path& folder, std::size_t k) {
 
 std::vector<fs::path> shard_files(const fs::path& folder) { return rows_of_shards(folder, ""); }
 
+std::set<std::string> shard_names(const fs::path& folder) {
+  std::set<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(shards(folder), error)) names.insert(entry.path().filename());
+  return names;
+}
+
 void remove_shards(const fs::path& folder) {
   remove_those(shards(folder), [](fs::path name) { return is_part(name) || name.extension() == error_extension; });
   remove_file(plan(folder));
@@ -125,9 +132,12 @@ void remove_shards(const fs::path& folder) {
 
 bool holds_results(const fs::path& folder) {
   std::error_code error;
-  if (fs::exists(plan(folder), error)) return true;
-  return fs::exists(readable_results(folder), error) || fs::exists(parts(folder), error) ||
-         fs::exists(new_parts(folder), error);
+  return fs::exists(readable_results(folder), error) || holds_parts(folder);
+}
+
+bool holds_parts(const fs::path& folder) {
+  std::error_code error;
+  return fs::exists(plan(folder), error) || fs::exists(parts(folder), error) || fs::exists(new_parts(folder), error);
 }
 
 void remove_results(const fs::path& folder) {
@@ -162,8 +172,7 @@ std::set<std::string> made_in(const fs::path& folder) {
   const fs::path root = fs::weakly_canonical(folder, error);
   for (std::string name; std::getline(lines, name);) {
     const fs::path real = fs::weakly_canonical((folder / name).parent_path(), error);
-    const bool below = std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
-    if (!name.empty() && below && !is_of_the_run(name)) names.insert(name);  // whoever wrote the list
+    if (!name.empty() && is_within(real, root) && !is_of_the_run(name)) names.insert(name);  // whoever wrote the list
   }
   return names;
 }

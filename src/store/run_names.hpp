@@ -39,6 +39,8 @@ std::filesystem::path shard_error(const std::filesystem::path& folder, std::size
 /// The files of rows of one shard, or of all, whole or not.
 std::vector<std::filesystem::path> shard_files(const std::filesystem::path& folder, std::size_t k);
 std::vector<std::filesystem::path> shard_files(const std::filesystem::path& folder);
+/// The names of all files of the shards.
+std::set<std::string> shard_names(const std::filesystem::path& folder);
 /// Removes the shards' rows and the plan. Throws FileError.
 void remove_shards(const std::filesystem::path& folder);
 /// The folder of the scripts and logs of a queue that runs the shards.
@@ -46,6 +48,8 @@ std::filesystem::path queue(const std::filesystem::path& folder);
 
 /// True if a folder holds results or parts of them, or shards.
 bool holds_results(const std::filesystem::path& folder);
+/// True if parts lie there, or shards, of which results are still to be made.
+bool holds_parts(const std::filesystem::path& folder);
 /// Removes results, parts and shards, in all formats. Throws FileError.
 void remove_results(const std::filesystem::path& folder);
 /// Removes a folder of parts. Throws FileError.

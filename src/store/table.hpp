@@ -34,10 +34,11 @@ struct Table {
 /// What a result came from: names and texts (script, arguments, version, host, times ...).
 using Provenance = std::map<std::string, std::string>;
 
-/// `/rows/<column>` with attributes unit and doc, `/provenance/<name>`. Written atomically. Throws FileError.
+/// `/rows/<column>` with attributes unit and doc, `/provenance/<name>`. What somebody has put beside these two groups
+/// into the file that is replaced is kept. Written atomically. Throws FileError.
 void write_table(const std::filesystem::path& path, const Table& table, const Provenance& provenance);
 
-/// Throws FileError that names the file and the remedy if it is damaged.
+/// Throws FileError that names the file and the remedy if it is damaged. What was added beside the groups is no damage.
 Table read_table(const std::filesystem::path& path);
 Provenance read_provenance(const std::filesystem::path& path);
 

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "body/kept_solids.hpp"
 #include "body/modes.hpp"
 #include "body/tangent.hpp"
 #include "core/error.hpp"
@@ -174,4 +175,22 @@ TEST_CASE("modes: what each holds is found in a body that flies, turns and vibra
     const double known = k == 3 ? first : k == 6 ? second : 0;
     CHECK(std::abs(energy[k] - known) < 1e-4 * std::min(first, second));
   }
+}
+
+TEST_CASE("solids kept for later are counted with the shapes of their modes: few modal bodies fill the room of many") {
+  const auto lattice = [](int seed) { return Body{circle(1, 400), numbers(400, 1e4, 0, seed), {}, {}}; };
+  const std::weak_ptr<const Solid> first_lattice = kept_solid(lattice(1));
+  for (int seed = 2; seed <= 14; ++seed) kept_solid(lattice(seed));
+  CHECK_FALSE(first_lattice.expired());
+  const auto modal = [&](int seed) {
+    Body body = lattice(seed);
+    body.numbers.modes_of = body.numbers.interior;
+    body.numbers.interior = "modes";
+    body.numbers.modes = 2 * 400 - 3;
+    return body;
+  };
+  const std::weak_ptr<const Solid> first = kept_solid(modal(1));
+  CHECK_FALSE(first.expired());
+  for (int seed = 2; seed <= 14; ++seed) kept_solid(modal(seed));  // 0.64 million numbers each, of 7.5
+  CHECK(first.expired());
 }

@@ -183,6 +183,26 @@ TEST_CASE("a sweep over spin starts at every spin: the fastest take shorter step
   CHECK(chosen.front().integration.theta >= chosen.back().integration.theta);
 }
 
+TEST_CASE("what trials found is remembered once the error of the contact is known, too: no half of it after a stop") {
+  std::vector<Scene> scenes;
+  for (const int seed : {1, 2}) {
+    scenes.push_back(small_scene(seed, 0, 0));
+    scenes.back().integration.accuracy = 1e-2;
+    scenes.back().contact = {};
+  }
+  std::atomic<bool> stop{false};
+  const Telling stopping{[&](const std::string& line) { stop = stop || line.find(" with theta ") < line.size(); },
+                         [](std::size_t) { return std::string("a scene"); }};
+  TriedChoices tried;
+  CHECK_THROWS_WITH(with_chosen_steps(scenes, 1, stop, stopping, nullptr, &tried), "interrupted");
+  CHECK(stop);
+  CHECK(tried.empty());
+  Told told;
+  with_chosen_steps(scenes, 1, never, told.telling(), nullptr, &tried);
+  REQUIRE(tried.size() == 1);
+  CHECK(tried.begin()->second.error_contact > 0);
+}
+
 TEST_CASE("scenes of another temperature have their own choice, those of another seed of the vibration share it") {
   std::vector<Scene> scenes;
   for (const double temperature : {1e-6, 1e-5})

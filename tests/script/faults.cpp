@@ -3,6 +3,7 @@
 // FAULT=flock   locks are granted to everyone, as on some network file systems
 // FAULT=enolck, enosys, eopnotsupp   locks are refused so: NFS without its daemon, Lustre mounted without them
 // FAULT=open    files and folders whose path contains $FAULT_PATH cannot be opened: an error of the disk
+// FAULT=twin    when a file is to be renamed to a path that contains $FAULT_PATH, another process has done so before
 // FAULT=sin     a mathematics library that gives NaN
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -65,6 +66,12 @@ int open(const char* path, int flags, ...) {
 }
 
 int open64(const char* path, int flags, ...) __attribute__((alias("open")));  // offsets have 64 bits
+
+int rename(const char* from, const char* to) noexcept {
+  const char* part = std::getenv("FAULT_PATH");
+  if (asked("twin") && part && std::strstr(to, part)) syscall(SYS_renameat, AT_FDCWD, from, AT_FDCWD, to);
+  return static_cast<int>(syscall(SYS_renameat, AT_FDCWD, from, AT_FDCWD, to));
+}
 
 std::FILE* fopen(const char* path, const char* mode) {
   return refused(path) ? nullptr : next<std::FILE* (*)(const char*, const char*)>("fopen")(path, mode);

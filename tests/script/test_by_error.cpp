@@ -1,8 +1,11 @@
 // Sweeps that take as many samples as a wanted error needs, through scripts.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "program.hpp"
+#include "script/digest.hpp"
 #include "store/table.hpp"
 
 using namespace ricochet;
@@ -235,4 +238,56 @@ assert(angles == 3)
 )lua");
   INFO(ended.out << ended.err);
   CHECK(ended.status == 0);
+}
+
+TEST_CASE("by error in shards: round after round, each planned by what was merged, to the digest of one run") {
+  const Workplace here;
+  here.write("s.lua",
+             by_error("standard_error = 0.12, mirrored = true", "psi1 = at.psi1", ", accuracy = 1e-2") + every_bit);
+  const Ended calm = here.run("s.lua --quiet --no-report --out calm");
+  INFO(calm.err);
+  REQUIRE(calm.status == 0);
+  const std::string expected = digest_of(read_table(here.path / "calm/s/results.h5"));
+  for (const int count : {1, 3, 4}) {
+    INFO(count << " shards");
+    fs::remove_all(here.path / "out");
+    Ended merged{3, "", ""};
+    int rounds = 0;
+    for (; rounds < 10 && merged.status == 3; ++rounds) {
+      for (int k = 0; k < count; ++k) {
+        const Ended shard = here.run(fmt::format("s.lua --quiet --shard {}/{}", k, count));
+        INFO(shard.err);
+        REQUIRE(shard.status == 0);
+        if (count == 3 && k == 0) {
+          const Ended early = here.shell("ricochet merge s.lua --quiet");
+          CHECK(early.status == 3);
+          CHECK_THAT(early.err, Contains(" of 3 shards") && !Contains("--partial"));
+        }
+      }
+      merged = here.shell("ricochet merge s.lua --quiet --no-report");
+      if (merged.status != 3) continue;
+      CHECK_THAT(merged.err, Contains(fmt::format("round {} of 's' is to be run", rounds + 2)));
+      CHECK_THAT(merged.out, Contains(" (wanted 0.12) of "));
+      CHECK_FALSE(fs::exists(here.path / "out/s/plan.h5"));
+    }
+    INFO(merged.err);
+    CHECK(rounds > 1);
+    REQUIRE(merged.status == 0);
+    CHECK(digest_of(read_table(here.path / "out/s/results.h5")) == expected);
+    CHECK(bits_of(merged) == bits_of(calm));
+    CHECK(here.read("out/s/s_samples.csv") == here.read("calm/s/s_samples.csv"));
+    CHECK_THAT(here.run("s.lua --shard 0/2").out, Contains("nothing is left for a shard"));
+  }
+}
+
+TEST_CASE("by error in shards: rounds are not merged in part, and other numbers of samples are refused") {
+  const Workplace here;
+  here.write("s.lua", by_error("standard_error = 0.05"));
+  REQUIRE(here.run("s.lua --quiet --shard 0/2").status == 0);
+  const Ended partial = here.shell("ricochet merge s.lua --quiet --partial");
+  CHECK(partial.status == 2);
+  CHECK_THAT(partial.err, Contains("decides by all rows"));
+  here.write("s.lua", by_error("standard_error = 0.05, pilot = 9"));
+  CHECK(here.run("s.lua --quiet --shard 1/2").status == 4);
+  CHECK(here.shell("ricochet merge s.lua --quiet").status == 4);
 }

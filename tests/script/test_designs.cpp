@@ -91,3 +91,15 @@ TEST_CASE("designs that cannot be are refused at their line") {
   CHECK_THAT(over("{ sample = { 1 }, 5 }"), Contains("'over' takes name = list of values"));
   CHECK_THAT(over("{ design = ricochet.zip { speed = { 1 } } }"), Contains("over.design"));
 }
+
+TEST_CASE("values of 'over' that belong to no name are refused, not left out") {
+  const auto refused = [](const std::string& over) {
+    const Ended ended = script_with_module(sweep_over(over));
+    INFO(over << ended.err);
+    CHECK(ended.status == 1);
+    return ended.err;
+  };
+  CHECK_THAT(refused("{ speed = { 0.1 }, psi1 = { 0 }, [3] = ricochet.zip { sample = { 1, 2 } } }"), Contains("[3]"));
+  CHECK_THAT(refused("{ speed = { 0.1 }, psi1 = { 0 }, [true] = { 1 } }"), Contains("[true]"));
+  CHECK_THAT(refused("{ speed = { 0.1 }, { { psi1 = { 0 } }, sample = { 1, 2 } } }"), Contains("[sample]"));
+}

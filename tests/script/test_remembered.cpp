@@ -1,9 +1,12 @@
 // Methods and steps that trials chose, remembered for runs to come.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
 
 #include "program.hpp"
+#include "script/own_commit.hpp"
 #include "script/remembered_steps.hpp"
 
 using namespace ricochet;
@@ -112,4 +115,31 @@ TEST_CASE("what trials chose is read as it was written, every bit") {
   CHECK(tried.at("b").choice.left_out[0].scene == 2);
   CHECK(tried.at("b").choice.left_out[0].error == 0.7);
   CHECK(std::isnan(tried.at("b").choice.left_out[1].error));
+}
+
+TEST_CASE("a file of more choices than are kept counts as empty: it grows no further") {
+  const Workplace here;
+  const fs::path file = here.path / "many.steps";
+  const TriedChoice some{{"pefrl", 0.1, 1.0 / 3, 1.5, 2e-4, Found::extrapolated, 18, 5e8, {}}, 1e-3};
+  const auto add_up_to = [&](std::size_t count) {
+    RememberedSteps steps;
+    TriedChoices& tried = steps.read(file);
+    for (std::size_t i = 0; i < count; ++i) tried[fmt::format("{:016x}", i)] = some;
+    steps.write(file);
+    return RememberedSteps().read(file).size();
+  };
+  CHECK(add_up_to(20'000) == 20'000);
+  CHECK(add_up_to(20'001) == 0);
+  CHECK(add_up_to(1) == 1);
+}
+
+TEST_CASE("a program of changed or unknown sources goes by its own hash, one of a commit by that") {
+  const Workplace here;
+  write(here.path / "one", "one");
+  write(here.path / "other", "other");
+  for (const std::string commit : {"0a2d1a7-dirty", "unknown"}) {
+    CHECK_THAT(commit_of(commit, here.path / "one"), Catch::Matchers::StartsWith(commit + ", program "));
+    CHECK(commit_of(commit, here.path / "one") != commit_of(commit, here.path / "other"));
+  }
+  CHECK(commit_of("0a2d1a7", here.path / "one") == "0a2d1a7");
 }

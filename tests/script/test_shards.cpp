@@ -12,6 +12,8 @@
 
 #include "script/digest.hpp"
 #include "script/program.hpp"
+#include "script/shard_choice.hpp"
+#include "script/shard_plan.hpp"
 #include "store/files.hpp"
 #include "store/table.hpp"
 
@@ -107,10 +109,12 @@ TEST_CASE("a shard given as auto takes its number from the variables of the job 
   const Workplace here;
   const std::string expected = undisturbed(here, "samples=2");
   const char* jobs[][2] = {{"OMPI_COMM_WORLD_RANK=0 OMPI_COMM_WORLD_SIZE=2", "PMI_RANK=1 PMI_SIZE=2"},
-                           {"SLURM_PROCID=0 SLURM_NTASKS=2",
+                           {"SLURM_PROCID=0 SLURM_STEP_NUM_TASKS=2",
                             "SLURM_ARRAY_TASK_ID=8 SLURM_ARRAY_TASK_MIN=7 SLURM_ARRAY_TASK_COUNT=2 SLURM_PROCID=0 "
-                            "SLURM_NTASKS=1"}};
-  const std::string clean = "unset OMPI_COMM_WORLD_RANK PMI_RANK SLURM_ARRAY_TASK_ID SLURM_PROCID; ";
+                            "SLURM_NTASKS=1 PMI_RANK=0 PMI_SIZE=1"}};
+  const std::string clean =
+      "unset OMPI_COMM_WORLD_RANK PMI_RANK SLURM_ARRAY_TASK_ID SLURM_PROCID SLURM_STEP_NUM_TASKS PBS_ARRAY_INDEX "
+      "SGE_TASK_ID; ";
   for (const auto& [first, second] : jobs) {
     fs::remove_all(here.path / "out");
     for (const char* job : {first, second}) {
@@ -129,6 +133,65 @@ TEST_CASE("a shard given as auto takes its number from the variables of the job 
   CHECK_THAT(shard("4/4").err, Contains("there is no shard 4 of 4"));
   CHECK_THAT(shard("first").err, Contains("K/N"));
   CHECK_THAT(shard("0/4 --force").err, Contains("--force"));
+}
+
+TEST_CASE("the shard that a job means: tasks of arrays, and processes within them, each another one") {
+  const auto chosen = [](const std::string& given, const std::vector<std::pair<const char*, const char*>>& variables) {
+    for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "SLURM_ARRAY_TASK_ID", "SLURM_PROCID",
+                             "SLURM_STEP_NUM_TASKS", "PBS_ARRAY_INDEX", "SGE_TASK_ID", "SLURM_ARRAY_TASK_MIN"})
+      unsetenv(name);
+    for (const auto& [name, value] : variables) setenv(name, value, 1);
+    RunOptions options;
+    choose_shard(options, given);
+    for (const auto& [name, value] : variables) unsetenv(name);
+    return fmt::format("{}/{}", options.shard, options.shards);
+  };
+  CHECK(chosen("auto/20", {{"SGE_TASK_ID", "1"}}) == "0/20");
+  CHECK(chosen("auto/20", {{"SGE_TASK_ID", "20"}}) == "19/20");
+  CHECK(chosen("auto/20", {{"PBS_ARRAY_INDEX", "19"}}) == "19/20");
+  CHECK(chosen("auto/20", {{"SLURM_ARRAY_TASK_ID", "7"}, {"SLURM_ARRAY_TASK_MIN", "7"}}) == "7/20");
+  const std::pair<const char*, const char*> task{"SLURM_ARRAY_TASK_ID", "2"}, tasks{"SLURM_ARRAY_TASK_COUNT", "5"};
+  CHECK(chosen("auto", {task, tasks, {"PMI_RANK", "0"}, {"PMI_SIZE", "1"}}) == "2/5");
+  // A script that runs one process in a task of four processors is one of five, its four under srun are of twenty.
+  CHECK(chosen("auto", {task, tasks, {"SLURM_PROCID", "0"}, {"SLURM_NTASKS", "4"}}) == "2/5");
+  for (const char* process : {"0", "1", "2", "3"})
+    CHECK(chosen("auto", {task, tasks, {"SLURM_PROCID", process}, {"SLURM_STEP_NUM_TASKS", "4"}}) ==
+          fmt::format("{}/20", 8 + std::stoi(process)));
+  CHECK(chosen("auto", {task, tasks, {"OMPI_COMM_WORLD_RANK", "1"}, {"OMPI_COMM_WORLD_SIZE", "2"}}) == "5/10");
+  CHECK_THROWS_WITH(chosen("auto", {{"PBS_ARRAY_INDEX", "3"}}), Contains("nothing tells of how many"));
+}
+
+TEST_CASE("what is stored so far of shards, or of a run at work, is looked into beside it, each scene once") {
+  const Workplace here;
+  undisturbed(here);
+  REQUIRE(here.run("s.lua --quiet --shard 1/2").status == 0);
+  const Ended rows = here.shell("ricochet status out --csv");
+  INFO(rows.out << rows.err);
+  CHECK(rows.status == 0);
+  CHECK(rows.out.substr(0, rows.out.find(',')) == "over_psi1");
+  CHECK(std::count(rows.out.begin(), rows.out.end(), '\n') == 7);
+  const std::string head = rows.out.substr(0, rows.out.find('\n')), whole = here.read("calm/s/results.csv");
+  CHECK(head == whole.substr(0, whole.find('\n')));
+  CHECK_THAT(here.shell("ricochet info out").out, Contains("stored so far") && Contains("6 rows"));
+  REQUIRE(here.run("s.lua --quiet --shard 0/2").status == 0);
+  REQUIRE(merge(here).status == 0);
+  CHECK(here.shell("ricochet status out --csv").out == here.read("out/s/results.csv"));
+  CHECK_THAT(here.shell("ricochet status . --csv").err, Contains("holds no sweep"));
+  // A run that is at work holds its folder.
+  const pid_t child = start(here, {"run", "s.lua", "samples=400", "--quiet", "--force", "--threads", "1"});
+  const auto counted = [&] {
+    const Ended now = here.shell("ricochet status out/s --csv");
+    CHECK(now.status == 0);
+    return std::count(now.out.begin(), now.out.end(), '\n') - 1;
+  };
+  for (int i = 0; i < 600 && !fs::exists(here.path / "out/s/parts.new"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const auto first = counted();
+  CHECK_THAT(here.shell("ricochet info out").out, Contains("stored so far"));
+  kill(child, SIGKILL);
+  ended(child);
+  CHECK(counted() >= first);
+  CHECK(counted() >= 1);
 }
 
 TEST_CASE("a shard that was killed goes on from what it stored, to the digest of one run") {
@@ -205,6 +268,55 @@ TEST_CASE("where no folder can be locked, or any, shards and merge come to the s
     CHECK((plain.err.find("warning: out/s cannot be locked (") != std::string::npos) == refuses);
     CHECK(digest(here, "out/s") == expected);
   }
+}
+
+TEST_CASE("a shard whose file another process of it took up and removed at the last moment ends well") {
+  if (!machine_can_be_broken) return;
+  const Workplace here;
+  const std::string expected = undisturbed(here, "samples=2");
+  const Ended ended = here.shell(with_fault("twin", "shards/000.h5") + "ricochet run s.lua samples=2 --shard 0/1");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+  REQUIRE(merge(here, "samples=2").status == 0);
+  CHECK(digest(here, "out/s") == expected);
+}
+
+TEST_CASE("shards grow a sweep that is there, and are not begun where rows of other scenes lie") {
+  const Workplace here;
+  const std::string expected = undisturbed(here);
+  REQUIRE(here.run("s.lua --quiet --no-report samples=2").status == 0);
+  REQUIRE(run_shards(here, 2).status == 0);
+  REQUIRE(merge(here).status == 0);
+  CHECK(digest(here, "out/s") == expected);
+  std::string other = small_sweep;
+  here.write("s.lua", other.replace(other.find("nodes = 60"), 10, "nodes = 61"));
+  const Ended refused = here.run("s.lua --quiet --shard 0/2");
+  CHECK(refused.status == 4);
+  CHECK_THAT(refused.err, Contains("out/s holds 12 rows of other scenes"));
+  CHECK_FALSE(fs::exists(here.path / "out/s/plan.h5"));
+}
+
+TEST_CASE("results are those of a script and its arguments, in whatever order these were given") {
+  const Provenance facts{{"script_hash", "0a"}, {"arguments", "a=1 b=2"}};
+  CHECK(is_of_results(facts, {{"script_hash", "0a"}, {"arguments", "b=2\na=1\n"}}));
+  CHECK_FALSE(is_of_results(facts, {{"script_hash", "0b"}, {"arguments", "b=2\na=1\n"}}));
+  CHECK_FALSE(is_of_results(facts, {{"script_hash", "0a"}, {"arguments", "b=2\n"}}));
+  CHECK(is_of_results({{"script_hash", "0a"}, {"arguments", ""}}, {{"script_hash", "0a"}}));
+}
+
+TEST_CASE("names and folders of one process alone: below a folder by components, temporary for one user") {
+  CHECK(is_within("/x/lua/ricochet/init.lua", "/x/lua"));
+  CHECK(is_within("/x/lua", "/x/lua"));
+  CHECK_FALSE(is_within("/x/lua2/mine.lua", "/x/lua"));
+  fs::path path;
+  {
+    const ScratchFolder one, other;
+    path = one.path();
+    CHECK(path != other.path());
+    CHECK(fs::status(path).permissions() == fs::perms::owner_all);
+    write_atomically(path / "file", "text");
+  }
+  CHECK_FALSE(fs::exists(path));
 }
 
 TEST_CASE("another script, version, machine or number of shards is refused before any impact, and named") {
@@ -285,6 +397,9 @@ TEST_CASE("steps that trials choose are those of one run, and a second sweep fol
   CHECK(first.status == 3);
   CHECK_THAT(first.err, Contains("no shard of 'second' has run"));
   CHECK(digest(here, "out/s") == digest(here, "calm/s"));
+  const Ended planned = here.run("s.lua --shard 0/2");
+  CHECK(planned.status == 0);
+  CHECK_THAT(planned.out, Contains("remembered: ") && !Contains("tries steps"));  // of the first one's scenes
   REQUIRE(run_shards(here, 2).status == 0);
   REQUIRE(merge(here).status == 0);
   CHECK(digest(here, "out/second") == digest(here, "calm/second"));
@@ -314,11 +429,6 @@ TEST_CASE(
       script("count", "ricochet.sweep { name = \"s\", over = { sample = ricochet.range(3) }, scene = scene }:run()")
           .err,
       Contains("s.lua:3") && Contains("two different scenes"));
-  CHECK_THAT(script("at.sample",
-                    "ricochet.sweep { name = \"s\", over = { psi1 = { 0 } }, samples = \"by_error\", "
-                    "standard_error = 0.1, scene = scene }:run()")
-                 .err,
-             Contains("samples = \"by_error\"") && Contains("over.sample"));
   CHECK_THAT(script("at.sample",
                     "ricochet.plan { sweep = ricochet.sweep { name = \"s\", over = { sample = { 1, 2 } }, "
                     "scene = scene }, standard_error = 0.1 }:run()")

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "core/error.hpp"
 #include "store/csv.hpp"
@@ -86,6 +87,80 @@ TEST_CASE("a damaged file is refused by name, never repaired in silence") {
   CHECK(flips > 1000);
   CHECK(noticed == flips);
   CHECK_THROWS_AS(read_table(folder.path / "absent.h5"), FileError);
+}
+
+namespace {
+
+/// As h5py adds a data set to a file that it opened to write.
+void add_numbers(const fs::path& path, const char* name, const std::vector<double>& values) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hsize_t shape[] = {values.size()};
+  const hid_t space = H5Screate_simple(1, shape, nullptr),
+              made = H5Dcreate2(file, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  REQUIRE(H5Dwrite(made, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+  H5Dclose(made);
+  H5Sclose(space);
+  REQUIRE(H5Fclose(file) >= 0);
+}
+
+bool is_example(const Table& table) {
+  const Table wanted = example();
+  const auto same = [](double a, double b) { return a == b || (a != a && b != b); };
+  for (const NumberColumn& column : wanted.numbers) {
+    const NumberColumn* read = table.number(column.field.name);
+    if (!read || read->field.unit != column.field.unit || read->values.size() != column.values.size() ||
+        !std::equal(column.values.begin(), column.values.end(), read->values.begin(), same))
+      return false;
+  }
+  return table.numbers.size() == 2 && table.texts.size() == 1 && table.text("status")->values == wanted.texts[0].values;
+}
+
+}  // namespace
+
+TEST_CASE("what a user adds beside our groups is no damage, and stays when the results are written again") {
+  const Folder folder;
+  const fs::path path = folder.path / "t.h5";
+  write_table(path, example(), {{"host", "here"}});
+  add_numbers(path, "mine", {1, 2, 3});
+  CHECK(is_example(read_table(path)));
+  CHECK(read_provenance(path) == Provenance{{"host", "here"}});
+  add_numbers(path, "too", {4});
+  for (int again = 0; again < 2; ++again) {
+    write_table(path, example(), {{"host", "there"}});
+    CHECK(read_provenance(path).at("host") == "there");
+    const hdf5::Handle file = hdf5::open_file(path);
+    CHECK(hdf5::read_numbers(file, "mine") == std::vector<double>{1, 2, 3});
+    CHECK(hdf5::read_numbers(file, "too") == std::vector<double>{4});
+  }
+}
+
+TEST_CASE("of a file that a user added to, our groups are guarded as before: not one wrong number is read") {
+  const Folder folder;
+  const fs::path path = folder.path / "t.h5", other = folder.path / "cut.h5";
+  write_table(path, example(), {{"host", "here"}});
+  add_numbers(path, "mine", {1, 2, 3});
+  const std::string grown = read_file(path);
+  int refused = 0, wrong = 0;
+  const auto read = [&](const std::string& bytes) {
+    std::ofstream(other, std::ios::binary) << bytes;
+    try {
+      wrong += !is_example(read_table(other));
+    } catch (const FileError& error) {
+      ++refused;
+      CHECK_THAT(error.what(), Catch::Matchers::Contains("cut.h5"));
+    }
+  };
+  for (const std::string& bytes : {grown.substr(0, grown.size() - 1), grown + "x", grown.substr(0, 5000)}) read(bytes);
+  CHECK(refused == 3);
+  for (std::size_t at = 0; at < grown.size(); at += 5) {
+    std::string flipped = grown;
+    flipped[at] = static_cast<char>(flipped[at] ^ (1 << (at % 8)));
+    read(flipped);
+  }
+  CHECK(refused > 100);
+  CHECK(wrong == 0);
+  add_numbers(path, "rows/mine", {1, 2, 3});
+  CHECK_THROWS_WITH(read_table(path), Catch::Matchers::Contains("t.h5 is damaged, or something in its groups 'rows'"));
 }
 
 TEST_CASE("writing replaces a file as a whole and leaves nothing beside it") {
