@@ -949,10 +949,10 @@ function ricochet.lammps(t) end
 ---@field notes? string a paragraph below the title
 ---@field questions? string[] listed below the notes
 ---@field plots? string[] columns to plot; unless given, what ricochet.plot has drawn, and e, mu and beta
----@field rows? table rows to replay, however long it takes, instead of typical ones
+---@field rows? table rows to replay, all of them and however long it takes, instead of typical ones
 ---@field lines? table theory as a list of { of = column, label =, x = list, y = list }
 ---@field replay? "typical"|"extremes" which impacts (default typical)
----@field replays? integer how many, all sweeps together; 0: none (default 6)
+---@field replays? integer how many, all sweeps together; 0: none; of rows that are chosen, not named (default 6)
 ---@field frames? integer of each replay; fewer of bodies with many nodes (default 120)
 --- Adds to report.html, the page that every run leaves in its folder: a title, notes, questions to think about, lines of theory over the plots, which columns are plotted and which impacts replayed. What ricochet.plot draws of a sweep, lines of theory and published points too, stands in the report of itself. The last call holds.
 ---@param t ricochet.report_fields

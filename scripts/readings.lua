@@ -5,7 +5,7 @@
 -- numbers differ from those of the first reading, lattice by lattice. Then where e and mu are greatest on the soft
 -- wall, by a bootstrap over lattices. Where one segment alone pushes a node is what not to do: energy is gained or
 -- lost, which the script allows (energy_tolerance = 10) and tells. `samples`: lattices a reading; two minutes on two
--- cores by default. `full=true`: 64, a quarter of an hour.
+-- cores by default. `full=true`: 64, half an hour.
 local ricochet = require "ricochet"
 local readings = require "ricochet.readings"
 local rows_of = require("ricochet.rows").rows_of
@@ -18,13 +18,13 @@ local p = ricochet.parameters {
   full     = { false, doc = "64 lattices" },
 }
 local samples = p.full and 64 or p.samples
-local names, cases, list = {}, {}, {}
+local list = ricochet.range(p.seeds + 1, p.seeds + samples)
+local names, cases = {}, {}
 for _, reading in ipairs(readings.list) do
   if not reading.first then names[#names + 1] = reading.name end
 end
 for case in pairs(readings.cases) do cases[#cases + 1] = case end
 table.sort(cases)
-for k = 1, samples do list[k] = k + p.seeds end
 
 local rows = ricochet.sweep {
   name = "readings", over = { sample = list, reading = names, case = cases },
@@ -53,7 +53,7 @@ for k, claim in ipairs(readings.claims) do
     print(("  %-28s %-9s %s (%d lattices)%s"):format(reading.name, judged.verdict, shown(judged.terms), judged.count,
       less))
     cells[#cells + 1] = { reading = #readings.list - i, claim = k, verdict = judged.verdict,
-      score = math.max(-3, math.min(3, judged.score)) }
+      score = readings.bounded(judged.score, 3) }
   end
 end
 

@@ -10,8 +10,8 @@
 -- * A tilted surface: slopes have the mean 0 and are met alike: <e> - e0 = -(1 + e0) s^2, next to nothing.
 -- A contact of length l spans l/spacing facets, and its chord has only the slope s spacing/l where that is less than
 -- s. The second picture is drawn over Psi1^2 s^2, the first over the same with the slope of the chord.
--- `samples`: lattices a point; a minute and a half on two cores by default. `full=true`: 40 lattices and more rims,
--- ten minutes.
+-- `samples`: lattices a point; two minutes on two cores by default. `full=true`: 40 lattices and more rims, half an
+-- hour.
 local ricochet = require "ricochet"
 local figures = require "ricochet.figures"
 local readings = require "ricochet.readings"
@@ -38,12 +38,10 @@ if p.full then
     rims[#rims + 1] = rim
   end
 end
-local places, list = {}, {}
-for i in ipairs(rims) do places[i] = i end
-for k = 1, samples do list[k] = k + p.seeds end
+local list = ricochet.range(p.seeds + 1, p.seeds + samples)
 
 local rows = ricochet.sweep {
-  name = "slopes", over = { sample = list, rim = places, slant = p.psi1, side = { -1, 0, 1 } },
+  name = "slopes", over = { sample = list, rim = ricochet.range(#rims), slant = p.psi1, side = { -1, 0, 1 } },
   scene = function(at)
     local spacing, slope, ratio = table.unpack(rims[at.rim])
     local method, theta = table.unpack(readings.steps[ratio < 1 and "soft" or "hard"])
@@ -102,28 +100,28 @@ for i, rim in ipairs(rims) do
   end
 end
 
--- c of rise = c x by least squares through 0, of points whose x is below `most`; its error is that of a jackknife over
+-- c of rise = c x by least squares through 0, of points whose x is below `most`; its error is that of a bootstrap over
 -- lattices, which all rims share.
 local function coefficient(x, most, is_one)
-  local sums, all = {}, { 0, 0 }
+  local sums, numbers = {}, {}
   for _, point in ipairs(points) do
     if point[x] < most and is_one(rims[point.rim]) then
-      local sum = sums[point.sample] or { 0, 0 }
-      sums[point.sample] = sum
-      for k, value in ipairs { point.rise * point[x], point[x] ^ 2 } do
-        sum[k], all[k] = sum[k] + value, all[k] + value
+      if not sums[point.sample] then
+        sums[point.sample] = { 0, 0 }
+        numbers[#numbers + 1] = point.sample
       end
+      local sum = sums[point.sample]
+      sum[1], sum[2] = sum[1] + point.rise * point[x], sum[2] + point[x] ^ 2
     end
   end
-  local n, square, mean, values = 0, 0, 0, {}
-  for _, sample in ipairs(list) do
-    local sum = sums[sample]
-    if sum then values[#values + 1] = (all[1] - sum[1]) / (all[2] - sum[2]) end
-  end
-  n = #values
-  for _, value in ipairs(values) do mean = mean + value / n end
-  for _, value in ipairs(values) do square = square + (value - mean) ^ 2 end
-  return all[1] / all[2], n > 1 and math.sqrt((n - 1) / n * square) or 0 / 0, n
+  local of = ricochet.bootstrap { values = numbers, of = function(lattices)
+    local product, square = 0, 0
+    for _, sample in ipairs(lattices) do
+      product, square = product + sums[sample][1], square + sums[sample][2]
+    end
+    return product / square
+  end }
+  return of.value, of.se
 end
 
 local function told(x, most, is_one) return ("%6.2f ± %.2f"):format(coefficient(x, most, is_one)) end

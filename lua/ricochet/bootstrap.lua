@@ -1,32 +1,13 @@
 -- Errors by drawing the numbers that one has again and again: of any statistic, and of where a mean is greatest.
 -- [Efron 1979, Ann. Statist. 7, 1]
 local core = require "ricochet.core"
+local statistics = require "ricochet.statistics"
 
 local bootstrap = {}
 
--- The value below which a share of sorted numbers lies, between two of them in proportion.
-local function quantile(sorted, share)
-  local place = 1 + share * (#sorted - 1)
-  local low = math.min(math.floor(place), #sorted - 1)
-  if low < 1 then return sorted[1] end
-  return sorted[low] + (place - low) * (sorted[low + 1] - sorted[low])
-end
-
-local function mean(values)
-  local sum = 0
-  for _, value in ipairs(values) do sum = sum + value end
-  return sum / #values
-end
+local function mean(values) return statistics.of(values).mean end
 
 local nothing = { value = 0 / 0, se = 0 / 0, low = 0 / 0, high = 0 / 0 }
-
--- Mean square about the mean, and the quantiles that leave (1 - share)/2 on either side.
-local function spread(drawn, share)
-  local middle, square = mean(drawn), 0
-  for _, value in ipairs(drawn) do square = square + (value - middle) ^ 2 end
-  table.sort(drawn)
-  return math.sqrt(square / (#drawn - 1)), quantile(drawn, (1 - share) / 2), quantile(drawn, (1 + share) / 2)
-end
 
 --- statistic(list) of `values`, with its standard error and interval by resamples of as many: { value =, se =, low =,
 --- high =, count =, reason = }. Values that are undefined are left out.
@@ -42,37 +23,40 @@ function bootstrap.of(values, statistic, resamples, seed, share)
     result.reason = ("%d values have no scatter to draw from"):format(#given)
     return result
   end
-  local draws, drawn, list = core.draws(seed, resamples * #given, #given), {}, {}
+  local draw, places, drawn, list = core.draws(seed), {}, {}, {}
   for k = 1, resamples do
-    for i = 1, #given do list[i] = given[draws[(k - 1) * #given + i]] end
+    draw(places, #given)
+    for i, place in ipairs(places) do list[i] = given[place] end
     drawn[k] = statistic(list)
     if type(drawn[k]) ~= "number" or drawn[k] ~= drawn[k] then
       result.reason = "the statistic is undefined (nan) in a resample"
       return result
     end
   end
-  result.se, result.low, result.high = spread(drawn, share)
+  table.sort(drawn)
+  result.se = statistics.of(drawn).sd
+  result.low, result.high = statistics.quantile(drawn, (1 - share) / 2), statistics.quantile(drawn, (1 + share) / 2)
   return result
 end
 
--- [unit][place] mean of the column over the finished rows of a unit at a value of x, nil without; values of x in rising
--- order.
+-- [unit][place] mean of the column over the rows of a unit at a value of x, nil without; values of x in rising order.
 local function table_of(rows, x, of, unit)
-  local places, seen, units, keys = {}, {}, {}, {}
+  local places, at, units, list = {}, {}, {}, {}
   for _, row in ipairs(rows) do
-    if row.status == "finished" and row[of] == row[of] then
-      local key, at = row[unit], row[x]
-      if not seen[at] then places[#places + 1], seen[at] = at, true end
-      if not units[key] then keys[#keys + 1], units[key] = key, {} end
-      local sum = units[key][at] or { 0, 0 }
-      units[key][at], sum[1], sum[2] = sum, sum[1] + row[of], sum[2] + 1
+    if statistics.is_data(row) and row[of] == row[of] then
+      local place, key = row[x], row[unit]
+      if not at[place] then places[#places + 1], at[place] = place, {} end
+      if not units[key] then
+        units[key] = {}
+        list[#list + 1] = units[key]
+      end
+      table.insert(at[place], row)
     end
   end
   table.sort(places)
-  local list = {}
-  for i, key in ipairs(keys) do
-    list[i] = {}
-    for k, at in ipairs(places) do list[i][k] = units[key][at] and units[key][at][1] / units[key][at][2] end
+  for k, place in ipairs(places) do
+    local means = statistics.unit_means(at[place], of, function(row) return row[unit] end)
+    for key, value in pairs(means) do units[key][k] = value end
   end
   return list, places
 end
@@ -104,9 +88,10 @@ function bootstrap.peak(rows, x, of, unit, resamples, seed, share)
   end
   local best, value, means = greatest(units, #places, function(i) return i end)
   result.at, result.value = places[best], value
-  local draws, drawn, times = core.draws(seed, resamples * #units, #units), {}, {}
+  local draw, named, drawn, times = core.draws(seed), {}, {}, {}
   for k = 1, resamples do
-    local place = greatest(units, #places, function(i) return draws[(k - 1) * #units + i] end)
+    draw(named, #units)
+    local place = greatest(units, #places, function(i) return named[i] end)
     drawn[k], times[place] = places[place], (times[place] or 0) + 1
   end
   table.sort(drawn)

@@ -57,6 +57,15 @@ function designs.of(over)
   return flat, factors
 end
 
+--- Refuses a sweep's factors that are not each a name of its own; `what` cannot do with others.
+function designs.refuse_groups(factors, what, field)
+  for _, factor in ipairs(factors) do
+    if #factor.names > 1 then
+      core.fail(("%s takes every value with every other: no zip or latin_hypercube in 'over'"):format(what), field)
+    end
+  end
+end
+
 --- Lists of equal length, whose values go together by their places.
 function designs.zip(given)
   if type(given) ~= "table" then core.fail "takes lists of equal length: ricochet.zip { name = list, ... }" end

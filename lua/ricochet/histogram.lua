@@ -4,6 +4,7 @@ local gnuplot = require "ricochet.gnuplot"
 local rows_module = require "ricochet.rows"
 local plot = require "ricochet.plot"
 local statistics = require "ricochet.statistics"
+local quantile = statistics.quantile
 
 local most_bins = 200
 
@@ -24,14 +25,6 @@ local function values_of(rows, column)
   end
   table.sort(panel.values)
   return panel
-end
-
--- The value below which this share of sorted values lies, between two of them in proportion.
-local function quantile(sorted, share)
-  local place = 1 + share * (#sorted - 1)
-  local below = math.floor(place)
-  local low, high = sorted[below], sorted[math.min(below + 1, #sorted)]
-  return low + (place - below) * (high - low)
 end
 
 -- Width of a bin: twice the range of the middle half over the cube root of the count. [Freedman & Diaconis 1981]

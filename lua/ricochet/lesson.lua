@@ -1,14 +1,22 @@
 -- ricochet.lesson: the impacts of a sweep as one page for a class. Here its words are checked and joined with numbers
 -- of the rows; src/script/lesson.cpp makes the page, render/report/lesson.js shows it.
 local core = require "ricochet.core"
+local designs = require "ricochet.designs"
+local known_column = require("ricochet.rows").known_column
 local contents = require("ricochet.sweep").contents
 
 local least_settings = 12
+-- What the page's link says beside the sliders.
+local names_in_link = { t = true, tried = true, nogl = true }
 
-local function list_of(values)
-  local texts = {}
-  for i, value in ipairs(values) do texts[i] = tostring(value) end
-  return texts
+-- A value of a slider, as it is told and may be written in a text.
+local function text_of(value) return type(value) == "number" and ("%.10g"):format(value) or tostring(value) end
+
+-- Whether a text means a value: a number by what it is worth, to the digits that are told.
+local function is_meant(value, text)
+  if type(value) ~= "number" then return tostring(value) == text end
+  local number = tonumber(text)
+  return number ~= nil and (number == value or text_of(number) == text_of(value))
 end
 
 -- "height = 1, floor = stone"
@@ -34,11 +42,16 @@ end
 
 -- A column of a row, as `field` of the lesson needs it.
 local function cell(row, column, ...)
+<<<<<<< HEAD
   local value = core.peek(row, column)
   if value ~= nil then return value end
   local names = {}
   for name in pairs(row) do names[#names + 1] = name end
   core.fail(("the rows have no column '%s'%s"):format(column, core.did_you_mean(column, names)), ...)
+=======
+  known_column({ row }, column, ...)
+  return row[column]
+>>>>>>> main
 end
 
 -- The rows of the grid of which the placeholder's conditions are true.
@@ -52,7 +65,7 @@ local function rows_meant(inner, lesson, fail)
     if name == "greatest" or name == "least" then
       extreme = { sign = name == "greatest" and 1 or -1, column = text }
     else
-      rows = lesson.filter(rows, name, tonumber(text) or text, fail)
+      rows = lesson.filter(rows, name, text, fail)
     end
   end
   if not extreme then return rows end
@@ -120,11 +133,13 @@ local function sliders_of(t, grid)
       core.fail(("sliders[%d]: %d texts for the %d values of %s"):format(i, #slider.texts, #values, slider.of),
         "sliders")
     end
-    seen[slider.of] = true
-    local texts = slider.texts or list_of(values)
-    for k, value in ipairs(values) do
-      if not slider.texts and type(value) == "number" then texts[k] = ("%.10g"):format(value) end
+    if names_in_link[slider.of] then
+      core.fail(("sliders[%d]: the page's link says something else by '%s'; take another name in 'over'"):format(i,
+        slider.of), "sliders")
     end
+    seen[slider.of] = true
+    local texts = slider.texts or {}
+    for k, value in ipairs(slider.texts and {} or values) do texts[k] = text_of(value) end
     sliders[i] = { of = slider.of, label = slider.label, unit = slider.unit or "", values = values, texts = texts }
   end
   for _, name in ipairs(grid.names) do
@@ -249,14 +264,12 @@ local function reading(rows, names, sliders, results)
       end
     end
   end
-  function lesson.filter(among, name, value, fail)
+  function lesson.filter(among, name, text, fail)
     local list, known = {}, false
-    for _, row in ipairs(rows) do known = known or row[name] == value end
-    if not known then
-      fail(("no setting has %s = %s%s"):format(name, tostring(value), core.did_you_mean(name, names)))
-    end
+    for _, row in ipairs(rows) do known = known or is_meant(row[name], text) end
+    if not known then fail(("no setting has %s = %s%s"):format(name, text, core.did_you_mean(name, names))) end
     for _, row in ipairs(among) do
-      if row[name] == value then list[#list + 1] = row end
+      if is_meant(row[name], text) then list[#list + 1] = row end
     end
     return list
   end
@@ -291,6 +304,7 @@ local function lesson(given)
   local t = core.check("lesson", given)
   local grid = contents(t.grid)
   if grid.by_error then core.fail("the grid chooses its samples by error; give it a list of all values", "grid") end
+  designs.refuse_groups(grid.factors, "a lesson", "grid")
   if not grid.rows then core.fail("the grid has not run; call run() of the sweep first", "grid") end
   if #t.names ~= 2 then core.fail("takes two: { what flies, what it meets }", "names") end
   if core.is_check() then return end

@@ -3,20 +3,14 @@ local core = require "ricochet.core"
 local statistics = require "ricochet.statistics"
 local student = require "ricochet.student"
 
--- The mean of a column over the finished rows of each unit, where `by` is `value`.
+-- The means of a column over each unit's rows where `by` is `value`.
 local function means(rows, by, value, column, unit)
-  local sums, is_there = {}, false
+  local some = {}
   for _, row in ipairs(rows) do
-    is_there = is_there or row[by] == value
-    if row[by] == value and row.status == "finished" and row[column] == row[column] then
-      local sum = sums[row[unit]] or { 0, 0 }
-      sums[row[unit]] = sum
-      sum[1], sum[2] = sum[1] + row[column], sum[2] + 1
-    end
+    if row[by] == value then some[#some + 1] = row end
   end
-  if not is_there then core.fail(("no row has %s = %s"):format(by, tostring(value)), "at") end
-  for key, sum in pairs(sums) do sums[key] = sum[1] / sum[2] end
-  return sums
+  if #some == 0 then core.fail(("no row has %s = %s"):format(by, tostring(value)), "at") end
+  return (statistics.unit_means(some, column, function(row) return row[unit] end))
 end
 
 --- of at at[2] less of at at[1]: { change =, se =, units =, freedom =, low =, high =, is_seen =, gain = }.

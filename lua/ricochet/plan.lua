@@ -1,6 +1,7 @@
 -- ricochet.plan: the error budget of a sweep (time step, size of lattice or mesh, contact, samples), and the cheapest
 -- way to a wanted standard error.
 local core = require "ricochet.core"
+local designs = require "ricochet.designs"
 local outcomes = require "ricochet.outcomes"
 local of_sizes = require "ricochet.plan_sizes"
 local pilot = require "ricochet.plan_pilot"
@@ -57,11 +58,7 @@ end
 local function checked_sweep(t)
   local sweep = sweeps.contents(t.sweep) or core.fail("'sweep' must be a sweep (from ricochet.sweep)", "sweep")
   outcomes.check({ t.of }, "of")
-  for _, factor in ipairs(sweep.factors) do
-    if #factor.names > 1 then
-      core.fail("a plan takes every value with every other: no zip or latin_hypercube in 'over'", "sweep")
-    end
-  end
+  designs.refuse_groups(sweep.factors, "a plan", "sweep")
   if sweep.by_error then
     if t.samples ~= "sample" then
       core.fail("the sweep's samples = \"by_error\" counts them as 'sample'; leave 'samples' out", "samples")

@@ -3,9 +3,10 @@
 local core = require "ricochet.core"
 local gnuplot = require "ricochet.gnuplot"
 local rows_module = require "ricochet.rows"
-local summarise, known_column = rows_module.summarise, rows_module.known_column
+local summarise = rows_module.summarise
 
 local colours, quoted = gnuplot.colours, gnuplot.quoted
+local plot_data = require "ricochet.plot_data"
 local words = require "ricochet.words"
 local axes = require "ricochet.axes"
 local given_range, widen, roomy, log_tics = axes.given_range, axes.widen, axes.roomy, axes.log_tics
@@ -60,135 +61,6 @@ local function series_of(rows, by)
     list[#list + 1] = { rows = rows:where(wanted), name = table.concat(names, ", ") }
   end
   return list
-end
-
-local function is_points(v) return type(v) == "table" and type(v[1]) == "table" and type(v[1][1]) == "number" end
-
--- What a curve must hold; bad() tells the mistake.
-local function check_entry(entry, i, field, bad)
-  if type(entry) ~= "table" or type(entry.name) ~= "string" then
-    bad(("must be a list of { name =, f = or points = }; entry %d has no name"):format(i))
-  end
-  if (type(entry.f) == "function") == is_points(entry.points) then
-    bad(("needs f = function (x) or points = { {x, y}, ... } for '%s'"):format(entry.name))
-  end
-  if field == "published" and entry.f then bad(("takes points, and '%s' is a function"):format(entry.name)) end
-  for _, point in ipairs(entry.points or {}) do
-    if type(point[1]) ~= "number" or type(point[2]) ~= "number" then
-      bad(("holds a point of '%s' that is not {x, y}"):format(entry.name))
-    end
-  end
-end
-
--- A list of { name =, f = } or { name =, points = } for each column of `t[field]`. A function or a list of points alone
--- is one entry.
-local function entries_of(t, field, initial_name)
-  local result = {}
-  for column, value in pairs(t[field]) do
-    local function bad(message) core.fail(("'%s' of '%s' %s"):format(field, tostring(column), message), field) end
-    local list = value
-    if type(value) == "function" then list = { { name = initial_name, f = value } } end
-    if is_points(value) then list = { { name = initial_name, points = value } } end
-    if type(list) ~= "table" then
-      core.fail(("'%s' takes column = function (x), '%s' is a %s; points { {x, y}, ... } "
-        .. "or a list of { name =, f = or points = } will do too"):format(field, tostring(column), type(value)), field)
-    end
-    local drawn = false
-    for _, name in ipairs(t.y) do drawn = drawn or name == column end
-    if not drawn then
-      core.fail(("'%s' has a curve for '%s', which is not among 'y'"):format(field, tostring(column)), field)
-    end
-    for i, entry in ipairs(list) do check_entry(entry, i, field, bad) end
-    result[column] = list
-  end
-  return result
-end
-
--- The data of simulated series as gnuplot's $data1, $data2 ...; widens the ranges. Returns how many impacts finished
--- and failed, and the most at one point.
-local function write_series(t, list, script, xs, ys)
-  local finished, failed, samples = 0, 0, 0
-  for k, series in ipairs(list) do
-    local lines = {}
-    for _, row in ipairs(series.summary) do
-      local cells = { ("%.17g"):format(row[t.x]) }
-      widen(xs, row[t.x], row[t.x])
-      for i, column in ipairs(t.y) do
-        local s = row[column]
-        local se = s.count > 1 and s.se or 0
-        cells[#cells + 1] = s.count > 0 and ("%.17g"):format(s.mean) or "NaN"
-        cells[#cells + 1] = ("%.17g"):format(se)
-        if s.count > 0 then
-          local log = t.log:find "y"
-          if log and s.mean > 0 then widen(ys[i], math.max(s.mean - se, s.mean / 2), s.mean + se) end
-          if not log then widen(ys[i], s.mean - se, s.mean + se) end
-        end
-        samples = math.max(samples, s.count)
-      end
-      finished, failed = finished + row.count, failed + row.failed
-      lines[#lines + 1] = table.concat(cells, " ")
-    end
-    script:data("data" .. k, lines)
-  end
-  return finished, failed, samples
-end
-
--- Every finished impact, as $samples1, $samples2 ...; widens the ranges.
-local function write_samples(t, list, script, ys)
-  for k, series in ipairs(list) do
-    local lines = {}
-    for _, row in ipairs(series.rows) do
-      if row.status == "finished" then
-        local cells = { ("%.17g"):format(row[t.x]) }
-        for i, column in ipairs(t.y) do
-          local value = row[column]
-          cells[i + 1] = ("%.17g"):format(value)
-          if value == value and not (t.log:find "y" and value <= 0) then widen(ys[i], value, value) end
-        end
-        lines[#lines + 1] = table.concat(cells, " ")
-      end
-    end
-    script:data("samples" .. k, lines)
-  end
-end
-
--- The data of lines and marks, as $theory1_2 (column 1, entry 2) and so on, and as `t.curves` for the report. They
--- widen the range along y, by no more than `most` of it on either side.
-local function write_entries(t, kind, entries, script, xs, ys, most)
-  for i, column in ipairs(t.y) do
-    local low, high = -math.huge, math.huge
-    if most < math.huge and ys[i].low <= ys[i].high then
-      local room = t.log:find "y" and (ys[i].high / ys[i].low) ^ most or most * (ys[i].high - ys[i].low)
-      if t.log:find "y" then
-        low, high = ys[i].low / room, ys[i].high * room
-      else
-        low, high = ys[i].low - room, ys[i].high + room
-      end
-    end
-    for k, entry in ipairs(entries[column] or {}) do
-      local lines, curve = {}, { of = column, label = entry.name, marks = kind == "published", x = {}, y = {} }
-      t.curves[#t.curves + 1] = curve
-      local function put(x, y)
-        curve.x[#curve.x + 1], curve.y[#curve.y + 1] = x, y
-        local seen = math.max(low, math.min(high, y))
-        local is_drawn = y == y and math.abs(seen) < math.huge and not (t.log:find "y" and seen <= 0)
-        if is_drawn then widen(ys[i], seen, seen) end
-        lines[#lines + 1] = ("%.17g %.17g"):format(x, y)
-      end
-      for _, point in ipairs(entry.points or {}) do put(point[1], point[2]) end
-      for j = 0, entry.f and 200 or -1 do
-        local first, last = xs.low, xs.high
-        local x = t.log:find "x" and first * (last / first) ^ (j / 200) or first + (last - first) * j / 200
-        local y = entry.f(x)
-        if type(y) ~= "number" then
-          core.fail(("the theory of '%s' must return a number, returned a %s at x = %g"):format(column, type(y), x),
-            "theory")
-        end
-        put(x, y)
-      end
-      script:data(("%s%d_%d"):format(kind, i, k), lines)
-    end
-  end
 end
 
 -- How far points of series k stand from their x, where several series have one at the same x and lie on each other:
@@ -359,31 +231,16 @@ local function add_panel(script, t, i, xs, y, margin, parts)
   if none then script:add "unset label 2\nset ytics nomirror" end
 end
 
--- The points of a series, in their order, each as a group of its own.
-local function points_of(rows, x, y)
-  local summary = {}
-  known_column(rows, x, "x")
-  for _, column in ipairs(y) do known_column(rows, column, "y") end
-  for i, row in ipairs(rows) do
-    summary[i] = { [x] = row[x], count = 1, failed = 0 }
-    for _, column in ipairs(y) do
-      local value = row[column]
-      if type(value) ~= "number" then core.fail(("column '%s' holds no numbers"):format(column), "y") end
-      summary[i][column] = { mean = value, se = 0, count = value == value and 1 or 0 }
-    end
-  end
-  return summary
-end
-
 local function plot(given)
   local t = core.check("plot", given)
   if type(t.by) == "string" then t.by = { t.by } end
   local script = gnuplot.script(t.name)
-  local theory, published = entries_of(t, "theory", t.theory_name), entries_of(t, "published", "published")
+  local theory = plot_data.entries_of(t, "theory", t.theory_name)
+  local published = plot_data.entries_of(t, "published", "published")
   check_columns(t)
   local list = t.rows and series_of(t.rows, t.by) or {}
   for _, series in ipairs(list) do
-    series.summary = is_series(t.rows) and points_of(series.rows, t.x, t.y)
+    series.summary = is_series(t.rows) and plot_data.points_of(series.rows, t.x, t.y)
       or summarise(series.rows, { t.x }, t.y, { by = "x", of = "y" })
   end
   if core.is_check() then return end
@@ -393,8 +250,9 @@ local function plot(given)
   end
   local xs, ys = { low = math.huge, high = -math.huge }, {}
   for i in ipairs(t.y) do ys[i] = { low = math.huge, high = -math.huge } end
-  local finished, failed, samples = write_series(t, list, script, xs, ys)
-  if t.samples and t.rows and not is_series(t.rows) then write_samples(t, list, script, ys) else t.samples = false end
+  local finished, failed, samples = plot_data.write_series(t, list, script, xs, ys)
+  t.samples = t.samples and t.rows and not is_series(t.rows) or false
+  if t.samples then plot_data.write_samples(t, list, script, ys) end
   if t.rows and finished == 0 then
     t.nothing = ("no finished row: of %d impacts %d failed"):format(failed, failed)
     xs = finish_xrange(t, xs, {}, {})
@@ -408,8 +266,8 @@ local function plot(given)
   t.curves = {}
   -- Where theory diverges it leaves the picture: beside rows, the range is that of the impacts and published points and
   -- at most half as much on either side.
-  write_entries(t, "published", published, script, xs, ys, math.huge)
-  write_entries(t, "theory", theory, script, xs, ys, t.rows and 0.5 or math.huge)
+  plot_data.write_entries(t, "published", published, script, xs, ys, math.huge)
+  plot_data.write_entries(t, "theory", theory, script, xs, ys, t.rows and 0.5 or math.huge)
   finish_yranges(t, ys)
   -- Rows that a script made itself belong to no scene.
   local hash = t.rows and not is_series(t.rows) and core.peek(t.rows[1], "scene_hash")
@@ -429,7 +287,7 @@ local function plot(given)
   local entries, longest = most_entries(t, list, theory, published), 0
   for _, series in ipairs(list) do longest = math.max(longest, utf8.len(series.name or "") or 0) end
   local beside = t.by and #list > 6
-  local each = beside and math.max(285, 40 + 18 * entries) or 285 + 18 * entries
+  local each = beside and math.max(285, 110 + 19 * entries) or 285 + 18 * entries
   script:panels {
     count = #t.y, width = beside and 860 + 8 * longest or 800, font = 12,
     key = beside and ("outside right top vertical Left reverse samplen 2\nset rmargin %d"):format(longest + 8)

@@ -1,5 +1,6 @@
 -- The exponent of a power law, with the standard error of a jackknife over lattices.
 local core = require "ricochet.core"
+local statistics = require "ricochet.statistics"
 local student = require "ricochet.student"
 
 local sums_of = { "n", "x", "y", "xx", "xy" }
@@ -58,20 +59,17 @@ local function slope_of(s, scale)
   return xx > 1e-12 * scale and xy / xx or nil
 end
 
--- The standard error of the slope by what it is without each unit in turn, or why there is none. [Efron & Stein 1981]
+-- The standard error of the slope, or why there is none.
 local function jackknife(parts, all)
   if #parts < 2 then return nil, "all rows share one lattice: nothing tells how another would differ" end
-  local others, mean = {}, 0
+  local others = {}
   for i, part in ipairs(parts) do
     local rest = {}
     for _, name in ipairs(sums_of) do rest[name] = all[name] - part[name] end
     others[i] = slope_of(rest, all.xx)
     if not others[i] then return nil, "the exponent hangs on one lattice, without which all rows have one x" end
-    mean = mean + others[i] / #parts
   end
-  local square = 0
-  for _, other in ipairs(others) do square = square + (other - mean) ^ 2 end
-  return math.sqrt((#parts - 1) / #parts * square)
+  return statistics.jackknife(others)
 end
 
 --- y = factor x^exponent by least squares of the logarithms of rows: { exponent =, se =, freedom =, low =, high =,

@@ -37,8 +37,8 @@ readings.list = {
 }
 
 --- A touch lasts until its force has fallen to this share of its greatest, which decides what a first parting is: on
---- the soft wall e at the first parting is 0.93, 0.94, 0.90 at Psi1 = 6, 8, 10 by 0.1 %, 0.86, 0.87, 0.76 by 1 % and
---- 0.62, 0.64, 0.48 by 5 % (40 lattices, +- 0.03 to 0.06).
+--- the soft wall e at the first parting is 0.88, 0.77, 0.67 at Psi1 = 6, 8, 10 by 1 %, 0.92, 0.84, 0.76 by 0.4 %, and
+--- level from 4 to 10 by 0.1 % (100 lattices, +- 0.02 to 0.04; scripts/README.md).
 readings.parted = 0.01
 
 readings.by_name = {}
@@ -49,7 +49,8 @@ for _, reading in ipairs(readings.list) do readings.by_name[reading.name] = read
 readings.steps = { soft = { "multirate_5", 10 }, hard = { "verlet", 1.6 } }
 
 --- The scene of a reading. disk_nodes: of the disk of the first; at: sample, wall ("soft" or "hard"), launch, and what
---- share of the force ends a touch, if not readings.parted; accuracy: if wanted.
+--- share of the force ends a touch, if not readings.parted; contact: what it changes of figures.contact, before the
+--- reading does; accuracy: if wanted.
 function readings.scene(reading, disk_nodes, at, accuracy)
   local nodes = math.floor(disk_nodes * (reading.nodes or 1))
   local ratio = at.wall == "hard" and 10 or reading.ratio or 1 / 100
@@ -62,7 +63,9 @@ function readings.scene(reading, disk_nodes, at, accuracy)
       triangulation = reading.triangulation, crossing = "pass_over" }
   end
   local contact = {}
-  for name, value in pairs(figures.contact) do contact[name] = value end
+  for _, given in ipairs { figures.contact, at.contact or {} } do
+    for name, value in pairs(given) do contact[name] = value end
+  end
   contact.sides, contact.rule = reading.sides or contact.sides, reading.rule
   local scene = { contact = contact, launch = at.launch, ending = { force = at.parted or readings.parted },
     energy_tolerance = reading.tolerance,
@@ -148,7 +151,7 @@ end
 
 --- Whether a claim holds: { verdict = "there", "absent" or "undecided", score =, terms =, count = }. The score is the
 --- mean of the term that is least, over the half width of its interval of 95 % (Student's t): there above 1, absent
---- below -1.
+--- below -1; nan where a term has none.
 function readings.judged(numbers, claim)
   local result = { terms = {}, score = math.huge }
   for i in ipairs(claim.terms) do
@@ -157,10 +160,17 @@ function readings.judged(numbers, claim)
     table.sort(values)  -- their order would show in the last digits
     local term = term_of(values)
     result.terms[i], result.count = term, term.count
-    if not (term.score >= result.score) then result.score = term.score end
+    -- What is undefined (nan) of one term leaves no score at all.
+    if not (term.score >= result.score) and result.score == result.score then result.score = term.score end
   end
   result.verdict = result.score > 1 and "there" or result.score < -1 and "absent" or "undecided"
   return result
+end
+
+--- A score as it is drawn, within -most and most; nan where it is.
+function readings.bounded(score, most)
+  if score ~= score then return score end
+  return math.max(-most, math.min(most, score))
 end
 
 --- By how much the terms of a claim differ between two readings over the lattices that both have: a list as `terms`.

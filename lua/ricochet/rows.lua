@@ -5,6 +5,7 @@ local long_rows = require "ricochet.long_rows"
 local paired = require "ricochet.paired"
 local power_law = require "ricochet.power_law"
 local statistics = require "ricochet.statistics"
+local is_data = statistics.is_data
 
 local Rows, Summary = { __name = "rows", __metatable = false }, { __name = "a summary", __metatable = false }
 Summary.__index = function(summary, name)
@@ -58,12 +59,15 @@ local function known_column(rows, name, ...)
   core.fail(("the rows have no column '%s'%s"):format(name, core.did_you_mean(name, names)), ...)
 end
 
+<<<<<<< HEAD
 -- A row of a series has no status: it is data.
 local function is_data(row)
   local status = core.peek(row, "status")
   return status == nil or status == "finished"
 end
 
+=======
+>>>>>>> main
 local function is_less(a, b)
   if type(a) == "boolean" then return a and not b end
   return a < b

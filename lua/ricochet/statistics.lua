@@ -20,6 +20,7 @@ function statistics.of(values)
   return { mean = mean, sd = sd, se = sd / math.sqrt(n), count = n }
 end
 
+<<<<<<< HEAD
 local function has_pairs(rows)
   for _, row in ipairs(rows) do
     if core.peek(row, "pair") ~= nil then return true end
@@ -40,15 +41,56 @@ function statistics.of_units(rows, column)
     local value, status = row[column], core.peek(row, "status")
     if value == value and (status == nil or status == "finished") then
       local key = core.peek(row, "pair") or -i
+=======
+--- The value below which a share of sorted numbers lies, between two of them in proportion.
+function statistics.quantile(sorted, share)
+  local place = 1 + share * (#sorted - 1)
+  local below = math.floor(place)
+  local low, high = sorted[below], sorted[math.min(below + 1, #sorted)]
+  return low + (place - below) * (high - low)
+end
+
+--- The standard error of a statistic by what it is without each unit in turn. [Efron & Stein 1981]
+function statistics.jackknife(others)
+  local mean, square = 0, 0
+  for _, other in ipairs(others) do mean = mean + other / #others end
+  for _, other in ipairs(others) do square = square + (other - mean) ^ 2 end
+  return #others > 1 and math.sqrt((#others - 1) / #others * square) or 0 / 0
+end
+
+--- Whether a row counts: one that finished, or that is of a series, whose rows have no status.
+function statistics.is_data(row)
+  local status = rawget(row, "status")
+  return status == nil or status == "finished"
+end
+
+--- The means of a column over the rows that count of each unit, by key_of(row, i): { [key] = mean }; the keys in their
+--- order; how many rows.
+function statistics.unit_means(rows, column, key_of)
+  local sums, keys, count = {}, {}, 0
+  for i, row in ipairs(rows) do
+    local value = row[column]
+    if value == value and statistics.is_data(row) then
+      local key = key_of(row, i)
+>>>>>>> main
       if not sums[key] then
         sums[key] = { 0, 0 }
-        order[#order + 1] = key
+        keys[#keys + 1] = key
       end
       sums[key][1], sums[key][2], count = sums[key][1] + value, sums[key][2] + 1, count + 1
     end
   end
+  local means = {}
+  for key, sum in pairs(sums) do means[key] = sum[2] == 1 and sum[1] or sum[1] / sum[2] end
+  return means, keys, count
+end
+
+--- The same of a column of finished rows, in which a lattice struck from both sides (equal `pair`) is one unit, its
+--- mean: `count` impacts, `units`, and the deviation and standard error of those.
+function statistics.of_units(rows, column)
+  local means, keys, count = statistics.unit_means(rows, column, function(row, i) return rawget(row, "pair") or -i end)
   local values = {}
-  for i, key in ipairs(order) do values[i] = sums[key][2] == 1 and sums[key][1] or sums[key][1] / sums[key][2] end
+  for i, key in ipairs(keys) do values[i] = means[key] end
   local of = statistics.of(values)
   of.count, of.units = count, of.count
   return of
@@ -58,8 +100,12 @@ end
 function statistics.of_finished(rows, column)
   local values = {}
   for _, row in ipairs(rows) do
+<<<<<<< HEAD
     local status = core.peek(row, "status")
     if status == nil or status == "finished" then values[#values + 1] = row[column] end
+=======
+    if statistics.is_data(row) then values[#values + 1] = row[column] end
+>>>>>>> main
   end
   return statistics.of(values)
 end

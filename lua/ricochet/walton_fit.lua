@@ -1,8 +1,9 @@
 -- Walton's parameters of impacts, with the standard errors of a jackknife over samples.
 local core = require "ricochet.core"
+local statistics = require "ricochet.statistics"
 
 --- theory.fit_walton of lists psi1, psi2, e and sample, whose errors it replaces: impacts of a sample share its
---- lattices, so what counts is the fit without each sample in turn. [Efron & Stein 1981]
+--- lattices, so what counts is the fit without each sample in turn.
 local function walton_fit(columns, beta_x)
   local fit = core.theory.fit_walton { psi1 = columns.psi1, psi2 = columns.psi2, e = columns.e, beta_x = beta_x }
   local samples, others = {}, {}
@@ -19,10 +20,9 @@ local function walton_fit(columns, beta_x)
     others[#others + 1] = whole and other or nil
   end
   for _, name in ipairs { "e", "mu", "beta0" } do
-    local mean, square = 0, 0
-    for _, other in ipairs(others) do mean = mean + other[name] / #others end
-    for _, other in ipairs(others) do square = square + (other[name] - mean) ^ 2 end
-    fit[name .. "_se"] = #others > 1 and math.sqrt((#others - 1) / #others * square) or 0 / 0
+    local values = {}
+    for i, other in ipairs(others) do values[i] = other[name] end
+    fit[name .. "_se"] = statistics.jackknife(values)
   end
   return fit
 end

@@ -36,7 +36,7 @@ function fill(box, parts) {
 const paragraphs = (box, list) => box.append(...list.map(parts => fill(element("p"), parts)));
 
 function stateText() {
-  const at = lesson.sliders.map((s, i) => `${s.of}=${encodeURIComponent(s.values[place[i]])}`);
+  const at = lesson.sliders.map((s, i) => `${encodeURIComponent(s.of)}=${encodeURIComponent(s.values[place[i]])}`);
   return [...at, ...(tried.length ? [`tried=${tried.map(t => `${t.row + 1}${t.guess == null ? "" : ":" + t.guess}`).join()}`] : [])].join("&");
 }
 

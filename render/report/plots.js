@@ -1,7 +1,7 @@
 "use strict";
 // Outcomes of a sweep against what it varied: single impacts, means with standard errors, lines of theory.
 const sections = [];
-const mostDots = 4000, mostPlots = 8;
+const mostDots = 4000;
 
 // What tells lattices of one kind apart, as sweep_table.hpp has it.
 const isSample = name => /(sample|seed)$|^(mirrored|pair)$/.test(name);
@@ -33,7 +33,7 @@ function axesOf(section) {
   section.x = plotted || numeric[0] || fallback || { name: "impact", unit: "", values: Array.from({ length: section.rows }, (_, i) => i + 1) };
   section.by = parameters.find(c => c !== section.x && new Set(c.values).size <= 6) || null;
   const wanted = pageData.plots.length ? pageData.plots : [...section.plotted.flatMap(plot => plot.columns), "e", "mu", "beta"];
-  section.quantities = [...new Set(wanted)].filter(q => columns[q] && columns[q].values.some(v => typeof v === "number")).slice(0, mostPlots);
+  section.quantities = [...new Set(wanted)].filter(q => columns[q] && columns[q].values.some(v => typeof v === "number"));
   section.curves = [...pageData.lines, ...section.plotted.flatMap(plot => plot.lines)];
 }
 
@@ -73,7 +73,7 @@ function dataOf(section, quantity) {
     section.curves.filter(line => line.of === quantity && (!line.against || line.against === plainName(section.x.name))).forEach((line, i) => {
       const sorted = line.x.map((x, k) => [x, line.y[k]]).sort((a, b) => a[0] - b[0]);
       tables.push([sorted.map(p => p[0]), sorted.map(p => p[1])]);
-      series.push(line.marks ? { label: line.label, stroke: ink(), paths: () => null, points: { show: true, size: 9, stroke: ink(), fill: "transparent", width: 1.5 } }
+      series.push(line.marks ? { label: line.label, marks: true, stroke: ink(), paths: () => null, points: { show: true, size: 9, stroke: ink(), fill: "transparent", width: 1.5 } }
         : { label: line.label, stroke: ink(), width: 1.5, spanGaps: true, dash: [[], [6, 4], [2, 3], [8, 3, 2, 3]][i % 4], points: { show: false } });
     });
   }
@@ -88,6 +88,24 @@ function dotsOf(section, quantity) {
   if (dots.length <= mostDots) return dots;
   const every = dots.length / mostDots;
   return Array.from({ length: mostDots }, (_, k) => dots[Math.floor(k * every)]);
+}
+
+// The range along y: impacts, means and marks; a line widens it by half of that at most, as it may diverge.
+function yRange(dots, { tables, series }, log) {
+  const [along, back] = log ? [Math.log, Math.exp] : [y => y, y => y];
+  const usable = y => y != null && Number.isFinite(y) && !(log && y <= 0);
+  let low = Infinity, high = -Infinity;
+  const widen = (y, from = -Infinity, to = Infinity) => {
+    if (usable(y)) [low, high] = [Math.min(low, Math.max(from, along(y))), Math.max(high, Math.min(to, along(y)))];
+  };
+  dots.forEach(dot => widen(dot.y));
+  series.forEach((one, i) => {
+    if (one.stats) one.stats.forEach(({ mean, se }) => [mean, mean - (se || 0), mean + (se || 0)].forEach(y => widen(y)));
+    if (one.marks) tables[i].forEach(y => widen(y));
+  });
+  const some = low <= high, room = (high - low) / 2, [from, to] = some ? [low - room, high + room] : [-Infinity, Infinity];
+  series.forEach((one, i) => { if (i > 0 && !one.stats && !one.marks) tables[i].forEach(y => widen(y, from, to)); });
+  return low <= high ? [back(low), back(high)] : [0, 1];
 }
 
 // Canvas drawing above the series: dots, error bars, rings of impacts with a replay.
@@ -162,18 +180,13 @@ function drawPlot(section, quantity) {
   box.textContent = "";
   const marks = { series, dots: dotsOf(section, quantity) }, log = section.show.log;
   const { x } = section, along = powerOf(x.values, x.unit), name = names[plainName(x.name)] || symbolOf(x.name);
-  const range = (u, low, high) => {
-    const y = marks.dots.map(d => d.y), l = y.length ? Math.min(...y) : 0, h = y.length ? Math.max(...y) : 1;
-    const from = low == null ? l : Math.min(low, l), to = high == null ? h : Math.max(high, h);
-    if (log && from > 0) return [from / 1.1, to * 1.1];
-    const pad = 0.06 * (to - from) || 0.1 * Math.abs(to) || 0.1;
-    return [from - pad, to + pad];
-  };
   const canLog = log && marks.dots.every(d => d.y > 0);
+  const [from, to] = yRange(marks.dots, { tables, series }, canLog);
+  const pad = 0.06 * (to - from) || 0.1 * Math.abs(to) || 0.1, whole = canLog ? [from / 1.1, to * 1.1] : [from - pad, to + pad];
   const u = new uPlot({ width: box.clientWidth, height: 300, title: labelOf(column), series, legend: keyWithDashes,
     cursor: { drag: { x: true, y: true, uni: 20 }, points: { show: false } },
     scales: { x: { time: false, range: (_, a, b) => { const pad = 0.05 * (b - a) || 1; return section.zoom ? [a, b] : [a - pad, b + pad]; } },
-      y: canLog ? { distr: 3, range } : { range: (u, a, b) => u.zoomed ? [a, b] : range(u, a, b) } },
+      y: { distr: canLog ? 3 : 1, range: (u, a, b) => u.zoomed ? [a, b] : whole } },
     axes: [axisOf(along, { label: withUnit(name, scaledUnit(x.unit, along)), labelSize: 22 }), axisOf(0, { size: axisWidth })],
     hooks: { draw: [u => drawMarks(u, section, quantity, marks)], setSelect: [u => { u.zoomed = u.select.width > 0; section.zoom = u.zoomed; }] } }, tables, box);
   u.over.addEventListener("dblclick", () => { u.zoomed = section.zoom = false; });

@@ -116,13 +116,13 @@ PlaneModuli usual_moduli(const BodyNumbers& numbers) {
     const PlaneMaterial plane = in_plane(Material{1, numbers.nu, 1}, numbers.state, 1);
     return {plane.E, plane.nu};
   }
-  switch (placement_from_name(numbers.placement)) {
+  // Hulls are of uniform points.
+  switch (numbers.by_hull() ? Placement::uniform : placement_from_name(numbers.placement)) {
     case Placement::triangular:
       return {2 / std::sqrt(3.0), 1.0 / 3};
     case Placement::poisson_disk:
       return {1.16, 0.33};
     case Placement::uniform:
-    case Placement::hull:
       break;
   }
   return {1.08, 0.26};

@@ -4,11 +4,13 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "body/given_nodes.hpp"
 #include "body/hull_nodes.hpp"
 #include "core/error.hpp"
 #include "core/rng.hpp"
+#include "core/streams.hpp"
 #include "core/turn.hpp"
 #include "shape/crossed.hpp"
 #include "shape/mesh.hpp"
@@ -18,18 +20,10 @@
 namespace ricochet {
 namespace {
 
-constexpr std::uint32_t interior_stream = 1, roughness_stream = 2, redrawn_stream = 4;
-constexpr std::uint32_t streams = 16;  // of one lattice
-
 // The lattices of a seed that were passed over had others.
 Random random_of(const Body& body, std::uint32_t purpose) {
   return {static_cast<std::uint64_t>(body.numbers.seed),
-          purpose + streams * static_cast<std::uint32_t>(body.passed_over)};
-}
-
-HullNodes hull_nodes_of(const Body& body) {
-  Random random = random_of(body, interior_stream);
-  return hull_nodes(body, random);
+          purpose + streams::of_a_lattice * static_cast<std::uint32_t>(body.passed_over)};
 }
 
 // `what`: of several outlines, which.
@@ -125,9 +119,20 @@ std::vector<Points> outlines_of(const Body& body) {
   return chains;
 }
 
-GivenNodes given_nodes_of(const Body& body) {
-  if (!body.points.empty()) return given_nodes(body.points, outlines_of(body));
-  return {std::vector<Points>(1 + body.holes.size()), {}};
+// What is known of a body's nodes before its rim is laid.
+struct Known {
+  GivenNodes given;
+  std::optional<HullNodes> hull;
+};
+
+Known known_nodes_of(const Body& body) {
+  if (!body.points.empty()) return {given_nodes(body.points, outlines_of(body)), {}};
+  Known nodes{{std::vector<Points>(1 + body.holes.size()), {}}, {}};
+  if (body.numbers.by_hull()) {
+    Random random = random_of(body, streams::interior);
+    nodes.hull = hull_nodes(body, random);
+  }
+  return nodes;
 }
 
 double rim_spacing_of(const Body& body, const GivenNodes& nodes) {
@@ -204,19 +209,18 @@ Rim lay_graded_rim(const Body& body) {
   return rim;
 }
 
-Rim lay_rim(const Body& body, const GivenNodes& nodes) {
+Rim lay_rim(const Body& body, const Known& nodes) {
   if (body.numbers.meshed()) return lay_graded_rim(body);
-  if (body.numbers.by_hull()) {
-    Rim rim;
-    rim.add(hull_nodes_of(body).rim);
+  Rim rim;
+  if (nodes.hull) {
+    rim.add(nodes.hull->rim);
     return rim;
   }
-  const double spacing = rim_spacing_of(body, nodes);
+  const double spacing = rim_spacing_of(body, nodes.given);
   check_spacing(body, spacing);
-  Rim rim;
   const std::vector<Points> chains = outlines_of(body);
   for (std::size_t k = 0; k < chains.size(); ++k)
-    rim.add(nodes.on_chain[k].empty() ? resample(chains[k], spacing) : nodes.on_chain[k]);
+    rim.add(nodes.given.on_chain[k].empty() ? resample(chains[k], spacing) : nodes.given.on_chain[k]);
   if (body.points.empty() && static_cast<int>(rim.points.size()) > body.numbers.nodes)
     throw FieldError("nodes", fmt::format("{} nodes cannot cover this outline, which needs {} for itself",
                                           body.numbers.nodes, rim.points.size()));
@@ -230,7 +234,7 @@ Rim lay_rim(const Body& body, const GivenNodes& nodes) {
 // Moves the rim's points along its normals.
 void roughen(Rim& rim, const Body& body, const std::vector<bool>& anchored_rim) {
   const BodyNumbers& numbers = body.numbers;
-  Random random = random_of(body, roughness_stream);
+  Random random = random_of(body, streams::roughness);
   std::size_t i = 0;
   for (const Chain& chain : chains_of(rim.cells)) {
     const auto first = rim.points.begin() + chain.node.front();
@@ -257,19 +261,19 @@ std::vector<int> corners_of(const Body& body, const Rim& rim) {
   return corners;
 }
 
-Points plan_interior(const Body& body, const Rim& rim, const GivenNodes& nodes) {
+Points plan_interior(const Body& body, const Rim& rim, const Known& nodes) {
   if (body.numbers.crossed()) return crossed_grid_of(body).inside();
   if (body.numbers.meshed()) return mesh_interior(rim, body.size_field());
-  if (!body.points.empty()) return nodes.inside;
-  if (body.numbers.by_hull()) {
-    Random random = random_of(body, redrawn_stream);
-    return inside_rough_rim(hull_nodes_of(body), rim, random);
+  if (!body.points.empty()) return nodes.given.inside;
+  if (nodes.hull) {
+    Random random = random_of(body, streams::redrawn);
+    return inside_rough_rim(*nodes.hull, rim, random);
   }
   const BodyNumbers& numbers = body.numbers;
   const int count = numbers.nodes - static_cast<int>(rim.points.size());
   const double spacing = given(numbers.rim_spacing) ? spacing_of(body, static_cast<std::size_t>(count))
                                                     : std::sqrt(area_of(body) / numbers.nodes);
-  Random random = random_of(body, interior_stream);
+  Random random = random_of(body, streams::interior);
   return place_interior(rim, placement_from_name(numbers.placement), {count, spacing, numbers.margin}, random);
 }
 
@@ -280,7 +284,7 @@ Rim plan_rim(const Body& body) {
   check_half_section(body);
   check_holes(body);
   check_plain(body);
-  return lay_rim(body, given_nodes_of(body));
+  return lay_rim(body, known_nodes_of(body));
 }
 
 NodePlan plan_nodes(const Body& body, const std::vector<bool>& anchored_rim) {
@@ -288,7 +292,7 @@ NodePlan plan_nodes(const Body& body, const std::vector<bool>& anchored_rim) {
   check_half_section(body);
   check_holes(body);
   check_plain(body);
-  const GivenNodes nodes = given_nodes_of(body);
+  const Known nodes = known_nodes_of(body);
   Rim rim = lay_rim(body, nodes);
   NodePlan plan;
   plan.smooth_rim = rim.points;

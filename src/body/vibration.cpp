@@ -8,11 +8,10 @@
 #include "body/tangent.hpp"
 #include "core/error.hpp"
 #include "core/rng.hpp"
+#include "core/streams.hpp"
 
 namespace ricochet {
 namespace {
-
-constexpr std::uint32_t vibration_stream = 4;  // and one more for the second body
 
 // By how much a node counts: 1 where all have the same mass.
 double weight(const Masses& mass, std::size_t node) { return mass.uniform() ? 1.0 : mass[static_cast<int>(node)]; }
@@ -62,7 +61,7 @@ Vibrations::Vibrations(const Solid& solid) : solid_(solid) {
 }
 
 Vibrations::Sample Vibrations::draw(double temperature, double stiffness, std::int64_t seed, int body) const {
-  Random random(static_cast<std::uint64_t>(seed), vibration_stream + static_cast<std::uint32_t>(body));
+  Random random(static_cast<std::uint64_t>(seed), streams::vibration + static_cast<std::uint32_t>(body));
   Eigen::VectorXd z(static_cast<int>(kept_.size()));
   for (double& value : z) value = random.normal();
   // K = P^T L L^T P with the permutation P that keeps the factor sparse.

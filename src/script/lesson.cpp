@@ -76,6 +76,10 @@ struct Shown {
 
 // Every row's impact once more, to be seen.
 std::vector<std::string> replays_of_all(lua_State* L, const Table& table, const Swept& swept, int frames) {
+<<<<<<< HEAD
+=======
+  const auto of_hash = scenes_by_hash(swept.scenes);
+>>>>>>> main
   std::vector<Shown> rows;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const Scene scene = swept.scene_of(table.text("scene_hash")->values[row]).value();
@@ -119,10 +123,8 @@ std::string page_of_lesson(const std::string& title, const std::string& words, c
 // write_lesson(sweep, file, title, words, frames): words are what the page's script reads as pageData.lesson.
 int write_lesson(lua_State* L) {
   Session& session = session_of(L);
-  const std::string name = luaL_checkstring(L, 1);
-  const auto swept =
-      std::find_if(session.swept.begin(), session.swept.end(), [&](const Swept& one) { return one.name == name; });
-  if (swept == session.swept.end()) throw at_this_call(L, "the grid has not run; call run() of the sweep first");
+  const Swept* swept = swept_named(session, luaL_checkstring(L, 1));
+  if (!swept) throw at_this_call(L, "the grid has not run; call run() of the sweep first");
   const fs::path path = claimed_path(L, "name", luaL_checkstring(L, 2) + std::string(".html"));
   const fs::path results = run_names::readable_results(swept->folder);
   PageSection section{swept->name, read_table(results), read_provenance(results)};
@@ -149,8 +151,7 @@ Function lesson_function() {
       .doc =
           "Makes NAME.html of a sweep that has run, a page for a class: sliders over the sweep's settings, a guess "
           "before each result, the replay of each setting's own impact, a graph that fills as the pupil tries, "
-          "questions "
-          "with folded answers. One file of at most 6 MB without network, beside the report.",
+          "questions with folded answers. One file of at most 6 MB without network, beside the report.",
       .fields = {{"grid", "sweep", "", "that has run, over one to three names: at least 12 settings, each finished"},
                  {"title", "string", "", "of the page"},
                  {"intro", "strings", "", std::string("paragraphs below the title.") + numbers_of_rows},

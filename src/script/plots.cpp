@@ -115,8 +115,7 @@ Group plot_functions() {
       .functions =
           {{.name = "plot",
             .doc = "Draws the mean and standard error of columns against a column, lines of theory and published "
-                   "points, as "
-                   "NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.",
+                   "points, as NAME.svg and NAME.png, and leaves the gnuplot script NAME.gp beside them.",
             .fields =
                 {{"rows", "rows", "",
                   "rows of a sweep, or of a series, drawn as a line in their order; none for a picture of theory alone",

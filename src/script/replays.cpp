@@ -14,6 +14,7 @@
 #include "sandbox/sandbox.hpp"
 #include "script/filmed.hpp"
 #include "script/page_text.hpp"
+#include "script/session.hpp"
 #include "script/sweep_table.hpp"
 #include "store/packed.hpp"
 
@@ -178,6 +179,18 @@ std::string collided(const Scene& scene, const Solids& solids, const FrameMesh& 
 }
 
 }  // namespace
+
+const Swept* swept_named(const Session& session, const std::string& name) {
+  for (const Swept& one : session.swept)
+    if (one.name == name) return &one;
+  return nullptr;
+}
+
+std::unordered_map<std::string, const Scene*> scenes_by_hash(const std::vector<Scene>& scenes) {
+  std::unordered_map<std::string, const Scene*> of_hash;
+  for (const Scene& scene : scenes) of_hash.emplace(scene.hash(), &scene);
+  return of_hash;
+}
 
 std::vector<std::size_t> rows_to_replay(const Table& table, const std::string& how, std::size_t count) {
   const std::vector<std::size_t> finished = finished_rows(table);

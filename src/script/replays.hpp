@@ -2,6 +2,7 @@
 // Impacts of a sweep that are run once more, to be seen: which ones, and how a page carries them.
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "impact/scene.hpp"
@@ -10,10 +11,19 @@
 
 namespace ricochet {
 
+class Session;
+struct Swept;
+
 /// A page takes no more of nodes x frames of one replay, so that six are below 8 MB; a body of more nodes than allow
 /// `fewest_frames` has none.
 inline constexpr double most_node_frames = 1e6;
 inline constexpr int fewest_frames = 24;
+
+/// The sweep of this name that has run in the session; null if none has.
+const Swept* swept_named(const Session& session, const std::string& name);
+
+/// The scenes of a sweep by their hash.
+std::unordered_map<std::string, const Scene*> scenes_by_hash(const std::vector<Scene>& scenes);
 
 /// Rows of a table of results, in the order of interest. "typical": in `count` points of the sweep, spread evenly over
 /// them, the impact whose e is nearest to its point's median (points that differ in `sample` or `seed` alone are one);

@@ -76,6 +76,9 @@ std::vector<std::string> row_hashes(lua_State* L, const char* field) {
 // What the report says beside what every report says; the last call holds.
 int report_wish(lua_State* L) {
   check_table(L, 1, function_named("report"));
+  for (const char* field : {"replay", "replays"})
+    if (has_field(L, 1, "rows") && has_field(L, 1, field))
+      throw_here(L, FieldError(field, "says nothing beside rows, all of which are replayed; leave one of them out"));
   PageWish wish;
   wish.title = text_field(L, "title");
   wish.notes = text_field(L, "notes");
@@ -144,14 +147,12 @@ void record_row(lua_State* L, const Swept& swept, std::vector<FilmedScene>& scen
 // record_rows(name, hashes or how, frames): records rows of a sweep that has run; a list of what their impacts gave.
 int record_rows(lua_State* L) {
   Session& session = session_of(L);
-  const std::string name = luaL_checkstring(L, 1);
   const int frames = static_cast<int>(luaL_checkinteger(L, 3));
   lua_newtable(L);
   const int list = lua_gettop(L);
   if (session.options.check) return 1;
-  const auto swept =
-      std::find_if(session.swept.begin(), session.swept.end(), [&](const Swept& one) { return one.name == name; });
-  if (swept == session.swept.end()) throw at_this_call(L, "this sweep has not run; call sweep:run() first");
+  const Swept* swept = swept_named(session, luaL_checkstring(L, 1));
+  if (!swept) throw at_this_call(L, "this sweep has not run; call sweep:run() first");
   lua_Integer count = 0;
   for (const std::string& hash : wanted_hashes(L, *swept)) {
     std::vector<FilmedScene> scenes{filmed_row(L, *swept, hash)};
@@ -164,29 +165,35 @@ int record_rows(lua_State* L) {
 }
 
 Function report_function() {
-  return {.name = "report",
-          .doc =
-              "Adds to report.html, the page that every run leaves in its folder: a title, notes, questions to think "
-              "about, lines of theory over the plots, which columns are plotted and which impacts replayed. What "
-              "ricochet.plot draws of a sweep, lines of theory and published points too, stands in the report of "
-              "itself. The last call holds.",
-          .fields = {{"title", "string", "", "of the page; the first line of the script, if a comment", any_number, "",
-                      true},
-                     {"notes", "string", "", "a paragraph below the title", any_number, "", true},
-                     {"questions", "strings", "", "listed below the notes", any_number, "", true},
-                     {"plots", "strings", "",
-                      "columns to plot; unless given, what ricochet.plot has drawn, and e, mu and beta", any_number, "",
-                      true},
-                     {"rows", "table", "", "rows to replay, however long it takes, instead of typical ones", any_number,
-                      "", true},
-                     {"lines", "table", "", "theory as a list of { of = column, label =, x = list, y = list }",
-                      any_number, "", true},
-                     {"replay", "string", "", "which impacts", any_number, "typical", false, {"typical", "extremes"}},
-                     {"replays", "integer", "", "how many, all sweeps together; 0: none", {0, 100}, "6"},
-                     {"frames", "integer", "", "of each replay; fewer of bodies with many nodes", {2, 2000}, "120"}},
-          .returns = "nothing",
-          .example = "ricochet.report { title = \"Soft walls\", notes = \"Which wall gives e > 1?\" }",
-          .call = guarded<report_wish>};
+  return {
+      .name = "report",
+      .doc =
+          "Adds to report.html, the page that every run leaves in its folder: a title, notes, questions to think "
+          "about, lines of theory over the plots, which columns are plotted and which impacts replayed. What "
+          "ricochet.plot draws of a sweep, lines of theory and published points too, stands in the report of "
+          "itself. The last call holds.",
+      .fields = {{"title", "string", "", "of the page; the first line of the script, if a comment", any_number, "",
+                  true},
+                 {"notes", "string", "", "a paragraph below the title", any_number, "", true},
+                 {"questions", "strings", "", "listed below the notes", any_number, "", true},
+                 {"plots", "strings", "",
+                  "columns to plot; unless given, what ricochet.plot has drawn, and e, mu and beta", any_number, "",
+                  true},
+                 {"rows", "table", "", "rows to replay, all of them and however long it takes, instead of typical ones",
+                  any_number, "", true},
+                 {"lines", "table", "", "theory as a list of { of = column, label =, x = list, y = list }", any_number,
+                  "", true},
+                 {"replay", "string", "", "which impacts", any_number, "typical", false, {"typical", "extremes"}},
+                 {"replays",
+                  "integer",
+                  "",
+                  "how many, all sweeps together; 0: none; of rows that are chosen, not named",
+                  {0, 100},
+                  "6"},
+                 {"frames", "integer", "", "of each replay; fewer of bodies with many nodes", {2, 2000}, "120"}},
+      .returns = "nothing",
+      .example = "ricochet.report { title = \"Soft walls\", notes = \"Which wall gives e > 1?\" }",
+      .call = guarded<report_wish>};
 }
 
 // lua/ricochet/sweep.lua

@@ -1,24 +1,34 @@
 // ricochet.bootstrap and rows:peak, written in Lua: lua/ricochet/bootstrap.lua. The draws are of the streams that
 // lattices are drawn from, not of Lua's own.
 
+#include <new>
+#include <type_traits>
+
 #include "core/rng.hpp"
+#include "core/streams.hpp"
 #include "script/functions.hpp"
 
 namespace ricochet {
 namespace {
 
-constexpr std::uint32_t resampling_stream = 100;
-
-// draws(seed, count, below): a list of `count` whole numbers from 1 to `below`, each as likely.
-int draws(lua_State* L) {
-  Random random(static_cast<std::uint64_t>(luaL_checkinteger(L, 1)), resampling_stream);
+// draw(list, count): fills the list with `count` whole numbers from 1 to `count`, each as likely.
+int draw(lua_State* L) {
+  Random& random = *static_cast<Random*>(lua_touserdata(L, lua_upvalueindex(1)));
+  luaL_checktype(L, 1, LUA_TTABLE);
   const lua_Integer count = luaL_checkinteger(L, 2);
-  const double below = luaL_checknumber(L, 3);
-  lua_createtable(L, static_cast<int>(count), 0);
   for (lua_Integer i = 1; i <= count; ++i) {
-    lua_pushinteger(L, 1 + static_cast<lua_Integer>(random.uniform() * below));
-    lua_rawseti(L, -2, i);
+    lua_pushinteger(L, 1 + static_cast<lua_Integer>(random.uniform() * static_cast<double>(count)));
+    lua_rawseti(L, 1, i);
   }
+  return 0;
+}
+
+// draws(seed): the function draw, one resample a call.
+int draws(lua_State* L) {
+  static_assert(std::is_trivially_destructible_v<Random>);  // nothing would destroy it
+  new (lua_newuserdatauv(L, sizeof(Random), 0))
+      Random(static_cast<std::uint64_t>(luaL_checkinteger(L, 1)), streams::resampling);
+  lua_pushcclosure(L, draw, 1);
   return 1;
 }
 

@@ -63,7 +63,7 @@ double seconds_of(const Table& table, std::size_t row) {
   return column ? column->values[row] : 0;
 }
 
-// The rows of the table that are to be replayed.
+// The rows of the table that are to be replayed: all that the script has named, or so many.
 std::vector<std::size_t> rows_wanted(const Table& table, const PageWish& wish, std::size_t count) {
   if (wish.hashes.empty()) return rows_to_replay(table, wish.which, count);
   const TextColumn* hashes = table.text("scene_hash");
@@ -72,7 +72,6 @@ std::vector<std::size_t> rows_wanted(const Table& table, const PageWish& wish, s
     const auto found = std::find(hashes->values.begin(), hashes->values.end(), hash);
     if (found != hashes->values.end()) rows.push_back(static_cast<std::size_t>(found - hashes->values.begin()));
   }
-  if (rows.size() > count) rows.resize(count);
   return rows;
 }
 

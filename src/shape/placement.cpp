@@ -335,7 +335,6 @@ Points place_interior(const Rim& rim, Placement placement, const Spacing& wanted
   check_room(inside, margin);
   switch (placement) {
     case Placement::uniform:
-    case Placement::hull:
       return place_uniform(inside, margin, wanted.count, random);
     case Placement::poisson_disk:
       return place_poisson_disk(rim, inside, margin, wanted.count, wanted.spacing, random);
@@ -349,7 +348,6 @@ Placement placement_from_name(const std::string& name) {
   if (name == "uniform") return Placement::uniform;
   if (name == "poisson_disk") return Placement::poisson_disk;
   if (name == "triangular") return Placement::triangular;
-  if (name == "hull") return Placement::hull;
   throw FieldError("placement", "no placement is called '" + name + "'");
 }
 

@@ -8,7 +8,7 @@
 
 namespace ricochet {
 
-enum class Placement { uniform, poisson_disk, triangular, hull };
+enum class Placement { uniform, poisson_disk, triangular };
 
 /// How many points are placed, how far apart as a mean, and how far at least from the rim. [R]
 struct Spacing {
@@ -19,8 +19,7 @@ struct Spacing {
 /// Points inside a rim (simple). uniform: independent points, as in the paper; near-coincident pairs and skinny
 /// triangles occur. poisson_disk: random points with a least distance to each other and to the rim's nodes, as large as
 /// dart throwing finds. triangular: a triangular lattice of the same density; the number of points is the nearest that
-/// fits, not exactly `count`. hull: as uniform, in a rim that is the hull of such points (shape/hull.hpp). Throws
-/// FieldError if the margin leaves no room.
+/// fits, not exactly `count`. Throws FieldError if the margin leaves no room.
 Points place_interior(const Rim& rim, Placement placement, const Spacing& wanted, Random& random);
 
 Placement placement_from_name(const std::string& name);

@@ -129,6 +129,14 @@ export async function lessons({ check, open, until, faults, pixels, readCsv, pro
     // A link, a copy and the table keep what was tried.
     const hash = await page.evaluate("location.hash"), title = await page.locator("#which").textContent();
     check(/floor=soft%20mat&tried=2:70,1:95,5:60,9:40,18:20&t=/.test(hash), `lesson: the link holds ${hash}`);
+    const named = await page.evaluate(`(() => {
+      const slider = lesson.sliders[0], before = slider.of;
+      slider.of = "a&tried=b";
+      const link = new URLSearchParams(stateText());
+      slider.of = before;
+      return [link.get("a&tried=b"), String(slider.values[place[0]]), link.getAll("tried").length];
+    })()`);
+    check(named[0] === named[1] && named[2] === 1, `lesson: a name of any characters stands in the link as itself ${named}`);
     const csv = readCsv(await download(page, "#csv"));
     const fifth = csv.lines[4], last = rows[17];
     check(csv.lines.length === 5 && fifth.at(-1) === last.scene_hash && +fifth[3] === 20, `lesson: the fifth of the pupil's points is ${fifth.slice(0, 5).join(", ")}`);

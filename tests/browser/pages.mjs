@@ -85,7 +85,8 @@ local sweep = ricochet.sweep { name = "angles", over = { sample = ricochet.range
     launch = { speed = 0.1, psi1 = at.psi1 }, accuracy = 1e-2 } end }
 local rows = sweep:run()
 ricochet.plot { rows = rows, x = "psi1", y = { "e", "contact_time" }, name = "plotted",
-  theory = { contact_time = { { name = "a guessed line", f = function(x) return 9 + x / 2 end } } },
+  theory = { contact_time = { { name = "a guessed line", f = function(x) return 9 + x / 2 end } },
+    e = { { name = "a line that diverges", f = function(x) return 1 / (3.001 - x) end } } },
   published = { e = { { name = "somebody's points", points = { { 0.5, 0.8 }, { 2, 0.85 } } } } } }
 ricochet.report { notes = "Soft walls give back slowly.", questions = { "Where is e greatest?" },
   lines = { { of = "mu", label = "rigid friction", x = { 0, 3 }, y = { 0, 0.3 } } } }
@@ -113,6 +114,7 @@ async function wholeReport() {
   check(compared === 50, "50 cells of the page equal the results");
   await seesPoints(page);
   await playsByKeyboard(page);
+  await linesLeaveRoom(page);
   await togglesChangePixels(page);
   await looksRight(page, "desktop");
   await page.context().close();
@@ -184,6 +186,16 @@ async function playsByKeyboard(page) {
   await until(page, "report.player.at > 3");
   await page.keyboard.press(" ");
   check(!await page.evaluate("report.player.playing") && shown !== await pixels(page, "#view"), "space plays and stops");
+}
+
+// A line that goes to 1000 leaves the picture instead of flattening the impacts.
+async function linesLeaveRoom(page) {
+  const [low, high, least, most] = await page.evaluate(`(() => {
+    const { min, max } = sections[0].plots.e.scales.y, e = sections[0].columns.e.values;
+    return [min, max, Math.min(...e), Math.max(...e)];
+  })()`);
+  const span = most - least;
+  check(low <= least && high >= most + 0.5 * span && high < most + 0.8 * span, `a diverging line widens e's range of ${least} to ${most} to ${low} to ${high}`);
 }
 
 async function togglesChangePixels(page) {

@@ -223,8 +223,7 @@ const Known known_spheres[] = {
 
 }  // namespace
 
-TEST_CASE("spheres that yield follow finite elements, Jackson & Green, and Wu, Li & Thornton", "[.slow][P3][P4][P5]") {
-  std::vector<double> e_of_soft;
+TEST_CASE("spheres that yield follow finite elements, Jackson & Green, and Wu, Li & Thornton", "[.slow][P3][P4]") {
   for (const Known& k : known_spheres) {
     const Scene scene = sphere(k.speed, k.h_min, k.yield);
     const BuiltSolids built(scene);
@@ -250,11 +249,74 @@ TEST_CASE("spheres that yield follow finite elements, Jackson & Green, and Wu, L
       CHECK(most == Catch::Detail::Approx(k.law_force).epsilon(0.04));
       CHECK(o.overlap == Catch::Detail::Approx(k.law_depth).epsilon(0.02));
     }
-    if (k.yield == 0.0011) e_of_soft.push_back(o.e);
   }
-  const double exponent = std::log(e_of_soft[2] / e_of_soft[1]) / std::log(3.0);
-  fmt::print("e ~ v^{:.3f} between 595 and 1786 yield speeds\n", exponent);
-  CHECK(std::abs(exponent + 0.27) < 0.03);
+}
+
+namespace {
+
+struct Swing {
+  double mean, error, least, most;
+};
+
+/// e of six meshes of which `across` sides, up to half a side more or less, make the contact's radius a. The contact
+/// closes ring by ring of the rim's nodes, and e swings by how far the last one is; over one ring the swing averages
+/// out.
+Swing over_a_ring(double speed, double a, double across) {
+  constexpr int meshes = 6;
+  std::vector<Scene> list;
+  for (int i = 0; i < meshes; ++i) {
+    const double h = a / (across + (i + 0.5) / meshes - 0.5);
+    Scene scene = sphere(speed, h, 0.0011);
+    Body body = *scene.projectile;
+    body.numbers.h_max = 0.12;
+    body.numbers.fine_within = 1.14 * a;
+    scene.projectile = std::make_shared<Body>(body);
+    list.push_back(scene);
+  }
+  std::vector<double> e(list.size());
+  run_sweep(list, std::vector<bool>(list.size(), true), {2, 3}, go_on, [&](const std::vector<Result>& results) {
+    for (const Result& r : results) {
+      REQUIRE(r.outcome.status == Status::finished);
+      e[r.index] = r.outcome.e;
+    }
+  });
+  Swing swing{0, 0, *std::min_element(e.begin(), e.end()), *std::max_element(e.begin(), e.end())};
+  for (const double one : e) swing.mean += one / meshes;
+  for (const double one : e) swing.error += (one - swing.mean) * (one - swing.mean) / (meshes * (meshes - 1));
+  swing.error = std::sqrt(swing.error);
+  fmt::print("{:g} c0, a/h {:.1f}: e {:.4f} +- {:.4f}, {:.4f} to {:.4f}\n", speed, across, swing.mean, swing.error,
+             swing.least, swing.most);
+  return swing;
+}
+
+}  // namespace
+
+// At 1786 and 595 yield speeds, E*/Y = 999. One mesh, of this program or another, draws from the swing: 1 to 2 % of e
+// at a/h = 9, 0.6 at 17.5. Two such draws, 0.323 and 0.433, make an exponent of -0.27, of which they leave 0.02 open.
+// The means are 0.327 and 0.425, to 0.001 (the table below), near the law's 0.320, 0.421 and -1/4. Over one ring at
+// a/h = 9 another program of finite elements has 0.328 +- 0.002, and as much by elements that do not lock.
+TEST_CASE("e of spheres that yield swings as rings of nodes come into the contact, about a mean of all meshes",
+          "[.slow][P4][P5]") {
+  const Swing fast = over_a_ring(3e-4, 0.088, 6.2), finer = over_a_ring(3e-4, 0.088, 12.4);
+  CHECK(std::abs(finer.mean - fast.mean) < 2 * std::hypot(finer.error, fast.error));
+  CHECK(finer.mean == Catch::Detail::Approx(0.327).epsilon(0.01));
+  CHECK(finer.mean == Catch::Detail::Approx(0.323).epsilon(0.02));
+  CHECK(finer.mean == Catch::Detail::Approx(0.320).epsilon(0.04));
+  const Swing slow = over_a_ring(1e-4, 0.0525, 12.4);
+  CHECK(slow.mean == Catch::Detail::Approx(0.425).epsilon(0.01));
+  CHECK(slow.mean == Catch::Detail::Approx(0.433).epsilon(0.02));
+  CHECK(slow.mean == Catch::Detail::Approx(0.421).epsilon(0.04));
+  const double exponent = std::log(finer.mean / slow.mean) / std::log(3.0);
+  fmt::print("e ~ v^{:.3f} between the means at 595 and 1786 yield speeds\n", exponent);
+  CHECK(std::abs(exponent + 0.25) < 0.015);
+}
+
+TEST_CASE("table of e of spheres that yield by the number of sides along the contact's radius", "[.table]") {
+  const double at[][2] = {{3e-4, 0.088}, {1e-4, 0.0525}};
+  for (const auto& [speed, a] : at)
+    for (const double across : {4.4, 6.2, 8.8, 12.4, 17.5}) DYNAMIC_SECTION(speed << ", " << across) {
+        over_a_ring(speed, a, across);
+      }
 }
 
 TEST_CASE("metal that is struck faster than its waves run ends unstable, by an element turned over or flattened") {

@@ -148,6 +148,13 @@ TEST_CASE("what a lesson cannot be made of is told in one clear line") {
              Contains("lesson: the grid has 6 settings; a lesson has at least 12"));
   CHECK_THAT(mistake(lesson("", "angle = { 0, 10, 20, 30 }, speed = { 0.05, 0.1, 0.15 }", "")),
              Contains("lesson: the grid has not run; call run() of the sweep first"));
+  CHECK_THAT(mistake(lesson("",
+                            "ricochet.zip { angle = ricochet.range(0, 33, 3), speed = ricochet.range(0.05, 0.16, "
+                            "0.01) }")),
+             Contains("lesson: a lesson takes every value with every other: no zip or latin_hypercube in 'over'"));
+  CHECK_THAT(
+      mistake(lesson("t.sliders[2].of = 'tried'", "angle = { 0, 10, 20, 30 }, tried = { 1, 2, 3 }, speed = { 0.1 }")),
+      Contains("sliders[2]: the page's link says something else by 'tried'; take another name in 'over'"));
   CHECK_THAT(mistake(lesson("", "angle = { 0, 0, 20, 30 }, speed = { 0.05, 0.1, 0.15 }")),
              Contains("are the same impact; leave out what changes nothing"));
   CHECK_THAT(changed("t.grid = 3"), Contains("lesson: 'grid' must be a sweep (from ricochet.sweep), is 3"));
@@ -181,6 +188,32 @@ TEST_CASE("what a lesson cannot be made of is told in one clear line") {
   CHECK_THAT(changed("t.intro[1] = '{beta angle=0 speed=0.1}'"), Contains("undefined at angle = 0, speed = 0.1"));
   CHECK_THAT(changed("t.intro[1] = 'e is {e angle=0'"), Contains("'{' is not closed: {e angle=0"));
   CHECK_THAT(changed("t.name = 'report'"), Contains("'report.html' is the name of a file that runs leave themselves"));
+}
+
+TEST_CASE("a setting is meant by what its numbers are worth, however they came about, and by words of any kind") {
+  const Workplace here;
+  const std::string over =
+      "angle = { 0, 10 * 1.1, 20 + 0.1 + 0.2 }, speed = { 0.1 * 3 - 0.2, 0.15 }, deep = { true, false }";
+  std::string text = lesson(R"(t.sliders[2] = { of = "speed", label = "Speed" }
+t.sliders[3] = { of = "deep", label = "Deep" }
+t.graph.by = nil
+t.intuition.right = "{e angle=11 speed=0.1 deep=true}"
+t.questions[1].answer = "{e angle=20.3 speed=0.15 deep=false} and {e angle=2.03e1 speed='0.1' deep='true'}")",
+                            over);
+  const std::string nodes = "nodes = 60";
+  text.replace(text.find(nodes), nodes.size(), "nodes = at.deep and 60 or 70");
+  const Ended run = here.script(text, "--quiet --no-report");
+  INFO(run.err);
+  REQUIRE(run.status == 0);
+  const Table table = read_table(here.path / "out/grid/results.h5");
+  const std::vector<Number> numbers = numbers_in(here.read("out/s/lesson.html"));
+  const auto at = [&](std::size_t i, const char* name) {
+    return table.number(name)->values[row_of_hash(table, numbers[i].hash)];
+  };
+  REQUIRE(numbers.size() == 5);
+  CHECK((at(2, "angle") == Approx(11) && at(2, "speed") == Approx(0.1)));
+  CHECK((at(3, "angle") == Approx(20.3) && at(3, "speed") == Approx(0.15)));
+  CHECK((at(4, "angle") == Approx(20.3) && at(4, "speed") == Approx(0.1)));
 }
 
 TEST_CASE("a setting that did not finish, and a page that is too large, make no lesson") {

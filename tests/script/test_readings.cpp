@@ -142,6 +142,11 @@ local both = { terms = { claim.terms[1], claim.terms[1] } }
 local judged = readings.judged({ { 1, -1 }, { 1.1, -1.1 }, { 0.9, -0.9 } }, both)
 assert(judged.verdict == "absent" and judged.count == 3 and judged.score == judged.terms[2].score)
 assert(readings.judged({ { 1 } }, claim).verdict == "undecided")
+-- Nothing is known of a claim of which one term has no score; nor is it drawn as one that is there.
+local unknown = readings.judged({ { 0, 1 }, { 0, 1.1 }, { 0, 0.9 } }, both)
+assert(unknown.score ~= unknown.score and unknown.verdict == "undecided" and unknown.terms[2].score > 1)
+assert(readings.bounded(0 / 0, 3) ~= readings.bounded(0 / 0, 3))
+assert(readings.bounded(7, 3) == 3 and readings.bounded(-7, 3) == -3 and readings.bounded(0.5, 3) == 0.5)
 -- What a lattice has in both readings falls out; one that is in one alone says nothing.
 local one, other = {}, { [99] = { 7 } }
 for sample = 1, 5 do

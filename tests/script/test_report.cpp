@@ -308,6 +308,26 @@ print("hash: " .. rows[2].scene_hash)
   CHECK_THAT(run.out, Contains("hash: " + replays.begin()->first));
   CHECK_THAT(place.script(sweep + "ricochet.report { rows = { 3 } }\n", "--quiet --force").first_line(),
              Contains("element 1 is no row of a sweep"));
+  for (const std::string both : {"replays = 2", "replay = 'extremes'"})
+    CHECK_THAT(
+        place.script(sweep + "ricochet.report { rows = { rows[1] }, " + both + " }\n", "--quiet --force").first_line(),
+        Contains("report: '" + both.substr(0, both.find(' ')) +
+                 "': says nothing beside rows, all of which are replayed; leave one of them out"));
+}
+
+TEST_CASE("every row that a report names is replayed, however many they are") {
+  const Workplace place;
+  const Ended run = place.script(R"lua(local ricochet = require "ricochet"
+local sweep = ricochet.sweep { name = "drops", over = { speed = ricochet.range(0.05, 0.13, 0.01) }, scene = function(at)
+  return ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.plane {},
+    launch = { speed = at.speed } } end }
+local rows = sweep:run()
+assert(#rows == 9)
+ricochet.report { rows = rows, frames = 4 })lua",
+                                 "--quiet");
+  INFO(run.err);
+  REQUIRE(run.status == 0);
+  CHECK(replays_in(place.read("out/s/report.html")).size() == 9);
 }
 
 TEST_CASE("a script of single scenes leaves a report, whatever else it leaves") {

@@ -71,6 +71,18 @@ near(share_of(1000, exponentials, median, math.log(2)), 0.945, 0.03, "median of 
 )");
 }
 
+TEST_CASE("bootstrap: no more than one resample is held at a time") {
+  const Workplace here;
+  here.write("s.lua", R"(local values = {}
+for i = 1, 20000 do values[i] = i end
+local drawn = require "ricochet".bootstrap { values = values, resamples = 1000, of = function(list) return list[1] end }
+assert(math.abs(drawn.se / 20000 * math.sqrt(12) - 1) < 0.05, drawn.se))");
+  // All draws at once would be 320 MB.
+  const Ended ended = here.shell("ulimit -v 250000; ricochet run s.lua --quiet --force");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}
+
 TEST_CASE("bootstrap: what has no error says why, and what is no number is refused") {
   ran(R"(local one = ricochet.bootstrap { values = { 4, 0 / 0 } }
 assert(one.value == 4 and one.se ~= one.se and one.count == 1 and one.reason:find "no scatter", one.reason)
@@ -124,6 +136,9 @@ assert(rising.at == 6 and rising.inside == 0)
 local lost = rows_of(4, function(x) return -(x - 4) ^ 2 end, 0)
 lost[4].status = "tunnelled"  -- one lattice has no row there; others tell
 assert(peak_of(lost, 1).at == 4)
+local series = rows_of(8, function(x) return -(x - 4) ^ 2 end, 0)
+for _, row in ipairs(series) do row.status = nil end  -- as rows of a series are
+assert(peak_of(series, 1).at == 4 and peak_of(series, 1).units == 8)
 local alone = peak_of(rows_of(1, function(x) return x end, 0), 1)
 assert(alone.at ~= alone.at and alone.reason:find "tell of no peak", alone.reason)
 )");

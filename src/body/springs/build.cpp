@@ -8,11 +8,10 @@
 #include "body/springs/tangent.hpp"
 #include "core/error.hpp"
 #include "core/rng.hpp"
+#include "core/streams.hpp"
 
 namespace ricochet {
 namespace {
-
-constexpr std::uint32_t prestress_stream = 3;
 
 // The stiffness of a place is that at the middle of its ends' values, relative to the body's number.
 double stiffness_of(const Body& body, int a, int b) {
@@ -48,7 +47,7 @@ Springs join(const Body& body, const NodePlan& plan, const std::vector<std::pair
 
 void prestress(const Body& body, Solid& solid, Springs& springs) {
   const BodyNumbers& numbers = body.numbers;
-  Random random(static_cast<std::uint64_t>(numbers.seed), prestress_stream);
+  Random random(static_cast<std::uint64_t>(numbers.seed), streams::prestress);
   for (std::size_t s = 0; s < springs.list.size(); ++s)
     springs.list.set_length(s, springs.list[s].length * std::max(0.1, 1 + numbers.prestress * random.normal()));
   try {
