@@ -61,6 +61,9 @@ local function table_of(rows, x, of, unit)
   return list, places
 end
 
+-- Means that differ by no more than their rounding are equal.
+local function exceeds(a, b) return a - b > 1e-12 * math.max(math.abs(a), math.abs(b)) end
+
 -- Place and mean of the greatest mean over the units that `draw(i)` names, and all means; nothing where none is.
 local function greatest(units, count, draw)
   local best, best_mean, means
@@ -72,7 +75,7 @@ local function greatest(units, count, draw)
       if value then sum, n = sum + value, n + 1 end
     end
     means[k] = n > 0 and sum / n or 0 / 0
-    if n > 0 and (not best or means[k] > best_mean) then best, best_mean = k, means[k] end
+    if n > 0 and (not best or exceeds(means[k], best_mean)) then best, best_mean = k, means[k] end
   end
   return best, best_mean, means
 end
@@ -87,7 +90,15 @@ function bootstrap.peak(rows, x, of, unit, resamples, seed, share)
     return result
   end
   local best, value, means = greatest(units, #places, function(i) return i end)
-  result.at, result.value = places[best], value
+  result.value = value
+  for k = best + 1, #places do
+    if means[k] == means[k] and not exceeds(value, means[k]) then
+      result.reason = ("the means at %s = %g and %g are equal: no place is the greatest"):format(x, places[best],
+        places[k])
+      return result
+    end
+  end
+  result.at = places[best]
   local draw, named, drawn, times = core.draws(seed), {}, {}, {}
   for k = 1, resamples do
     draw(named, #units)

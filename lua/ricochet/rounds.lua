@@ -139,10 +139,11 @@ local function told(state, names, t, goes_on)
   local parts = {}
   for _, name in ipairs(names) do parts[#parts + 1] = ("%s=%s"):format(name, cell(state.point[name])) end
   local missed = goes_on and ""
-    or state.of.units < 2 and "cannot be planned: fewer than two impacts of the pilot finished"
+    or state.of.units < 2 and "cannot be planned: fewer than two impacts of the pilot finished with a value of " .. t.of
     or state.of.se > state.wanted and ("not met with %d, at most: raise 'most'"):format(t.most) or ""
-  print(("  %-20s %s %.4f +- %.2g (wanted %.2g) of %d impacts, %s%s  %s"):format(table.concat(parts, " "), t.of,
-    state.of.mean, state.of.se, state.wanted, #state.rows,
+  local where = table.concat(parts, " ")
+  print(("  %-20s %s %.4f +- %.2g (wanted %.2g) of %d impacts on %d lattices, %s%s  %s"):format(where, t.of,
+    state.of.mean, state.of.se, state.wanted, #state.rows, state.count,
     state.side == "both" and "from both sides" or "from one side",
     state.gain == state.gain and (" (pairs: x %.2g)"):format(state.gain) or "", missed))
 end

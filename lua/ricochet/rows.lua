@@ -59,15 +59,8 @@ local function known_column(rows, name, ...)
   core.fail(("the rows have no column '%s'%s"):format(name, core.did_you_mean(name, names)), ...)
 end
 
-<<<<<<< HEAD
--- A row of a series has no status: it is data.
-local function is_data(row)
-  local status = core.peek(row, "status")
-  return status == nil or status == "finished"
-end
-
-=======
->>>>>>> main
+  local units, columns = core.columns(self[1] and core.peek(self[1], "units")), {}
+  local named = {}
 local function is_less(a, b)
   if type(a) == "boolean" then return a and not b end
   return a < b
@@ -132,7 +125,12 @@ end
 -- `fields`: what the user's call names `by` and `of`, for its mistakes.
 local function summarise(rows, by, of, fields)
   for _, column in ipairs(by) do known_column(rows, column, fields.by) end
-  for _, column in ipairs(of) do known_column(rows, column, fields.of) end
+  for _, column in ipairs(of) do
+    known_column(rows, column, fields.of)
+    for _, grouped in ipairs(by) do
+      if column == grouped then core.fail(("'%s' is what the rows are grouped by"):format(column), fields.of) end
+    end
+  end
   -- Of columns in the rows' units; nothing of those that a script added.
   local units = core.columns(rows[1] and core.peek(rows[1], "units"))
   local summary = setmetatable({ by = by, of = of, units = units, over = averaged(rows, by) }, Summary)
@@ -215,9 +213,16 @@ Rows.save = core.wrap(function(self, given)
   if not core.is(self, Rows) then core.fail "is a method of rows: write rows:save { ... }, with a colon" end
   local t = core.check("rows:save", given)
   if #t.columns == 0 then core.fail("'columns' is empty; name at least one", "columns") end
+<<<<<<< HEAD
   local units, columns = core.columns(self[1] and core.peek(self[1], "units")), {}
+=======
+  local units, columns = core.columns(self[1] and rawget(self[1], "units")), {}
+  local named = {}
+>>>>>>> main
   for i, name in ipairs(t.columns) do
     known_column(self, name, "columns")
+    if named[name] then core.fail(("'columns' names %s twice"):format(name), "columns") end
+    named[name] = true
     columns[i] = { name = name, unit = unit_of(self, name) or units[name] or "" }
   end
   core.save_rows(t.name, columns, self)

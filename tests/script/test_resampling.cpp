@@ -110,6 +110,9 @@ local function rows_of(lattices, height, scatter)
 end
 local function peak_of(rows, seed) return bootstrap.peak(rows, "x", "y", "sample", 200, seed, 0.95) end
 
+-- Equal means have no greatest, and rounding makes none.
+local level = peak_of(rows_of(16, function(x) return math.min(x, 3) end, 0), 1)
+assert(level.at ~= level.at and level.inside ~= level.inside and level.reason:find "are equal", level.reason)
 local sharp = peak_of(rows_of(20, function(x) return -(x - 4) ^ 2 end, 0.3), 1)
 assert(sharp.at == 4 and sharp.low == 4 and sharp.high == 4 and sharp.inside == 1 and sharp.units == 20)
 local sum = 0

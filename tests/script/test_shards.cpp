@@ -178,14 +178,15 @@ TEST_CASE("what is stored so far of shards, or of a run at work, is looked into 
   CHECK(here.shell("ricochet status out --csv").out == here.read("out/s/results.csv"));
   CHECK_THAT(here.shell("ricochet status . --csv").err, Contains("holds no sweep"));
   // A run that is at work holds its folder.
-  const pid_t child = start(here, {"run", "s.lua", "samples=400", "--quiet", "--force", "--threads", "1"});
+  const pid_t child =
+      start(here, {"run", "s.lua", "samples=400", "--quiet", "--force", "--threads", "1", "--flush", "0"});
   const auto counted = [&] {
     const Ended now = here.shell("ricochet status out/s --csv");
     CHECK(now.status == 0);
     return std::count(now.out.begin(), now.out.end(), '\n') - 1;
   };
-  for (int i = 0; i < 600 && !fs::exists(here.path / "out/s/parts.new"); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const auto stored = [&] { return fs::exists(here.path / "out/s/parts.new") ? counted() : 0; };
+  for (int i = 0; i < 600 && stored() < 1; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   const auto first = counted();
   CHECK_THAT(here.shell("ricochet info out").out, Contains("stored so far"));
   kill(child, SIGKILL);
