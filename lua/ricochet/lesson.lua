@@ -42,16 +42,8 @@ end
 
 -- A column of a row, as `field` of the lesson needs it.
 local function cell(row, column, ...)
-<<<<<<< HEAD
-  local value = core.peek(row, column)
-  if value ~= nil then return value end
-  local names = {}
-  for name in pairs(row) do names[#names + 1] = name end
-  core.fail(("the rows have no column '%s'%s"):format(column, core.did_you_mean(column, names)), ...)
-=======
   known_column({ row }, column, ...)
   return row[column]
->>>>>>> main
 end
 
 -- The rows of the grid of which the placeholder's conditions are true.

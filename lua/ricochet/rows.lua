@@ -59,8 +59,6 @@ local function known_column(rows, name, ...)
   core.fail(("the rows have no column '%s'%s"):format(name, core.did_you_mean(name, names)), ...)
 end
 
-  local units, columns = core.columns(self[1] and core.peek(self[1], "units")), {}
-  local named = {}
 local function is_less(a, b)
   if type(a) == "boolean" then return a and not b end
   return a < b
@@ -213,12 +211,8 @@ Rows.save = core.wrap(function(self, given)
   if not core.is(self, Rows) then core.fail "is a method of rows: write rows:save { ... }, with a colon" end
   local t = core.check("rows:save", given)
   if #t.columns == 0 then core.fail("'columns' is empty; name at least one", "columns") end
-<<<<<<< HEAD
   local units, columns = core.columns(self[1] and core.peek(self[1], "units")), {}
-=======
-  local units, columns = core.columns(self[1] and rawget(self[1], "units")), {}
   local named = {}
->>>>>>> main
   for i, name in ipairs(t.columns) do
     known_column(self, name, "columns")
     if named[name] then core.fail(("'columns' names %s twice"):format(name), "columns") end

@@ -20,28 +20,6 @@ function statistics.of(values)
   return { mean = mean, sd = sd, se = sd / math.sqrt(n), count = n }
 end
 
-<<<<<<< HEAD
-local function has_pairs(rows)
-  for _, row in ipairs(rows) do
-    if core.peek(row, "pair") ~= nil then return true end
-  end
-  return false
-end
-
---- The same of a column of finished rows, in which a lattice struck from both sides (equal `pair`) is one unit, its
---- mean: `count` impacts, `units`, and the deviation and standard error of those.
-function statistics.of_units(rows, column)
-  local sums, order, count = {}, {}, 0
-  if not has_pairs(rows) then
-    local of = statistics.of_finished(rows, column)
-    of.units = of.count
-    return of
-  end
-  for i, row in ipairs(rows) do
-    local value, status = row[column], core.peek(row, "status")
-    if value == value and (status == nil or status == "finished") then
-      local key = core.peek(row, "pair") or -i
-=======
 --- The value below which a share of sorted numbers lies, between two of them in proportion.
 function statistics.quantile(sorted, share)
   local place = 1 + share * (#sorted - 1)
@@ -60,7 +38,7 @@ end
 
 --- Whether a row counts: one that finished, or that is of a series, whose rows have no status.
 function statistics.is_data(row)
-  local status = rawget(row, "status")
+  local status = core.peek(row, "status")
   return status == nil or status == "finished"
 end
 
@@ -72,7 +50,6 @@ function statistics.unit_means(rows, column, key_of)
     local value = row[column]
     if value == value and statistics.is_data(row) then
       local key = key_of(row, i)
->>>>>>> main
       if not sums[key] then
         sums[key] = { 0, 0 }
         keys[#keys + 1] = key
@@ -85,10 +62,22 @@ function statistics.unit_means(rows, column, key_of)
   return means, keys, count
 end
 
+local function has_pairs(rows)
+  for _, row in ipairs(rows) do
+    if core.peek(row, "pair") ~= nil then return true end
+  end
+  return false
+end
+
 --- The same of a column of finished rows, in which a lattice struck from both sides (equal `pair`) is one unit, its
 --- mean: `count` impacts, `units`, and the deviation and standard error of those.
 function statistics.of_units(rows, column)
-  local means, keys, count = statistics.unit_means(rows, column, function(row, i) return rawget(row, "pair") or -i end)
+  if not has_pairs(rows) then
+    local of = statistics.of_finished(rows, column)
+    of.units = of.count
+    return of
+  end
+  local means, keys, count = statistics.unit_means(rows, column, function(row, i) return core.peek(row, "pair") or -i end)
   local values = {}
   for i, key in ipairs(keys) do values[i] = means[key] end
   local of = statistics.of(values)
@@ -96,16 +85,11 @@ function statistics.of_units(rows, column)
   return of
 end
 
---- The same of a column of the finished rows; those of a series have no status.
+--- The same of a column of the finished rows.
 function statistics.of_finished(rows, column)
   local values = {}
   for _, row in ipairs(rows) do
-<<<<<<< HEAD
-    local status = core.peek(row, "status")
-    if status == nil or status == "finished" then values[#values + 1] = row[column] end
-=======
     if statistics.is_data(row) then values[#values + 1] = row[column] end
->>>>>>> main
   end
   return statistics.of(values)
 end

@@ -76,10 +76,6 @@ struct Shown {
 
 // Every row's impact once more, to be seen.
 std::vector<std::string> replays_of_all(lua_State* L, const Table& table, const Swept& swept, int frames) {
-<<<<<<< HEAD
-=======
-  const auto of_hash = scenes_by_hash(swept.scenes);
->>>>>>> main
   std::vector<Shown> rows;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const Scene scene = swept.scene_of(table.text("scene_hash")->values[row]).value();
