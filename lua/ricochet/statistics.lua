@@ -77,7 +77,8 @@ function statistics.of_units(rows, column)
     of.units = of.count
     return of
   end
-  local means, keys, count = statistics.unit_means(rows, column, function(row, i) return core.peek(row, "pair") or -i end)
+  local function pair_of(row, i) return core.peek(row, "pair") or -i end
+  local means, keys, count = statistics.unit_means(rows, column, pair_of)
   local values = {}
   for i, key in ipairs(keys) do values[i] = means[key] end
   local of = statistics.of(values)

@@ -23,7 +23,6 @@
 #include "script/terminal.hpp"
 
 namespace {
-
 using namespace ricochet;
 
 void refuse_odd_arguments(const std::vector<std::string>& arguments) {

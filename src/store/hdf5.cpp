@@ -3,23 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include "core/hash.hpp"
-#include "core/hash_pieces.hpp"
 #include "store/files.hpp"
 #include "store/hdf5_version.hpp"
 #include "store/run_names.hpp"
+#include "store/seal.hpp"
 
 namespace ricochet::hdf5 {
 namespace {
-
-constexpr std::string_view seal_words = "ricochet: HDF5 from byte 512 on; XXH3-128 of that: ";
-constexpr std::string_view content_words = "size and hash of content, and the hash of both: ";
-constexpr std::size_t seal_size = 512;
 
 // More than any table or text of ours holds.
 constexpr hsize_t most_values = 1'000'000'000;
@@ -81,31 +73,6 @@ Handle memory_file() {
   return {H5Fcreate("memory", H5F_ACC_TRUNC, creation, access), H5Fclose, "make a file in memory"};
 }
 
-namespace {
-
-/// How large a file was when it was written, and the hash of its content then.
-struct Content {
-  std::size_t size = 0;
-  std::string hash;
-};
-
-std::string line_of(const Content& content) {
-  const std::string text = fmt::format("{} {}", content.size, content.hash);
-  return fmt::format("{}{} {}\n", content_words, text, hash_text(text));
-}
-
-// Of a file that begins with its seal; no hash if none stands there, or it is damaged.
-Content content_of(const std::string& bytes) {
-  const std::size_t begin = bytes.find('\n') + 1;
-  if (bytes.compare(begin, content_words.size(), content_words) != 0) return {};
-  Content content;
-  std::istringstream(bytes.substr(begin + content_words.size(), seal_size)) >> content.size >> content.hash;
-  const std::string line = line_of(content);
-  return bytes.compare(begin, line.size(), line) == 0 ? content : Content{};
-}
-
-}  // namespace
-
 std::string image(const Handle& file, const std::string& content) {
   check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush a file in memory");
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
@@ -113,55 +80,6 @@ std::string image(const Handle& file, const std::string& content) {
   std::string bytes(static_cast<std::size_t>(size), '\0');
   if (H5Fget_file_image(file, bytes.data(), bytes.size()) < 0) throw FileError("HDF5 cannot give a file's image");
   return seal_of(bytes, content) + bytes;  // an image begins behind the user block
-}
-
-namespace {
-
-/// What a file says of itself, the hash of what it holds, and its size.
-struct Sealed {
-  std::string seal, hash;
-  std::size_t size = 0;
-};
-
-Sealed sealed_in(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError(fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
-  std::string piece(1 << 20, '\0');
-  const auto next = [&](std::size_t most) {
-    file.read(piece.data(), static_cast<std::streamsize>(most));
-    return std::string_view(piece).substr(0, static_cast<std::size_t>(file.gcount()));
-  };
-  Sealed found;
-  found.seal = next(seal_size);
-  found.size = found.seal.size();
-  Hasher hasher;
-  for (std::string_view bytes = next(piece.size()); !bytes.empty(); bytes = next(piece.size())) {
-    hasher.add(bytes);
-    found.size += bytes.size();
-  }
-  found.hash = hasher.text();
-  return found;
-}
-
-std::string seal_with(const std::string& hash, const Content& content) {
-  std::string seal = std::string(seal_words) + hash + "\n";
-  if (!content.hash.empty()) seal += line_of(content);
-  seal.resize(seal_size, '\n');
-  return seal;
-}
-
-}  // namespace
-
-std::string seal_of(std::string_view bytes, const std::string& content) {
-  return seal_with(hash_text(bytes), {seal_size + bytes.size(), content});
-}
-
-void seal(const std::filesystem::path& path, const std::string& content) {
-  const Sealed found = sealed_in(path);
-  const std::string text = seal_with(found.hash, {found.size, content});
-  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
-  if (!file.write(text.data(), static_cast<std::streamsize>(text.size())).flush())
-    throw FileError(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
 }
 
 Handle new_file_beside(const std::filesystem::path& path) {

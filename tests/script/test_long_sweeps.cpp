@@ -159,7 +159,7 @@ TEST_CASE("chunk by chunk, accuracy, samples by error, twins and shards are what
   here.write("s.lua", by_accuracy);
   REQUIRE(here.run("s.lua --quiet --no-report --out one --at-once 5").status == 0);
   for (int k = 0; k < 2; ++k)
-    REQUIRE(here.run(fmt::format("s.lua --quiet --at-once 5 --shard {}/2 --out two --steps two", k)).status == 0);
+    REQUIRE(here.run(fmt::format("s.lua --quiet --at-once 5 --shard {}/2 --out two --steps two.steps", k)).status == 0);
   REQUIRE(here.shell("ricochet merge s.lua --quiet --no-report --at-once 5 --out two").status == 0);
   CHECK(digest(here, "two/s") == digest(here, "one/s"));
   std::string twins = small_sweep;
