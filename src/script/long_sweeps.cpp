@@ -28,7 +28,7 @@ void push_held(lua_State* L, const char* type, Object object) {
   luaL_setmetatable(L, type);
 }
 
-std::vector<std::size_t> points_at(lua_State* L, int list) {
+std::vector<std::size_t> point_numbers_at(lua_State* L, int list) {
   std::vector<std::size_t> points;
   each_element(L, list, [&](lua_Integer) { points.push_back(static_cast<std::size_t>(lua_tointeger(L, -1))); });
   return points;
@@ -77,7 +77,7 @@ int looks_first(lua_State* L) {
 }
 
 int lacks(lua_State* L) {
-  lua_pushboolean(L, sweep_at(L, 1).lacks(points_at(L, 2)));
+  lua_pushboolean(L, sweep_at(L, 1).lacks(point_numbers_at(L, 2)));
   return 1;
 }
 
@@ -85,7 +85,7 @@ int lacks(lua_State* L) {
 template <class Do>
 int of_chunk(lua_State* L, Do work) {
   const LongSweep& sweep = sweep_at(L, 1);
-  const std::vector<std::size_t> points = points_at(L, 2);
+  const std::vector<std::size_t> points = point_numbers_at(L, 2);
   try {
     work(points, scenes_at(L, 3));
   } catch (const SceneError& error) {
@@ -188,7 +188,7 @@ void make_held(lua_State* L, const char* type) {
   lua_pop(L, 1);
 }
 
-void make_types(lua_State* L) {
+void make_long_types(lua_State* L) {
   make_held<SharedSweep>(L, sweep_type);
   make_held<LongRows>(L, rows_type);
 }
@@ -207,7 +207,7 @@ Group long_sweep_functions() {
                       {"long_value", guarded<long_value>},
                       {"long_row", guarded<long_row>},
                       {"peek", peek}},
-          .add = make_types};
+          .add = make_long_types};
 }
 
 }  // namespace ricochet
