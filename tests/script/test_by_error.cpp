@@ -176,8 +176,8 @@ TEST_CASE("a point none of whose impacts finishes is told and not tried for ever
                             Contains("24 impacts in 1 rounds"));
 }
 
-// examples/sweeps.md tells the figures. The one that sits lowest is skewed: where a sweep stops because the deviation is small by
-// chance, the mean is off to the same side.
+// examples/sweeps.md tells the figures. The one that sits lowest is skewed: where a sweep stops because the deviation
+// is small by chance, the mean is off to the same side.
 TEST_CASE(
     "intervals of a sweep by error hold the mean in 92 to 97 of 100 cases, of few in 88, whatever the law of the "
     "samples") {
