@@ -127,7 +127,12 @@ local function dem(given)
   if core.is_check() then return nil end
   local impacts = measured(t)
   local list = table_of_e(impacts)
-  local study = { e = list, friction = friction_of(impacts), pair = pair_of(t), constant = constant_of(list, t.at) }
+  local over_yield = 0
+  for _, impact in ipairs(impacts) do
+    if core.peek(impact.row, "over_yield") == 1 then over_yield = over_yield + 1 end
+  end
+  local study = { e = list, impacts = #impacts, over_yield = over_yield, friction = friction_of(impacts),
+    pair = pair_of(t), constant = constant_of(list, t.at) }
   for extension, text in pairs(lines.of(study)) do core.functions["file.write"](t.name .. extension, text) end
   print(lines.summary(study))
   return core.strict({

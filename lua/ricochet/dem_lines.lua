@@ -41,7 +41,8 @@ end
 local function head(study)
   local c, f = study.constant, study.friction
   local list = {
-    ("e is constant here: %s, taken at a normal speed of %s m/s."):format(with_error(c.e, c.e_se), number(c.v)),
+    ("These codes take one e for all speeds: %s, that at a normal speed of %s m/s."):format(with_error(c.e, c.e_se),
+      number(c.v)),
     missed(c.third, "At a third of that speed") .. "; " .. missed(c.triple, "at three times that speed") .. ".",
   }
   if f.reason then
@@ -50,6 +51,10 @@ local function head(study)
     list[3] = ("mu = %.4f +- %.4f, beta0 = %.3f +- %.3f of Walton's impact, by %d oblique impacts."):format(f.mu,
       f.mu_se, f.beta0, f.beta0_se, f.count)
     list[4] = "beta0 is no parameter of a Mindlin spring, whose stiffness decides it: compare it with what comes out."
+  end
+  if study.over_yield > 0 then
+    list[#list + 1] = ("%d of %d impacts press beyond a yield stress of a body that no effect lets yield: their e is "
+      .. "too high."):format(study.over_yield, study.impacts)
   end
   if study.pair.rigid then list[#list + 1] = "The target is rigid: 1e4 times as stiff as the other." end
   return list

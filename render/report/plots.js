@@ -179,15 +179,16 @@ function drawPlot(section, quantity) {
   const box = section.boxes[quantity], column = section.columns[quantity], { tables, series } = dataOf(section, quantity);
   box.textContent = "";
   const marks = { series, dots: dotsOf(section, quantity) }, log = section.show.log;
+  const up = powerOf(marks.dots.map(d => d.y), column.unit);
   const { x } = section, along = powerOf(x.values, x.unit), name = names[plainName(x.name)] || symbolOf(x.name);
   const canLog = log && marks.dots.every(d => d.y > 0);
   const [from, to] = yRange(marks.dots, { tables, series }, canLog);
   const pad = 0.06 * (to - from) || 0.1 * Math.abs(to) || 0.1, whole = canLog ? [from / 1.1, to * 1.1] : [from - pad, to + pad];
-  const u = new uPlot({ width: box.clientWidth, height: 300, title: labelOf(column), series, legend: keyWithDashes,
+  const u = new uPlot({ width: box.clientWidth, height: 300, title: labelOf(column, up), series, legend: keyWithDashes,
     cursor: { drag: { x: true, y: true, uni: 20 }, points: { show: false } },
     scales: { x: { time: false, range: (_, a, b) => { const pad = 0.05 * (b - a) || 1; return section.zoom ? [a, b] : [a - pad, b + pad]; } },
       y: { distr: canLog ? 3 : 1, range: (u, a, b) => u.zoomed ? [a, b] : whole } },
-    axes: [axisOf(along, { label: withUnit(name, scaledUnit(x.unit, along)), labelSize: 22 }), axisOf(0, { size: axisWidth })],
+    axes: [axisOf(along, { label: withUnit(name, scaledUnit(x.unit, along)), labelSize: 22 }), axisOf(up, { size: axisWidth })],
     hooks: { draw: [u => drawMarks(u, section, quantity, marks)], setSelect: [u => { u.zoomed = u.select.width > 0; section.zoom = u.zoomed; }] } }, tables, box);
   u.over.addEventListener("dblclick", () => { u.zoomed = section.zoom = false; });
   u.over.addEventListener("mousemove", event => {

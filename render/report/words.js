@@ -37,7 +37,7 @@ function withPrefix(value, unit, digits, power) {
 function axisOf(power, properties) {
   const decimals = step => {
     let count = 0;
-    while (count < 12 && Math.abs(Math.round(step * 10 ** count) - step * 10 ** count) > 1e-6) count++;
+    while (count < 12 && Math.abs(Math.round(step * 10 ** count) - step * 10 ** count) > 1e-6 * step * 10 ** count) count++;
     return count;
   };
   const values = (u, splits) => {
@@ -69,7 +69,8 @@ const symbolOf = name => symbols[plainName(name)] || plainName(name).replaceAll(
 // "m0 c^2/R" as it is printed.
 const pretty = unit => unit.replaceAll("m0", "m₀").replaceAll("^2", "²").replaceAll("^3", "³");
 const withUnit = (text, unit) => unit ? `${text} [${pretty(unit)}]` : text;
-const labelOf = column => withUnit(names[plainName(column.name)] || symbolOf(column.name), column.unit);
+const labelOf = (column, power = 0) =>
+  withUnit(names[plainName(column.name)] || symbolOf(column.name), scaledUnit(column.unit, power));
 
 // Mean, standard deviation and standard error of what is defined.
 function statistics(values) {

@@ -286,8 +286,8 @@ void add_doubts(const Scene& scene, Estimate& e) {
                       share, body->numbers.placement, most));
   }
   if (e.over_yield == 1)
-    add("over_yield", fmt::format("the greatest pressure passes {:g} times a yield stress, where yielding begins, and "
-                                  "nothing yields here",
+    add("over_yield", fmt::format("the greatest pressure passes {:g} times a yield stress, where yielding begins, of a "
+                                  "body that no effect lets yield",
                                   yields_at(scene)));
 }
 

@@ -94,7 +94,7 @@ void LongSweep::warn_of_twins(std::size_t repeated, std::size_t of) {
   warned_ = true;
   session_.warn(fmt::format(
       "{}: {} of {} scenes that were made together repeat another one exactly, so they are no samples of their own; "
-      "does every name of 'over' reach the scene?",
+      "does every name of 'over' reach the scene, and at.sample as its seed?",
       name_, repeated, of));
 }
 

@@ -75,7 +75,7 @@ struct Told {
 // In the order of SweepTold::Ended.
 constexpr Told told_doubts[] = {
     {"over_yield", 0,
-     "the estimated pressure passes what starts to yield; nothing yields here, so their e is too high"},
+     "the estimated pressure passes what starts to yield, of a body that no effect lets yield: their e is too high"},
     {"folded", 0, "springs folded, which takes energy that no solid would; see ricochet.estimate"},
     {"penetration", 0.01,
      "a node stood deeper than 0.01 R inside the other body; raise contact.V0, or give "

@@ -36,7 +36,7 @@ void warn_of_twins(Session& session, const std::string& name, const std::vector<
   if (once == hashes.size()) return;
   session.warn(
       fmt::format("{}: {} of {} scenes repeat another one exactly, so they are no samples of their own; does every "
-                  "name of 'over' reach the scene?",
+                  "name of 'over' reach the scene, and at.sample as its seed?",
                   name, hashes.size() - once, hashes.size()));
 }
 

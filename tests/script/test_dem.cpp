@@ -73,7 +73,8 @@ assert(math.abs(t.mu - 0.2) < 0.1 and t.mu_se > 0 and t.beta0_se > 0, t.mu)
                                   "--quiet");
   INFO(ended.out << ended.err);
   REQUIRE(ended.status == 0);
-  CHECK_THAT(ended.out, Contains("e is constant here: ") && Contains("taken at a normal speed of 15 m/s"));
+  CHECK_THAT(ended.out,
+             Contains("These codes take one e for all speeds: ") && Contains("that at a normal speed of 15 m/s"));
   CHECK_THAT(here.read("out/s/steel_dem.csv"), Contains("v [m/s],e,e_se,impacts\n5,") && Contains("\n45,"));
   const std::string json = here.read("out/s/steel_dem.json");
   CHECK(number_after(json, "\"constant_e\": { \"v\": ") == Approx(15));

@@ -550,7 +550,7 @@ TEST_CASE("scenes that are one and the same are not taken for independent sample
   CHECK(ended.status == 0);
   CHECK(ended.first_line() ==
         "warning: s: 9 of 12 scenes repeat another one exactly, so they are no samples of their own; does every name "
-        "of 'over' reach the scene?");
+        "of 'over' reach the scene, and at.sample as its seed?");
 }
 
 TEST_CASE("two runs do not write into one folder at a time") {
