@@ -92,8 +92,9 @@ for _, claim in ipairs(claims) do
       shown[i][claim.panel] = value
     end
     print(("\n%s, %s wall: %s"):format(claim.of, claim.wall, name))
-    rows_of(own):summary { by = "psi1", of = { claim.of, "penetration" } }:print()
-    local peak = own:peak { x = "psi1", of = claim.of, unit = "sample" }
+    local of_claim = rows_of(own)
+    of_claim:summary { by = "psi1", of = { claim.of, "penetration" } }:print()
+    local peak = of_claim:peak { x = "psi1", of = claim.of, unit = "sample" }
     print(("greatest at Psi1 = %g (%g to %g with 95 %%), inside with %.3f"):format(peak.at, peak.low, peak.high,
       peak.inside))
   end

@@ -102,11 +102,13 @@ local function dodged(t, list, xs, ys)
   return texts, crowded and range > 0
 end
 
--- What tells series k from the others: colour, then filled or open marks, then dashes.
+-- What tells series k from the others: colour, then filled or open marks, then another mark of the colour. The key
+-- shows no dashes.
 local function look_of(k, by)
   local round = (k - 1) // #colours
   local filled, open = { 7, 5, 9, 11, 13, 15 }, { 4, 8, 6, 12, 14, 10 }
-  local shape = round % 2 == 0 and filled[(k - 1) % 6 + 1] or open[(k - 1) % 6 + 1]
+  local marks = round % 2 == 0 and filled or open
+  local shape = marks[(k - 1 + round // 2) % #marks + 1]
   return quoted(colours[(k - 1) % #colours + 1]), by and shape or 7, round % 5 + 1
 end
 

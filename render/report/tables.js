@@ -93,13 +93,13 @@ const lengthOfR = section => {
   return replay ? replay.length : section.columns.units && section.columns.units.values[0] === "SI" ? Infinity : 1;
 };
 
-// At which points most impacts folded, and the mean e without them: ": at Ψ₁ = 0 66 of 100 (e = 0.82 ± 0.01 without them, 0.76 ± 0.01 with)".
+// At which points most impacts folded, and the mean e without them: ": at Ψ₁ = 0: 66 of 100 (e = 0.82 ± 0.01 without them, 0.76 ± 0.01 with)".
 function foldedWhere(section) {
   const { folded, e } = section.columns;
   if (!e || section.by) return "";
   const points = section.groups.flatMap(g => g.points).map(p => ({ ...p, sound: p.rows.filter(i => !(folded.values[i] > 0)) }))
     .filter(p => p.sound.length < p.rows.length).sort((a, b) => a.sound.length / a.rows.length - b.sound.length / b.rows.length).slice(0, 3);
-  const texts = points.map(p => `at ${symbolOf(section.x.name)} = ${shown(p.x)} ${p.rows.length - p.sound.length} of ${p.rows.length}` +
+  const texts = points.map(p => `at ${symbolOf(section.x.name)} = ${shown(p.x)}: ${p.rows.length - p.sound.length} of ${p.rows.length}` +
     (p.sound.length > 1 ? ` (e = ${plusMinus(statisticsOf(section, "e", p.sound))} without them, ${plusMinus(statisticsOf(section, "e", p.rows))} with)` : ""));
   return texts.length ? `; most ${texts.join(", ")}` : "";
 }

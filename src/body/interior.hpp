@@ -37,7 +37,7 @@ void drift(Motion<W>& body, const Lane<W>& by) {
   for (int c = 0; c < body.solid->free_coordinates(); ++c) body.q[c] += by * body.v[c];
 }
 
-/// Whether a team sweeps it sooner than one thread. Modes are few, and what yields sums what it loses in one order.
+/// Whether a team sweeps it sooner than one thread. Modes are few; what yields sums its loss in one order, by one.
 inline bool worth_sharing(const Solid& solid) {
   if (const Springs* springs = solid.springs()) return springs->list.size() >= least_shared;
   return solid.elements() && solid.elements()->nodes.size() >= least_shared;

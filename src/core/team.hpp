@@ -11,7 +11,13 @@ class Team {
  public:
   /// Of `size` threads, the caller's among them.
   explicit Team(int size) : size_(size), all_(size) {
-    for (int part = 1; part < size; ++part) others_.emplace_back([this, part] { wait_for_work(part); });
+    try {
+      for (int part = 1; part < size; ++part) others_.emplace_back([this, part] { wait_for_work(part); });
+    } catch (...) {  // no thread was left: those that are there end
+      for (int part = static_cast<int>(others_.size()) + 1; part < size; ++part) all_.arrive_and_drop();
+      meet();
+      throw;
+    }
   }
   ~Team() {
     if (others_.empty()) return;

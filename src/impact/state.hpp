@@ -23,7 +23,7 @@ struct State {
         contacts(of, contact_laws(beside)),
         contact_energy(contacts.size(), Lane<W>::Zero()),
         effects(beside, of) {
-    if (threads > 1) share(threads);
+    if (threads > 1) share_sweeps(threads);
     for (const Solid* solid : solids) {
       bodies.push_back(at_rest<W>(*solid));  // idle lanes rest
       bodies.back().flow = effects.flows().of(bodies.size() - 1);
@@ -33,11 +33,12 @@ struct State {
     end = bodies;
   }
 
-  void share(int threads) {
-    for (const Solid* solid : solids) {
-      if (!worth_sharing(*solid)) continue;
+  void share_sweeps(int threads) {
+    for (std::size_t b = 0; b < solids.size(); ++b) {
+      const Solid* solid = solids[b];
+      if (!worth_sharing(*solid) || effects.flows().of(b) || sharings.contains(solid)) continue;
       if (!team) team = std::make_unique<Team>(threads);
-      sharings.try_emplace(solid, sharing_of(*solid, *team));
+      sharings.emplace(solid, sharing_of(*solid, *team));
     }
   }
 

@@ -156,14 +156,14 @@ bool run_sweep(const std::vector<Scene>& scenes, const std::vector<bool>& todo, 
       throw;
     }
     const std::lock_guard lock(done);
-    worked += seconds_since(thread_began);
+    worked += seconds_since(thread_began) * (own_use.steps > 0 ? threads_a_scene : 1);
     lane_use.steps += own_use.steps;
     lane_use.busy += own_use.busy;
   });
   if (use) {
     use->seconds = seconds_since(began);
     use->threads = static_cast<int>(threads.size());
-    use->idle_threads = 1 - worked / (use->seconds * use->threads);
+    use->idle_threads = std::max(0.0, 1 - worked / (use->seconds * use->threads));
     use->idle_lanes =
         lane_use.steps > 0 ? 1 - static_cast<double>(lane_use.busy) / static_cast<double>(lane_use.steps) : 0;
   }

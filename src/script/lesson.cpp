@@ -78,7 +78,10 @@ struct Shown {
 std::vector<std::string> replays_of_all(lua_State* L, const Table& table, const Swept& swept, int frames) {
   std::vector<Shown> rows;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const Scene scene = swept.scene_of(table.text("scene_hash")->values[row]).value();
+    const std::optional<Scene> made = swept.scene_of(table.text("scene_hash")->values[row]);
+    if (!made)
+      throw at_this_call(L, "the function 'scene' returned another scene than before; it must depend on `at` alone");
+    const Scene& scene = *made;
     Viewing viewing = viewing_of(table, row, scene, frames);
     viewing.from = -flight_in * viewing.until;
     viewing.until *= 1 + flight_out;

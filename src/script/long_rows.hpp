@@ -17,8 +17,6 @@ class LongRows {
   /// Of a sweep that has ended, whose results lie in their file, unless it was only checked.
   explicit LongRows(std::shared_ptr<const LongSweep> sweep);
 
-  const LongSweep& sweep() const { return *sweep_; }
-
   /// A column at a point of the sweep; nullptr, or none, if no column of that kind has the name. Throws FileError.
   std::optional<double> number(std::size_t point, const std::string& column);
   const std::string* text(std::size_t point, const std::string& column);

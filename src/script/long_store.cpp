@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "core/hash.hpp"
 #include "impact/outcome.hpp"
 #include "script/digest.hpp"
 #include "script/known_rows.hpp"
 #include "script/shard_store.hpp"
+#include "script/sweep_parameters.hpp"
 #include "script/sweep_table.hpp"
 #include "store/csv.hpp"
 #include "store/files.hpp"
@@ -30,59 +30,6 @@ std::string place_of(const std::vector<SweptAxis>& axes, std::size_t point) {
   return text;
 }
 
-void LongStore::load() {
-  const auto load_all = [this](const std::vector<fs::path>& files) {
-    index_.clear();
-    for (const fs::path& file : files) index_.add(file);
-  };
-  while_they_change([this] { return folder_.stored(); }, load_all);
-}
-
-void LongStore::add(std::vector<Row> rows) {
-  for (Row& row : rows) chunk_.push_back(std::move(row));
-  const std::chrono::duration<double> since = Clock::now() - flushed_;
-  if (since.count() >= folder_.session().options.flush) flush();
-}
-
-fs::path LongStore::write_part(const std::vector<Row>& rows, std::size_t first) {
-  std::vector<const Row*> list;
-  std::vector<HashKey> keys;
-  std::string name;
-  for (std::size_t i = first; i < rows.size(); ++i) {
-    list.push_back(&rows[i]);
-    keys.push_back(HashKey::of(rows[i].hash));
-    name += rows[i].hash;
-  }
-  const fs::path file = run_names::part(folder_.parts(), hash_text(name));
-  if (folder_.session().options.force && index_.rows() == 0)
-    run_names::remove_parts(folder_.parts());  // of another try
-  make_folder(folder_.parts());
-  write_table(file, table_of(list), Session::made_by());
-  index_.add(file, keys);
-  return file;
-}
-
-void LongStore::flush() {
-  flushed_ = Clock::now();
-  if (in_parts_ == chunk_.size()) return;
-  chunk_parts_.push_back(write_part(chunk_, in_parts_));
-  in_parts_ = chunk_.size();
-}
-
-void LongStore::end_chunk() {
-  if (chunk_parts_.size() == 1 && in_parts_ == chunk_.size()) chunk_parts_.clear();
-  if (chunk_parts_.empty() && in_parts_ < chunk_.size()) {
-    flush();
-  } else if (!chunk_parts_.empty()) {
-    const fs::path whole = write_part(chunk_, 0);
-    for (const fs::path& part : chunk_parts_)
-      if (part != whole) remove_file(part);
-  }
-  chunk_.clear();
-  chunk_parts_.clear();
-  in_parts_ = 0;
-}
-
 namespace {
 
 // The values of an axis at points.
@@ -93,6 +40,82 @@ std::vector<Value> at_points(const std::vector<Value>& values, const SweptAxis& 
   for (std::size_t i = 0; i < points.size(); ++i) list[i] = values[axis.at(points[i])];
   return list;
 }
+
+Parameters parameters_at(const std::vector<SweptAxis>& axes, const std::vector<std::size_t>& points) {
+  Parameters parameters;
+  for (const SweptAxis& axis : axes) {
+    parameters.names.push_back(axis.name);
+    parameters.units.push_back(axis.unit);
+    parameters.numbers.push_back(axis.is_text() ? std::vector<double>{} : at_points(axis.numbers, axis, points));
+    parameters.texts.push_back(axis.is_text() ? at_points(axis.texts, axis, points) : std::vector<std::string>{});
+  }
+  return parameters;
+}
+
+}  // namespace
+
+void LongStore::load() {
+  const auto load_all = [this](const std::vector<fs::path>& files) {
+    index_.clear();
+    for (const fs::path& file : files) index_.add(file);
+  };
+  while_they_change([this] { return folder_.stored(); }, load_all);
+}
+
+void LongStore::add(std::vector<Row> rows, const std::vector<std::size_t>& points) {
+  for (Row& row : rows) chunk_.push_back(std::move(row));
+  chunk_points_.insert(chunk_points_.end(), points.begin(), points.end());
+  const std::chrono::duration<double> since = Clock::now() - flushed_;
+  if (since.count() >= folder_.session().options.flush) flush();
+}
+
+// The rows of the chunk from `first` on.
+fs::path LongStore::write_part(std::size_t first) {
+  std::vector<const Row*> list;
+  std::vector<std::size_t> places;
+  std::vector<HashKey> keys;
+  std::string name;
+  for (std::size_t i = first; i < chunk_.size(); ++i) {
+    places.push_back(list.size());
+    list.push_back(&chunk_[i]);
+    keys.push_back(HashKey::of(chunk_[i].hash));
+    name += chunk_[i].hash;
+  }
+  const fs::path file = run_names::part(folder_.parts(), hash_text(name));
+  if (folder_.session().options.force && index_.rows() == 0)
+    run_names::remove_parts(folder_.parts());  // of another try
+  make_folder(folder_.parts());
+  Table table = table_of(list);
+  parameters_at(axes_, {chunk_points_.begin() + static_cast<std::ptrdiff_t>(first), chunk_points_.end()})
+      .add_to(table, places);
+  write_table(file, table, Session::made_by());
+  index_.add(file, keys);
+  return file;
+}
+
+void LongStore::flush() {
+  flushed_ = Clock::now();
+  if (in_parts_ == chunk_.size()) return;
+  chunk_parts_.push_back(write_part(in_parts_));
+  in_parts_ = chunk_.size();
+}
+
+void LongStore::end_chunk() {
+  if (chunk_parts_.size() == 1 && in_parts_ == chunk_.size()) chunk_parts_.clear();
+  if (chunk_parts_.empty() && in_parts_ < chunk_.size()) {
+    flush();
+  } else if (!chunk_parts_.empty()) {
+    const fs::path whole = write_part(0);
+    for (const fs::path& part : chunk_parts_)
+      if (part != whole) remove_file(part);
+  }
+  chunk_.clear();
+  chunk_points_.clear();
+  chunk_parts_.clear();
+  in_parts_ = 0;
+}
+
+namespace {
 
 /// The results' files while they are written, a column after the other.
 class LongResults {
@@ -132,7 +155,7 @@ void take_endings(const std::string& column, const std::vector<std::string>& val
 }  // namespace
 
 LongStore::Written LongStore::write_results(const std::vector<RowPlace>& rows, const std::vector<std::size_t>& points,
-                                            const std::vector<SweptAxis>& axes, Columns& wanted, bool whole) {
+                                            Columns& wanted, bool whole) {
   const fs::path file = run_names::readable_results(folder_.path());
   index_.refuse_changed();
   LongResults results(file);
@@ -140,7 +163,7 @@ LongStore::Written LongStore::write_results(const std::vector<RowPlace>& rows, c
   first.outcomes.resize(Outcome::fields().size());
   if (!rows.empty()) first.units = index_.texts("units", {rows.front()}).front();
   const Table columns = table_of({&first});
-  for (const SweptAxis& axis : axes) {
+  for (const SweptAxis& axis : axes_) {
     const bool taken = columns.number(axis.name) || columns.text(axis.name);
     const Field field{taken ? "over_" + axis.name : axis.name, "number", axis.unit, sweep_table::parameter};
     if (axis.is_text())

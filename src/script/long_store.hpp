@@ -3,7 +3,6 @@
 // memory together.
 
 #include <chrono>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,15 +16,17 @@ namespace ricochet {
 
 class LongStore {
  public:
-  LongStore(Session& session, const std::string& name) : folder_(session, name) {}
+  /// `axes` outlive it.
+  LongStore(Session& session, const std::string& name, const std::vector<SweptAxis>& axes)
+      : folder_(session, name), axes_(axes) {}
 
   const StoreFolder& folder() const { return folder_; }
   const RowIndex& index() const { return index_; }
 
   /// Takes up what is stored. Throws FileError.
   void load();
-  /// Keeps rows that came in; they survive a kill from the next part on.
-  void add(std::vector<Row> rows);
+  /// Keeps rows that came in, of these points; they survive a kill from the next part on.
+  void add(std::vector<Row> rows, const std::vector<std::size_t>& points);
   /// Writes a part of what no file holds yet.
   void flush();
   /// The scenes that were made together are done: their rows become one file.
@@ -41,17 +42,19 @@ class LongStore {
   };
   /// The results, in every format: these rows, which are of these points of the sweep, in this order. `wanted` gets the
   /// columns whose names are in it. `whole`: they are all.
-  Written write_results(const std::vector<RowPlace>& rows, const std::vector<std::size_t>& points,
-                        const std::vector<SweptAxis>& axes, Columns& wanted, bool whole);
+  Written write_results(const std::vector<RowPlace>& rows, const std::vector<std::size_t>& points, Columns& wanted,
+                        bool whole);
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  std::filesystem::path write_part(const std::vector<Row>& rows, std::size_t first);
+  std::filesystem::path write_part(std::size_t first);
 
   StoreFolder folder_;
+  const std::vector<SweptAxis>& axes_;
   RowIndex index_;
-  std::vector<Row> chunk_;    ///< rows of the scenes that were made together
+  std::vector<Row> chunk_;  ///< rows of the scenes that were made together
+  std::vector<std::size_t> chunk_points_;
   std::size_t in_parts_ = 0;  ///< how many of them are in parts
   std::vector<std::filesystem::path> chunk_parts_;
   Clock::time_point flushed_ = Clock::now();

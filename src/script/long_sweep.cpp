@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <unordered_set>
 
@@ -37,7 +36,7 @@ LongSweep::LongSweep(Session& session, std::string name, std::vector<SweptAxis> 
       steps_(points),
       told_(points) {
   if (session.options.check) return;
-  store_.emplace(session, name_);
+  store_.emplace(session, name_, axes_);
   if (session.options.part == Part::merge) plan_ = plan_of_merge(session, name_, points);
   if (session.options.resume) store_->load();
   looks_first_ = store_->index().rows() > 0 || session.options.part == Part::merge;
@@ -120,15 +119,17 @@ bool LongSweep::run_rest(const std::vector<std::size_t>& points, const std::vect
   if (!progress_) progress_.emplace(session_, name_, hashes_.size(), looked_ ? known() : 0);
   const auto keep = [&](const std::vector<Result>& results) {
     std::vector<Row> rows;
+    std::vector<std::size_t> of;
     std::size_t failed = 0;
     for (const Result& result : results) {
       const std::size_t i = result.index;
       rows.push_back(row_of(scenes[i], result.outcome, result.seconds, hashes_[points[i]].digits()));
+      of.push_back(points[i]);
       failed += result.outcome.status != Status::finished;
     }
     ran_ += rows.size();
     progress_->add(rows.size(), failed);
-    store_->add(std::move(rows));
+    store_->add(std::move(rows), of);
   };
   const SceneName name = [&](std::size_t i) { return place(points[i]); };
   SweepUse use;
@@ -174,7 +175,7 @@ void LongSweep::end() {
   LongStore::Columns columns;
   for (const char* name : {"step", "theta", "theta_most", "over_yield", "folded", "penetration"}) columns[name];
   const bool whole = rows.size() == hashes_.size();
-  const LongStore::Written written = store_->write_results(rows, points, axes_, columns, whole);
+  const LongStore::Written written = store_->write_results(rows, points, columns, whole);
   if (!whole) rows_.assign(hashes_.size(), no_row);
   for (std::size_t row = 0; !whole && row < points.size(); ++row) rows_[points[row]] = static_cast<std::uint32_t>(row);
   tell(written, columns, points);
@@ -210,6 +211,7 @@ std::optional<std::size_t> LongSweep::row_of_point(std::size_t point) const {
 Row LongSweep::missing(std::size_t point) const {
   Row row = store_ ? missing_row(*first_) : row_of(*first_, Outcome{}, 0);
   row.hash = hashes_[point].digits();
+  row.seed.clear();  // that of another scene
   return row;
 }
 

@@ -22,7 +22,6 @@ class LongSweep {
   LongSweep(Session& session, std::string name, std::vector<SweptAxis> axes, std::size_t points);
 
   const std::string& name() const { return name_; }
-  const std::vector<SweptAxis>& axes() const { return axes_; }
   std::size_t points() const { return hashes_.size(); }
 
   /// True if rows are there already: then every chunk is looked at before any is run, so that nothing is lost.

@@ -186,12 +186,6 @@ const Swept* swept_named(const Session& session, const std::string& name) {
   return nullptr;
 }
 
-std::unordered_map<std::string, const Scene*> scenes_by_hash(const std::vector<Scene>& scenes) {
-  std::unordered_map<std::string, const Scene*> of_hash;
-  for (const Scene& scene : scenes) of_hash.emplace(scene.hash(), &scene);
-  return of_hash;
-}
-
 std::vector<std::size_t> rows_to_replay(const Table& table, const std::string& how, std::size_t count) {
   const std::vector<std::size_t> finished = finished_rows(table);
   std::vector<std::size_t> list;

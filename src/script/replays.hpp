@@ -2,7 +2,6 @@
 // Impacts of a sweep that are run once more, to be seen: which ones, and how a page carries them.
 
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "impact/scene.hpp"
@@ -21,9 +20,6 @@ inline constexpr int fewest_frames = 24;
 
 /// The sweep of this name that has run in the session; null if none has.
 const Swept* swept_named(const Session& session, const std::string& name);
-
-/// The scenes of a sweep by their hash.
-std::unordered_map<std::string, const Scene*> scenes_by_hash(const std::vector<Scene>& scenes);
 
 /// Rows of a table of results, in the order of interest. "typical": in `count` points of the sweep, spread evenly over
 /// them, the impact whose e is nearest to its point's median (points that differ in `sample` or `seed` alone are one);

@@ -79,27 +79,30 @@ std::optional<Told> array_task(bool counted) {
   return std::nullopt;
 }
 
-// The first that tells of several processes, else the first of one.
+// The first that tells of several processes, else the first of one, else the first that does not tell of how many.
 std::optional<Told> rank() {
-  std::optional<Told> single;
+  std::optional<Told> single, uncounted;
   for (const Launcher& launcher : ranks) {
     const auto told = told_by(launcher);
     if (told && told->count && *told->count > 1) return told;
-    if (told && told->count && !single) single = told;
+    std::optional<Told>& kept = told && told->count ? single : uncounted;
+    if (told && !kept) kept = told;
   }
-  return single;
+  return single ? single : uncounted;
 }
 
 // Processes within a task of an array share its share.
 void choose_by_launcher(RunOptions& options, const std::string& given, Whole count) {
-  const auto task = array_task(count.has_value()), process = rank();
+  const auto task = array_task(count.has_value());
+  auto process = rank();
+  if (task && process && !process->count) process.reset();
   if (!task && !process)
     refuse(given,
            "no variable of a job tells which (OMPI_COMM_WORLD_RANK, PMI_RANK, SLURM_ARRAY_TASK_ID, SLURM_PROCID and "
            "SLURM_STEP_NUM_TASKS, PBS_ARRAY_INDEX, SGE_TASK_ID)");
-  const std::size_t processes = process ? *process->count : 1;
-  if (task && !task->count && !count)
-    refuse(given, fmt::format("{} tells which, but nothing tells of how many", task->by));
+  const auto& which = task ? task : process;
+  if (!which->count && !count) refuse(given, fmt::format("{} tells which, but nothing tells of how many", which->by));
+  const std::size_t processes = process ? process->count.value_or(1) : 1;
   options.shard = (task ? task->number * processes : 0) + (process ? process->number : 0);
   options.shards = count ? *count : (task ? *task->count : 1) * processes;
 }

@@ -173,7 +173,7 @@ void refuse_errors(const Scripts& s) {
                               "again; mend it, and call ricochet submit",
                               k, read_file(file)),
                   Exit::numerical);
-    remove_file(file);
+    if (!s.wanted.dry_run) remove_file(file);
   }
 }
 

@@ -16,7 +16,6 @@ class StoreFolder {
 
   const std::filesystem::path& path() const { return path_; }
   const std::filesystem::path& parts() const { return parts_; }
-  bool merges() const { return merges_; }  ///< takes up the rows of shards
   Session& session() const { return session_; }
 
   /// The files whose rows are taken up.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "core/error.hpp"
 #include "script/known_rows.hpp"
+#include "script/shard_store.hpp"
 #include "script/sweep_table.hpp"
 #include "store/run_names.hpp"
 
@@ -66,24 +66,15 @@ std::vector<fs::path> files_of(const fs::path& folder) {
   return files;
 }
 
-// A file that is gone when it is to be read is another one's part by now.
-bool add_all(Union& rows, const std::vector<fs::path>& files) {
-  for (const fs::path& file : files) try {
-      rows.add(read_table(file));
-    } catch (const FileError&) {
-      std::error_code error;
-      if (fs::exists(file, error)) throw;
-      return false;
-    }
-  return true;
-}
-
 }  // namespace
 
 Table stored_rows(const fs::path& folder) {
   Union rows;
-  for (int listing = 0; listing < 100 && !add_all(rows, files_of(folder)); ++listing) {
-  }
+  // Each scene counts once, so files may be added again.
+  while_they_change([&] { return files_of(folder); },
+                    [&](const std::vector<fs::path>& files) {
+                      for (const fs::path& file : files) rows.add(read_table(file));
+                    });
   Table all = rows.take();
   const Table usual = table_of({});
   sort_columns(all.numbers, usual.numbers);

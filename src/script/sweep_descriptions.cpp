@@ -10,11 +10,11 @@ Function sweep_function() {
       .name = "sweep",
       .doc =
           "Scenes over every combination of some values. `sweep:run()` runs them on all cores, leaves "
-          "results.h5 and results.csv in the run's folder and "
-          "returns the rows. A sample that did not finish is counted and never averaged in. Of more points than "
-          "--at-once "
-          "(8192) the scenes are made and run chunk by chunk, those that share a lattice together, and the rows are "
-          "read from results.h5 as they are asked for: `scene` must then depend on `at` alone.",
+          "results.h5 and results.csv in the run's folder and returns the rows. A sample that did not finish is "
+          "counted "
+          "and never averaged in. Of more points than --at-once (8192), but not with samples, the scenes are made and "
+          "run chunk by chunk, those that share a lattice together, and the rows are read from results.h5 as they are "
+          "asked for: `scene` must then depend on `at` alone.",
       .fields =
           {{"name", "string", "", "names the folder of its results"},
            {"over", "table", "",

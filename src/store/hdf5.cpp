@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "core/hash.hpp"
 #include "store/files.hpp"
 #include "store/hdf5_version.hpp"
 #include "store/run_names.hpp"

@@ -20,7 +20,8 @@ constexpr Claim claim_list[] = {
      "0.23, 0.40, 0.418 +- 0.014, 0.40, 0.37, 0.36 at Psi1 = 1, 2, 3, 4, 6, 8: greatest at 3 (2 to 4 with 95 %), where "
      "the disk's rim is the hull of its random nodes, about 31 of them. With a rim as fine as the wall's mu rises to 2 "
      "and is level from there on",
-     "a coarse, uneven rim of the disk: placement = \"hull\""},
+     "a coarse, uneven rim of the disk, placement = \"hull\", by a contact that pushes the disk's nodes alone: with "
+     "sides = \"two\" neither height nor peak is left (scripts/four_claims.lua)"},
     {"section V D, hard wall", "e is almost constant, and exceeds unity suddenly around Psi1 = 4.5",
      "0.976 +- 0.002, 1.02 +- 0.01, 1.00 +- 0.02, 1.05 +- 0.03 at Psi1 = 0, 1, 2, 3, and 1.15 +- 0.04, 1.19 +- 0.05, "
      "1.29 +- 0.06 at 4, 4.5, 6: even up to 3 and above 1 from 4 on, but nothing sudden. With rims of 0.03 R on one "

@@ -231,7 +231,7 @@ void kick_and_drift(Motion<W>& body, const Springs& springs, const Lane<W>& kick
   const Masses& mass = body.solid->mass;
   with_spring_law(springs.law, [&](const auto& law) {
     const auto sweep_by = [&]<class Same>(Same, const Lane<W>& by) {
-      if constexpr (W == 1)
+      if constexpr (W == 1 && D == 2)
         if (body.sharing) return sweep_together<Same>(body, springs, law, by, drift);
       sweep<D, Same>(body, springs, law, by, drift);
     };
