@@ -6,8 +6,8 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstring>
 #include <optional>
-#include <regex>
 #include <sstream>
 
 namespace ricochet {
@@ -56,6 +56,44 @@ std::string si_name(const Powers& powers) {
   return fmt::format("kg^{} m^{} s^{}", powers[0], powers[1], powers[2]);
 }
 
+struct Quantity {
+  std::string number, unit;
+  std::size_t end;
+};
+
+// The number with a unit of R, c and m0 that stands here in a sentence, if one does: "-1.5e-3 m0 c^2".
+std::optional<Quantity> quantity_at(const std::string& sentence, std::size_t begin) {
+  static constexpr std::array units{"m0 c^2/R^1", "m0 c^2/R^2", "m0 c^2/R^3", "m0 c^2/R", "m0 c^2",
+                                    "R/c",        "c/R",        "R",          "c"};
+  std::size_t at = begin;
+  const auto is = [&](const char* any) { return at < sentence.size() && std::strchr(any, sentence[at]); };
+  const auto digits = [&] {
+    const std::size_t first = at;
+    while (is("0123456789")) ++at;
+    return at > first;
+  };
+  if (is("+-")) ++at;
+  if (!digits()) return std::nullopt;
+  if (is(".")) {
+    ++at;
+    digits();
+  }
+  if (is("e")) {
+    ++at;
+    if (is("+-")) ++at;
+    if (!digits()) return std::nullopt;
+  }
+  const std::string number = sentence.substr(begin, at - begin);
+  if (!is(" ")) return std::nullopt;
+  for (const std::string unit : units) {
+    const std::size_t end = at + 1 + unit.size();
+    const unsigned char next = end < sentence.size() ? static_cast<unsigned char>(sentence[end]) : ' ';
+    const bool longer = std::isalnum(next) || next == '_' || next == '^' || next == '/';
+    if (!longer && sentence.compare(at + 1, unit.size(), unit) == 0) return Quantity{number, unit, end};
+  }
+  return std::nullopt;
+}
+
 // How many digits a number was told with, of at least 3: "0.0042" has 2.
 int digits_of(const std::string& number) {
   const std::string mantissa = number.substr(0, number.find('e'));
@@ -84,14 +122,16 @@ std::string Units::shown(double value, const std::string& unit, int digits) cons
 
 std::string Units::explained(const std::string& sentence) const {
   if (!si) return sentence;
-  static const std::regex quantity(
-      R"(([-+]?[0-9]+\.?[0-9]*(?:e[-+]?[0-9]+)?) (m0 c\^2/R\^[1-3]|m0 c\^2/R|m0 c\^2|R/c|c/R|R|c)(?![\w^/]))");
   std::string text;
-  std::smatch found;
-  auto from = sentence.begin();
-  for (; std::regex_search(from, sentence.end(), found, quantity); from = found[0].second)
-    text.append(from, found[0].first).append(shown(std::stod(found[1]), found[2], digits_of(found[1])));
-  return text.append(from, sentence.end());
+  for (std::size_t at = 0; at < sentence.size();) {
+    if (const auto found = quantity_at(sentence, at)) {
+      text += shown(std::stod(found->number), found->unit, digits_of(found->number));
+      at = found->end;
+    } else {
+      text += sentence[at++];
+    }
+  }
+  return text;
 }
 
 }  // namespace ricochet

@@ -7,7 +7,7 @@
 //   report   from what was followed of a run to its outcome                   impact/report.hpp
 //
 // A lane begins with a scene, is advanced with the others, and is cleared when a look has found its end. Nothing here
-// knows how many bodies there are; one object of code a lane width (engine_1.cpp, ...).
+// knows how many bodies there are; engine.cpp compiles it for each lane width.
 
 #include <functional>
 

@@ -28,7 +28,7 @@ constexpr const char* point_range =
     "beside an elastic block that is held)";
 
 /// One number of the table.
-struct Told {
+struct ToldNumber {
   const char* name;
   double value;
   const char* unit;
@@ -73,7 +73,7 @@ int told_text(lua_State* L) {
   return 1;
 }
 
-void push_told(lua_State* L, const Told& told, const Units& units, bool in_range) {
+void push_told(lua_State* L, const ToldNumber& told, const Units& units, bool in_range) {
   lua_createtable(L, 0, 5);
   lua_pushnumber(L, told.value * units.worth(told.unit));
   lua_setfield(L, -2, "value");
@@ -105,7 +105,7 @@ void push_warnings(lua_State* L, const Estimate& e) {
 }
 
 // A force per length as a stress, in Pa; in the paper's units, which know no thickness, as it is.
-Told pressure_of(const Scene& scene, double pressure) {
+ToldNumber pressure_of(const Scene& scene, double pressure) {
   constexpr const char *name = "pressure", *law = "greatest pressure of a line contact, 2 F/(pi a)";
   if (scene.projectile->numbers.axisymmetric())
     return {name, pressure, "m0 c^2/R^3", "greatest pressure of Hertz, 3 F/(2 pi a^2)"};
@@ -116,7 +116,7 @@ Told pressure_of(const Scene& scene, double pressure) {
 int estimate_from_lua(lua_State* L) {
   const Scene& scene = scene_at(L, 1).scene;
   const Estimate e = estimate(scene);
-  Told numbers[] = {
+  ToldNumber numbers[] = {
       {"force", e.impact.force, "m0 c^2/R"},
       {"overlap", e.impact.approach, "R"},
       {"contact_time", e.impact.time, "R/c"},
@@ -127,7 +127,7 @@ int estimate_from_lua(lua_State* L) {
       {"wave_speed", e.wave_speed, "c", "c_P = sqrt(E2/(rho (1 - nu2^2))) of the projectile", "small strains"}};
   lua_newtable(L);
   const bool revolved = scene.projectile->numbers.axisymmetric();
-  for (Told& told : numbers) {
+  for (ToldNumber& told : numbers) {
     if (revolved && told.law == line_law) told.law = point_law;
     if (revolved && told.range == line_range) told.range = point_range;
     push_told(L, told, scene.units, e.in_range);

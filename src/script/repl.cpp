@@ -5,12 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
-#include <regex>
+#include <sstream>
 
 #include "script/functions.hpp"
 #include "script/lua_values.hpp"
@@ -176,8 +177,13 @@ bool prompted(const char* prompt, std::string& line) {
 
 // `help disk`, without quotes, as people type it.
 std::string as_call(const std::string& line) {
-  static const std::regex help_on_word(R"(^\s*help\s+([A-Za-z_][\w.]*)\s*$)");
-  return std::regex_replace(line, help_on_word, "help '$1'");
+  std::istringstream words(line);
+  std::string help, name, more;
+  const bool two = words >> help >> name && !(words >> more);
+  const auto in_name = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.'; };
+  if (!two || help != "help" || !std::all_of(name.begin(), name.end(), in_name)) return line;
+  if (std::isdigit(static_cast<unsigned char>(name[0])) || name[0] == '.') return line;
+  return "help '" + name + "'";
 }
 
 // `exit` and `quit` end the session, unless the user calls something of theirs so.

@@ -66,14 +66,14 @@ std::string listed(const std::map<std::string, std::string>& doubts) {
 
 constexpr double near_limit = 0.9, safe = 0.5;  // of the stability limit
 
-struct Told {
+struct ToldDoubt {
   const char* column;
   double above;
   const char* meaning;
 };
 
 // In the order of SweepTold::Ended.
-constexpr Told told_doubts[] = {
+constexpr ToldDoubt told_doubts[] = {
     {"over_yield", 0,
      "the estimated pressure passes what starts to yield, of a body that no effect lets yield: their e is too high"},
     {"folded", 0, "springs folded, which takes energy that no solid would; see ricochet.estimate"},

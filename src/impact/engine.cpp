@@ -1,6 +1,7 @@
-// The members of Engine<W>, compiled once a width: engine_1.cpp, engine_2.cpp, engine_4.cpp.
+// The members of Engine<W>, for every lane width there is.
 
 #include "impact/engine.hpp"
+
 #include "impact/launch/launch.hpp"
 #include "impact/launch/step.hpp"
 
@@ -116,5 +117,10 @@ void Engine<W>::change(const std::function<void(Motions<W>&)>& by) {
   by(state_.end);
   moving_.resume_from_end();
 }
+
+// All in one unit: three would read the same headers and instantiate what knows no width three times over.
+template class Engine<1>;
+template class Engine<2>;
+template class Engine<4>;
 
 }  // namespace ricochet

@@ -1,3 +1,0 @@
-#include "impact/engine.inl"
-
-template class ricochet::Engine<2>;
