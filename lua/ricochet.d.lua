@@ -644,7 +644,7 @@ function ricochet.estimate(scene) end
 ---@field relative_error? number the same, over the mean
 ---@field of? string with samples: the outcome that it is about (default e)
 ---@field most? integer with samples: of a point, at most (default 10000)
----@field pilot? integer with samples: of every point in the first round (default 8)
+---@field pilot? integer with samples: of every point in the first round; of 8, intervals of few units are short, of 16 not (default 8)
 ---@field mirrored? boolean with samples: strike lattices from both sides; where that pays, unless given
 --- Scenes over every combination of some values. `sweep:run()` runs them on all cores, leaves results.h5 and results.csv in the run's folder and returns the rows. A sample that did not finish is counted and never averaged in. Of more points than --at-once (8192), but not with samples, the scenes are made and run chunk by chunk, those that share a lattice together, and the rows are read from results.h5 as they are asked for: `scene` must then depend on `at` alone.
 ---@param t ricochet.sweep_fields
