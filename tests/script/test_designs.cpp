@@ -135,6 +135,6 @@ ricochet.plot { rows = rows, x = "psi1", y = { "outcome_psi1", "e" }, name = "p"
   INFO(drawn.err);
   REQUIRE(drawn.status == 0);
   CHECK_THAT(here.read("out/s/p.gp"), Contains("'incidence Ψ_1'") && Contains("'incidence of the contact Ψ_1'"));
-  CHECK_THAT(here.script("require('ricochet').sweep { name = 's', over = { over_psi1 = { 1 } }, scene = print }").err,
-             Contains("'over_psi1' is a column of the outcome; take another name"));
+  const char* taken = "require('ricochet').sweep { name = 's', over = { over_psi1 = { 1 } }, scene = print }";
+  CHECK_THAT(here.script(taken, "--force").err, Contains("'over_psi1' is a column of the outcome; take another name"));
 }

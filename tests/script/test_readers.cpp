@@ -87,7 +87,8 @@ TEST_CASE("runs over other parameters are joined without a loss, where h5py and 
   while (std::getline(lines, line)) {
     std::istringstream words(line);
     words >> over >> speed;
-    if (line.find("impacts") == std::string::npos && line.find_first_of("0123456789") != std::string::npos)
+    if (line.find("impacts") == std::string::npos && over != "over_psi1" &&
+        line.find_first_of("0123456789") != std::string::npos)
       places.insert(over + " " + speed);
   }
   CHECK(places == std::set<std::string>{"0.0 0.10", "1.0 NaN", "2.0 NaN", "NaN 0.05"});
