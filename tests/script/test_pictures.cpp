@@ -286,7 +286,8 @@ TEST_CASE("mistakes in pictures are found at their own line, before anything run
       {"ricochet.still { scene = scene(), size = { 320.5, 180 } }",
        "error: s.lua:4: still: 'size': counts pixels, which 320.5 does not"},
       {"ricochet.contact_sheet { scene = scene(), times = { 1e300 } }",
-       "error: s.lua:4: contact_sheet: 'times': must lie between -1e6 and 1e6 R/c, one is 1e+300"},
+       "error: s.lua:4: contact_sheet: 'times': must lie between -1e+06 R/c and 1e+06 R/c, one is "
+       "1e+300 R/c"},
       {"ricochet.still { scene = scene(), show = { material = 'speed', high = -5 } }",
        "error: s.lua:4: still: 'high': must be above 0: 'speed' is never below"},
       {"ricochet.still { scene = scene(), show = { material = 'speed', low = 1e16, high = 1e16 + 2 } }",
