@@ -636,10 +636,10 @@ function ricochet.estimate(scene) end
 
 ---@class ricochet.sweep_fields
 ---@field name string names the folder of its results
----@field over table name = list of values, each a number, string or boolean; and what zip or latin_hypercube returns
+---@field over table name = list of values, each a number, string or boolean; and what zip or latin_hypercube returns. Of the columns psi1, seed and step may be among them: a row then holds what was asked for as psi1 and over_psi1, and what the impact had, a spin included, as outcome_psi1; in files they are over_psi1 and psi1
 ---@field units? table name = unit of a value of 'over', for axes: { gap = "R" } (default {})
 ---@field scene function function (at) that returns the scene at the values at.name
----@field samples? "by_error" by_error: as many samples of every point as a wanted error of `of` takes, in rounds; the scene's function gets their running number as at.sample, from 1
+---@field samples? "by_error" by_error: as many samples of every point as a wanted error of `of` takes, in rounds; the scene's function gets their running number as at.sample, from 1. The error is that of the samples: what a finer lattice or mesh would change is not in it
 ---@field standard_error? number with samples: wanted of the mean at every point
 ---@field relative_error? number the same, over the mean
 ---@field of? string with samples: the outcome that it is about (default e)
@@ -967,7 +967,7 @@ function ricochet.report(t) end
 ---@field results ricochet.result_fields[] what is told of an impact after the guess
 ---@field guess ricochet.guess_fields what is to be guessed
 ---@field graph ricochet.graph_fields what the guessed result is drawn against
----@field intuition ricochet.intuition_fields what many people think, shown after five results
+---@field intuition ricochet.intuition_fields a wrong idea that many people have, shown once five settings were tried
 ---@field questions ricochet.question_fields[] with answers that are folded away
 ---@field teacher string[] paragraphs for the teacher: how to use it, what goes wrong
 ---@field minutes? number that it takes in class [min] (default 10)
@@ -1003,7 +1003,7 @@ function ricochet.lesson(t) end
 ---@field log? boolean along x (default false)
 
 ---@class ricochet.intuition_fields
----@field wrong string what many people think
+---@field wrong string the wrong idea
 ---@field right string how it is. In curly braces a text may hold numbers of the rows: {e angle=60 wall='soft mat'} is e there, to the digits of its result, {e:2 angle=60} to two; {angle greatest=e} is the angle where e is greatest, and least=e where least
 
 ---@class ricochet.question_fields

@@ -127,9 +127,8 @@ Members fields_of_the_texts() {
       {flag("ledger",
             "where the energy is, as a stacked bar: translation along the normal and along the tangent, spin, "
             "vibration (of the projectile), target, contact, and the scene's effects by name: what they have taken, "
-            "and what their "
-            "potentials "
-            "(gravity) hold, counted from the least of the sequence, so that energy that stays fills all of the bar"),
+            "and what their potentials (gravity) hold, counted from the least of the sequence, so that energy that "
+            "stays fills all of the bar"),
        &Show::ledger},
       {choice("plot",
               "a plot that grows with time, of every moment while a run is drawn, of its frames if a recording is" +
@@ -158,8 +157,7 @@ Members fields_of_the_view() {
        &Show::high},
       {choice("camera",
               "fit: all of the sequence; follow: the projectile in the middle; contact: the place of impact, close. "
-              "Rims stand "
-              "apart by the range of the repulsion, also where they press hardest",
+              "Rims stand apart by the range of the repulsion, also where they press hardest",
               {"fit", "follow", "contact"}),
        &Show::camera},
       {{"width",

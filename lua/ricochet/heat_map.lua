@@ -24,7 +24,8 @@ local function edges_of(values, log)
   local at, back = log and math.log or function(v) return v end, log and math.exp or function(v) return v end
   local edges, n = {}, #values
   for i = 2, n do edges[i] = back((at(values[i - 1]) + at(values[i])) / 2) end
-  local first = n > 1 and at(values[2]) - at(values[1]) or log and math.log(4) or math.max(1, math.abs(values[1]))
+  local alone = log and math.log(4) or values[1] ~= 0 and math.abs(values[1]) or 1
+  local first = n > 1 and at(values[2]) - at(values[1]) or alone
   local last = n > 1 and at(values[n]) - at(values[n - 1]) or first
   edges[1], edges[n + 1] = back(at(values[1]) - first / 2), back(at(values[n]) + last / 2)
   return edges
@@ -50,6 +51,7 @@ local function axis_of(t, summary, letter)
     core.fail(("'log' along %s needs values above 0, %s goes down to %g"):format(letter, column, axis.values[1]), "log")
   end
   axis.edges = edges_of(axis.values, axis.log)
+  axis.power = plot.power_of(column, t.rows, axis.edges[1], axis.edges[#axis.edges], axis.log)
   local at = axis.log and math.log or function(v) return v end
   local range = at(axis.edges[#axis.edges]) - at(axis.edges[1])
   function axis.pixels(from, to) return (at(to) - at(from)) / range * inner[letter] end
@@ -70,12 +72,13 @@ local function tics_of(axis)
     return ("set %stics (%s) noenhanced"):format(axis.letter, table.concat(texts, ", "))
   end
   for i, value in ipairs(values) do
-    texts[i] = ("'%.5g' %.17g"):format(value, value)
+    local text = ("%.5g"):format(value / 10 ^ axis.power)
+    texts[i] = ("'%s' %.17g"):format(text, value)
+    axis.longest = math.max(axis.longest or 0, #text)
     local room = i > 1 and axis.pixels(values[i - 1], value) or math.huge
-    local needed = axis.letter == "y" and line or digit * (#("%.5g"):format(value) + 1)
-    if room < needed then
-      if axis.log then return axes.log_tics(axis.letter, axis.letter, edges[1], edges[#edges]):sub(2) end
-      return ("set %stics auto"):format(axis.letter)
+    if room < (axis.letter == "y" and line or digit * (#text + 1)) then
+      return axis.log and axes.log_tics(axis.letter, edges[1], edges[#edges], axis.power)
+        or axes.tics(axis.letter, edges[1], edges[#edges], axis.power)
     end
   end
   return ("set %stics (%s)"):format(axis.letter, table.concat(texts, ", "))
@@ -121,7 +124,7 @@ end
 
 -- Three digits of the greatest, and as many places of all.
 local function format_of(found)
-  local most = math.max(math.abs(found.low), math.abs(found.high))
+  local most = math.max(math.abs(found.low), math.abs(found.high)) / 10 ^ found.power
   if most >= 1e5 or most < 1e-2 then return "%.2g" end
   return ("%%.%df"):format(math.max(0, 2 - math.floor(math.log(most, 10) + 1e-9)))
 end
@@ -134,7 +137,7 @@ local function numbers(found, xs, ys)
     return axis.log and math.sqrt(a * b) or (a + b) / 2
   end
   for _, c in ipairs(found.full) do
-    local text = form:format(c.mean)
+    local text = form:format(c.mean / 10 ^ found.power)
     local fits = xs.pixels(xs.edges[c.i], xs.edges[c.i + 1]) >= digit * (#text + 1)
       and ys.pixels(ys.edges[c.j], ys.edges[c.j + 1]) >= line
     if not fits then return { dark = {}, light = {} } end
@@ -155,21 +158,24 @@ local function texts_of(t, found)
       or ("; mean of %d to %d a cell"):format(found.least, found.most))
   end
   if over ~= "" then text = text .. ", averaged over " .. over end
-  if found.se == found.se then text = text .. ("; greatest standard\u{A0}error\u{A0}%.2g"):format(found.se) end
+  if found.se == found.se then text = text .. ("; greatest standard\u{A0}error\u{A0}%.2g%s"):format(
+    found.se / 10 ^ found.power, found.unit) end
   for _, part in ipairs(plot.wrapped(text, 100)) do below[#below + 1] = part end
   return below
 end
 
--- What the names of a y axis need beside what numbers have. [characters]
-local function longest(names)
-  local most = 0
-  for _, name in ipairs(names or {}) do most = math.max(most, utf8.len(name)) end
+-- What the names or values of a y axis need beside what numbers usually have. [characters]
+local function longest(axis)
+  local most = axis.longest or 0
+  for _, name in ipairs(axis.names or {}) do most = math.max(most, utf8.len(name)) end
   return math.max(0, most - 6)
 end
 
 local function draw(t, xs, ys, found)
   local script = gnuplot.script(t.name)
-  local beside = longest(ys.names)
+  local tics = { [xs] = tics_of(xs), [ys] = tics_of(ys) }
+  local beside = longest(ys)
+  found.power, found.unit = plot.power_of(t.of, t.rows, found.low, found.high)
   local parts, shown = {}, numbers(found, xs, ys)
   if #found.full > 0 then
     script:data("cells", boxes(found.full, xs, ys))
@@ -203,13 +209,14 @@ local function draw(t, xs, ys, found)
       script:add("set lmargin %d\nset rmargin 6\nset border 3\nset tics out", 11 + beside)
       for _, axis in ipairs { xs, ys } do
         script:add("set %srange [%.17g:%.17g]", axis.letter, axis.edges[1], axis.edges[#axis.edges])
-        script:add(tics_of(axis))
+        script:add(tics[axis])
         -- Names say what they are of.
-        local label = axis.names and "" or plot.label(axis.column, t.rows, axis.log)
+        local label = axis.names and "" or plot.label(axis.column, t.rows, axis.log, axis.power)
         script:add("set %slabel %s enhanced", axis.letter, quoted(label))
       end
       if xs.lines then script:add("set bmargin %d", 2 + xs.lines) end
-      script:add("set cblabel %s enhanced", quoted(plot.label(t.of, t.rows)))
+      script:add(axes.tics("cb", low, high, found.power))
+      script:add("set cblabel %s enhanced", quoted(plot.label(t.of, t.rows, false, found.power)))
       script:add("plot " .. table.concat(parts, ", \\\n     "))
     end,
   }

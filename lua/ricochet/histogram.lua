@@ -1,5 +1,6 @@
 -- ricochet.histogram: how a column of finished rows is spread, a panel for each value of another.
 local core = require "ricochet.core"
+local axes = require "ricochet.axes"
 local gnuplot = require "ricochet.gnuplot"
 local rows_module = require "ricochet.rows"
 local plot = require "ricochet.plot"
@@ -74,24 +75,27 @@ local function counts_of(values, bins)
   return counts
 end
 
--- "Ψ1 = 3: n = 98, 2 failed; mean 0.95 ± 0.03"
-local function told(panel)
+-- "Ψ1 = 3: n = 98, 2 failed; mean 0.95 ± 0.03", in a power of ten.
+local function told(panel, power, unit)
   local s, text = panel.mean, (panel.name and panel.name .. ":  " or "") .. ("n = %d, %d failed"):format(
     #panel.values, panel.failed)
   if panel.undefined > 0 then text = text .. (", %d without a value"):format(panel.undefined) end
   if s.count == 0 then return text end
-  if not (s.se > 0) then return text .. ("; mean %.4g"):format(s.mean) end
-  local places = 1 - math.floor(math.log(s.se, 10))  -- two digits of the error
+  local mean, se = s.mean / 10 ^ power, s.se / 10 ^ power
+  if not (se > 0) then return text .. ("; mean %.4g"):format(mean) .. unit end
+  local places = 1 - math.floor(math.log(se, 10))  -- two digits of the error
   local number = places >= 0 and places < 10 and ("%%.%df"):format(places) or "%.4g"
-  return text .. ("; mean " .. number .. " ± " .. number):format(s.mean, s.se)
+  return text .. ("; mean " .. number .. " ± " .. number):format(mean, se) .. unit
 end
 
 local function add_panel(script, t, panel, k, last)
   local low, high, top = t.shown.low, t.shown.high, math.max(1, 1.08 * panel.most)
   script:add("set xrange [%.17g:%.17g]\nset yrange [0:%.17g]", low, high, top)
+  local power, unit = plot.power_of(t.of, t.rows, low, high)
+  script:add(axes.tics("x", low, high, power))
   script:add("set xlabel %s enhanced\nset ylabel 'impacts'",
-    last and gnuplot.quoted(plot.label(t.of, t.rows)) or "''")
-  script:add("set label 2 %s at graph 0,1.07 left enhanced", gnuplot.quoted(told(panel)))
+    last and gnuplot.quoted(plot.label(t.of, t.rows, false, power)) or "''")
+  script:add("set label 2 %s at graph 0,1.07 left enhanced", gnuplot.quoted(told(panel, power, unit)))
   if #panel.values == 0 then
     script:add("set label 3 'no finished row' at graph 0.5,0.5 center font ',14'\nplot NaN notitle\nunset label 3")
     return
@@ -124,7 +128,8 @@ local function draw(t, panels, bins)
     if not t.first_full and #panel.values > 0 then t.first_full = k end
   end
   local below = t.caption and plot.wrapped(t.caption, 100) or {}
-  local bins_text = bins.rule ~= "" and ("; bins of %.3g (%s)"):format(bins.width, bins.rule) or ""
+  local power, unit = plot.power_of(t.of, t.rows, t.shown.low, t.shown.high)
+  local bins_text = bins.rule ~= "" and ("; bins of %.3g%s (%s)"):format(bins.width / 10 ^ power, unit, bins.rule) or ""
   local over = rows_module.averaged(t.rows, t.by or {})
   if over ~= "" then over = "; over " .. over end
   for _, line in ipairs(plot.wrapped(("%d impacts, %d failed%s%s"):format(finished, failed, bins_text, over), 100)) do

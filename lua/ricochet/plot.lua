@@ -2,6 +2,7 @@
 -- stays beside the picture.
 local core = require "ricochet.core"
 local gnuplot = require "ricochet.gnuplot"
+local outcomes = require "ricochet.outcomes"
 local rows_module = require "ricochet.rows"
 local summarise = rows_module.summarise
 
@@ -9,7 +10,7 @@ local colours, quoted = gnuplot.colours, gnuplot.quoted
 local plot_data = require "ricochet.plot_data"
 local words = require "ricochet.words"
 local axes = require "ricochet.axes"
-local given_range, widen, roomy, log_tics = axes.given_range, axes.widen, axes.roomy, axes.log_tics
+local given_range, widen, roomy = axes.given_range, axes.widen, axes.roomy
 -- Lines of theory: shades that also differ in their dashes; published points: open marks.
 local dashes = { { "#555555", 2 }, { "#000000", 1 }, { "#882255", 4 }, { "#44AA99", 3 }, { "#999933", 5 } }
 local open_marks = { 6, 4, 8, 12, 10 }
@@ -30,16 +31,27 @@ local function is_series(rows) return rows and #rows > 0 and core.peek(rows[1], 
 
 -- That which the column has in these rows.
 local function unit_of(column, rows)
-  if not is_series(rows) then return core.columns(rows and rows[1] and core.peek(rows[1], "units"))[column] end
+  if not is_series(rows) then return outcomes.units(rows and rows[1] and core.peek(rows[1], "units"))[column] end
   for _, quantity in ipairs(core.quantities(core.peek(rows[1], "units"))) do
     if quantity.name == column then return quantity.unit end
   end
 end
 
-local function label(column, rows, log)
-  local unit = unit_of(column, rows) or rows and rows_module.unit_of(rows, column)
-  if unit then unit = unit:gsub("m0", "m_0") end
-  return words.label(column) .. (unit and unit ~= "" and (" [" .. unit .. "]") or "") .. (log and " (log)" or "")
+local function unit_in(column, rows)
+  return unit_of(column, rows) or rows and rows_module.unit_of(rows, column) or ""
+end
+
+-- `power`: of ten, in which the axis is told.
+local function label(column, rows, log, power)
+  local unit = axes.scaled_unit((unit_in(column, rows):gsub("m0", "m_0")), power or 0)
+  return words.label(column) .. (unit ~= "" and (" [" .. unit .. "]") or "") .. (log and " (log)" or "")
+end
+
+-- The power of ten in which the axis of a column is told, and what stands behind a number of it that is told so.
+local function power_of(column, rows, low, high, log)
+  local unit = unit_in(column, rows)
+  local power = axes.power_of(low, high, unit, log)
+  return power, axes.told_unit(unit, power)
 end
 
 -- "μ = 0.3", or a text as it is.
@@ -215,17 +227,24 @@ local function most_entries(t, list, theory, published)
   return most
 end
 
+-- An axis of a panel: its range, ticks and label. own: a label of the user's.
+local function add_axis(script, t, axis, column, range, room, own)
+  local log = t.log:find(axis) ~= nil
+  local low, high = roomy(range.low, range.high, room, log)
+  local power = power_of(column, t.rows, range.low, range.high, log)
+  script:add("set %srange [%.17g:%.17g]", axis, low, high)
+  script:add(log and axes.log_tics(axis, range.low, range.high, power) or axes.tics(axis, low, high, power))
+  local text = own and own .. axes.marks_in(power) or label(column, t.rows, log, power)
+  script:add("set %slabel %s %s", axis, quoted(text), own and "noenhanced" or "enhanced")
+end
+
 -- Panel i, of one column. The same margins and range along x in every panel.
 local function add_panel(script, t, i, xs, y, margin, parts)
   local column = t.y[i]
-  local xroom, yroom = t.xrange and 0 or 0.04, t.yrange[column] and 0 or 0.08
-  script:add("set lmargin %d\nset xrange %s", margin, roomy(xs.low, xs.high, xroom, t.log:find "x"))
-  script:add("set yrange %s%s%s", roomy(y.low, y.high, yroom, t.log:find "y"), log_tics(t.log, "x", xs.low, xs.high),
-    log_tics(t.log, "y", y.low, y.high))
-  local xlabel = i == #t.y and quoted(t.xlabel or label(t.x, t.rows, t.log:find "x")) or "''"
-  script:add("set xlabel %s%s", xlabel, t.xlabel and " noenhanced" or " enhanced")
-  local ylabel = quoted(t.ylabel[column] or label(column, t.rows, t.log:find "y"))
-  script:add("set ylabel %s%s", ylabel, t.ylabel[column] and " noenhanced" or " enhanced")
+  script:add("set lmargin %d", margin)
+  add_axis(script, t, "x", t.x, xs, t.xrange and 0 or 0.04, t.xlabel)
+  if i < #t.y then script:add "set xlabel ''" end
+  add_axis(script, t, "y", column, y, t.yrange[column] and 0 or 0.08, t.ylabel[column])
   local none = t.nothing or t.rows and t.empty[column]
   if none then script:add("set label 2 %s at graph 0.5,0.5 center font ',14'", quoted(none)) end
   if t.nothing then script:add "unset ytics" end
@@ -307,4 +326,4 @@ local function plot(given)
 end
 
 -- What other pictures of rows share.
-return { plot = plot, wrapped = wrapped, label = label, groups = series_of }
+return { plot = plot, wrapped = wrapped, label = label, power_of = power_of, groups = series_of }

@@ -3,6 +3,7 @@
 -- same.
 local core = require "ricochet.core"
 local mirror = require "ricochet.mirror"
+local refine = require "ricochet.refine"
 local sampling = require "ricochet.sampling"
 local statistics = require "ricochet.statistics"
 
@@ -34,6 +35,7 @@ local function begun(sweep, t, point)
   local first = copy(point)
   first.sample = 1
   local scene = sweep.make(first)
+  sweep.first = sweep.first or scene
   local state = { point = point, count = t.pilot, both = 0, side = "one", why = nil, gain = 0 / 0 }
   state.why = not mirror.is_slanted(scene) and "comes in straight" or mirror.asymmetry(scene)
   if t.mirrored and mirror.is_slanted(scene) then
@@ -154,6 +156,8 @@ local function tell(sweep, t, states, rounds)
   local number, all = fixed(states)
   print(("%s: %d impacts in %d rounds"):format(sweep.name, impacts, rounds))
   for _, state in ipairs(states) do told(state, sweep.names, t) end
+  print(("  these errors are of the samples alone: what a finer %s would change (ricochet.refined) is not in them")
+    :format(refine.division({ sweep.first }).one))
   print(("  by the pilot's deviations %d samples of every point would have met it too: %d impacts"):format(number, all))
 end
 

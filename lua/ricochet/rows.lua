@@ -2,6 +2,7 @@
 local core = require "ricochet.core"
 local bootstrap = require "ricochet.bootstrap"
 local long_rows = require "ricochet.long_rows"
+local outcomes = require "ricochet.outcomes"
 local paired = require "ricochet.paired"
 local power_law = require "ricochet.power_law"
 local statistics = require "ricochet.statistics"
@@ -109,6 +110,7 @@ local function unit_of(rows, column) return varied[rows] and (varied[rows].units
 local function averaged(rows, by)
   local parts, grouped = {}, {}
   for _, column in ipairs(by) do grouped[column] = true end
+  for _, name in ipairs(outcomes.shared) do grouped[name] = grouped[name] or grouped["over_" .. name] end
   for _, name in ipairs(varied[rows] and varied[rows].names or {}) do
     local count, seen = 0, {}
     for _, row in ipairs(rows) do
@@ -130,7 +132,7 @@ local function summarise(rows, by, of, fields)
     end
   end
   -- Of columns in the rows' units; nothing of those that a script added.
-  local units = core.columns(rows[1] and core.peek(rows[1], "units"))
+  local units = outcomes.units(rows[1] and core.peek(rows[1], "units"))
   local summary = setmetatable({ by = by, of = of, units = units, over = averaged(rows, by) }, Summary)
   for i, group in ipairs(groups(rows, by)) do
     local line = { count = #group.members, failed = group.failed }
@@ -211,7 +213,7 @@ Rows.save = core.wrap(function(self, given)
   if not core.is(self, Rows) then core.fail "is a method of rows: write rows:save { ... }, with a colon" end
   local t = core.check("rows:save", given)
   if #t.columns == 0 then core.fail("'columns' is empty; name at least one", "columns") end
-  local units, columns = core.columns(self[1] and core.peek(self[1], "units")), {}
+  local units, columns = outcomes.units(self[1] and core.peek(self[1], "units")), {}
   local named = {}
   for i, name in ipairs(t.columns) do
     known_column(self, name, "columns")

@@ -2,6 +2,7 @@
 local core = require "ricochet.core"
 local designs = require "ricochet.designs"
 local long_sweep = require "ricochet.long_sweep"
+local outcomes = require "ricochet.outcomes"
 local points = require "ricochet.points"
 local rounds = require "ricochet.rounds"
 local rows_of = require("ricochet.rows").rows_of
@@ -22,11 +23,12 @@ Sweep.__newindex = function() core.fail_here "a sweep takes no new fields" end
 local held = setmetatable({}, { __mode = "k" })
 local function contents(sweep) return core.is(sweep, Sweep) and held[sweep] or nil end
 
--- Names that a parameter must not take, because a row's outcome would be hidden. psi1, seed and step are what was asked
--- for in the row, and what came of it in the file.
+-- Names that a parameter must not take, because a row's outcome would be hidden.
 local outcome = core.columns()
 for _, name in ipairs { "status", "reason", "scene_hash", "wall_seconds" } do outcome[name] = "" end
-for _, name in ipairs { "psi1", "seed", "step" } do outcome[name] = nil end
+for _, name in ipairs(outcomes.shared) do
+  outcome[name], outcome["over_" .. name], outcome["outcome_" .. name] = nil, "", ""
+end
 
 local most_combinations = 1e7
 

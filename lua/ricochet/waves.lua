@@ -1,4 +1,5 @@
 -- ricochet.waves: a space-time picture of an impact, and its numbers.
+local axes = require "ricochet.axes"
 local core = require "ricochet.core"
 local gnuplot = require "ricochet.gnuplot"
 local rows_of = require("ricochet.rows").rows_of
@@ -62,7 +63,13 @@ local function draw(t, rows, columns)
     panels = { { low = panels[2].low, high = panels[1].high, most = math.max(panels[1].most, panels[2].most),
       plot = panels[1].plot .. ", \\\n     " .. panels[2].plot } }
   end
-  local function label(column) return column.unit ~= "" and (" [" .. column.unit .. "]") or "" end
+  -- Sets the range and the ticks of an axis; the unit for its label, in the power of ten that the ticks are told in.
+  local function told(axis, low, high, column)
+    local power = axes.power_of(low, high, column.unit)
+    script:add("set %srange [%.17g:%.17g]\n%s", axis, low, high, axes.tics(axis, low, high, power))
+    local unit = axes.scaled_unit(column.unit, power)
+    return unit ~= "" and (" [" .. unit .. "]") or ""
+  end
   local titles = {}
   if t.title then titles[1] = quoted(t.title) end
   if t.caption then titles[#titles + 1] = quoted(t.caption) end
@@ -73,13 +80,12 @@ local function draw(t, rows, columns)
     axes = "set palette defined (-1 '#0B3C8C', -0.5 '#6FA3DB', 0 '#FFFFFF', 0.5 '#F0A35E', 1 '#9C2A00')\n"
       .. "set object rectangle from graph 0, 0 to graph 1, 1 behind fillcolor rgb '#C8C8C8' fillstyle solid noborder",
     draw = function()
-      script:add("set xlabel %s", quoted("time" .. label(columns[1])))
-      script:add("set cblabel %s", quoted(("velocity along %s%s"):format(t.along, label(columns[4]))))
       for _, panel in ipairs(panels) do
-        script:add("set xrange [%.17g:%.17g]\nset yrange [%.17g:%.17g]", first, last, panel.low, panel.high)
-        script:add("set cbrange [%.17g:%.17g]", -panel.most, panel.most > 0 and panel.most or 1)
+        script:add("set xlabel %s", quoted("time" .. told("x", first, last, columns[1])))
+        script:add("set cblabel %s", quoted(("velocity along %s%s"):format(t.along,
+          told("cb", -panel.most, panel.most > 0 and panel.most or 1, columns[4]))))
         script:add("set ylabel %s", quoted(("%s%s at the first moment%s"):format(panel.name and panel.name .. ", "
-          or "", t.along, label(columns[3]))))
+          or "", t.along, told("y", panel.low, panel.high, columns[3]))))
         script:add("plot " .. panel.plot)
       end
     end,

@@ -28,6 +28,8 @@ local table_of = {
   before_projectile_translation = { "translation of the projectile before" },
   before_projectile_rotation = { "rotation of the projectile before" },
   before_projectile_vibration = { "vibration of the projectile before" },
+  before_target_translation = { "translation of the target before" },
+  before_target_rotation = { "rotation of the target before" },
   before_target_vibration = { "vibration of the target before" }, before_total = { "energy before" },
   after_projectile_translation = { "translation of the projectile after" },
   after_projectile_rotation = { "rotation of the projectile after" },
@@ -55,6 +57,10 @@ local table_of = {
   contact_energy = { "energy of the contact" }, effects_energy = { "energy of effects" },
   total_energy = { "all energy" },
 }
+-- Where a sweep's own values have the name of a column: what it asked for, and what came of it.
+table_of.over_psi1, table_of.outcome_psi1 = table_of.psi1, { "incidence of the contact", "Ψ_1" }
+table_of.over_step, table_of.outcome_step = { "time step asked for", "Δt" }, { "time step taken", "Δt" }
+table_of.over_seed, table_of.outcome_seed = { "seed asked for" }, { "seed of the projectile" }
 for _, of in ipairs { "", "target_" } do
   local body = of == "" and "" or " in the target"
   table_of[of .. "pressure_max"] = { "greatest pressure" .. body }

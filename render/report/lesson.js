@@ -7,6 +7,7 @@ const lesson = pageData.lesson, grid = pageData.sections[0];
 const asked = lesson.results[lesson.guess.result];
 const tried = [];  // { row, guess } in the order of trying; guess is null where none was made
 const replays = new Map([...document.querySelectorAll("script.replay")].map(tag => JSON.parse(tag.textContent)).map(r => [r.hash, r]));
+const doubts = [];  // of impacts, once the columns are read
 let place = lesson.sliders.map(() => 0), hashes = [], hasGuessed = false;
 
 const rowOf = wanted => lesson.places.findIndex(at => at.every((k, i) => k === wanted[i]));
@@ -101,6 +102,9 @@ async function present(time = null) {
   byId("more").hidden = byId("next").hidden || !countsTries();
   byId("said").textContent = !done ? "" : done.guess == null ? `${asked.label}: ${withUnitOf(asked, asked.values[row])}.`
     : `You guessed ${withUnitOf(asked, done.guess)}. It was ${withUnitOf(asked, asked.values[row])}.`;
+  const careful = doubts.filter(doubt => done && doubt.rows.has(row)).map(doubt => doubt.text);
+  byId("careful").hidden = !careful.length;
+  byId("careful").textContent = `Careful: here ${careful.join("; and ")}.`;
   if (done) byId("result").replaceChildren(element("table", {}, ...lesson.results.map(r => element("tr", {}, element("th", { scope: "row" }, r.label), element("td", {}, withUnitOf(r, r.values[row]))))));
   drawGraph();
   drawTries();
@@ -183,6 +187,23 @@ function startTexts() {
   byId("made").textContent = lines.join(" ");
 }
 
+// What the columns of the rows doubt, as the report has it: { text, rows }.
+function findDoubts(columns) {
+  const radius = row => replays.get(hashes[row]).length;
+  const kinds = [["over_yield", v => v > 0, "the pressure passes what starts to yield, and nothing yields in the computation: the rebound is too fast"],
+    ["penetration", (v, row) => v > 0.01 * radius(row), `a body stood deeper inside the other than a hundredth of the radius of the ${lesson.names[0]}: the contact is too soft`],
+    ["folded", v => v > 0, "a body folded over itself, which takes energy that no solid would: the numbers mean less than they say"]];
+  for (const [name, test, text] of kinds) {
+    const rows = new Set(hashes.keys());
+    for (const row of rows) if (!columns[name] || !test(columns[name].values[row], row)) rows.delete(row);
+    if (rows.size) doubts.push({ text, rows });
+  }
+  byId("doubts").hidden = !doubts.length;
+  byId("doubts").querySelector("ul").append(...doubts.map(({ text, rows }) => element("li", {}, `In ${rows.size} of ${hashes.length} impacts ${text}.`)));
+  byId("log-box").hidden = !pageData.log;
+  byId("log").textContent = pageData.log;
+}
+
 function startKeeping() {
   byId("save").onclick = () => {
     const root = element("html", { lang: "en" });
@@ -210,10 +231,12 @@ function redrawAll() {
 
 async function start() {
   const began = performance.now();
-  hashes = (await readColumns(grid)).scene_hash.values;
+  const columns = await readColumns(grid);
+  hashes = columns.scene_hash.values;
   const time = readState(location.hash.slice(1) || document.documentElement.dataset.state || "");
   for (const [row, hash] of hashes.entries()) Object.assign(replays.get(hash), { section: grid, row, title: placeText(row) });
   namePlayer();
+  findDoubts(columns);
   startTexts();
   startSetup();
   startKeeping();

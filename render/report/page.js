@@ -32,8 +32,11 @@ function tools(section) {
     input.dataset.show = key;
     return element("label", {}, input, " " + text);
   };
-  const asked = Object.values(section.columns).filter(c => c.parameter).map(c => plainName(c.name));
-  const choices = Object.values(section.columns).filter(c => (c.parameter || !asked.includes(c.name)) && typeof c.values[0] === "number" && new Set(c.values).size > 1 && (c.parameter || ["psi1", "contact_time", "indentation"].includes(c.name)));
+  const isAsked = c => {
+    const asked = section.columns[`over_${c.name}`];
+    return asked && c.values.every((v, i) => v == null || Math.abs(v - asked.values[i]) < 1e-6 * Math.max(1, Math.abs(v)));
+  };
+  const choices = Object.values(section.columns).filter(c => (c.parameter || !isAsked(c)) && typeof c.values[0] === "number" && new Set(c.values).size > 1 && (c.parameter || ["psi1", "contact_time", "indentation"].includes(c.name)));
   const select = element("select", { onchange: () => {
     section.x = section.columns[select.value];
     section.groups = groupsOf(section);

@@ -25,17 +25,21 @@ function timeNow() {
 }
 const energyUnit = () => player.replay.unit.total_energy;
 
-// In contact where the force is more than a thousandth of the greatest.
-function contactFrames(replay) {
-  const force = replay.series.force_n.map(Math.abs), most = Math.max(...force);
-  const touching = force.map(f => most > 0 && f > 1e-3 * most);
-  return { first: touching.indexOf(true), last: touching.lastIndexOf(true), touching, hardest: force.indexOf(most) };
+// Forces between the moments of the frames, too: without them a peak may be missed, and touches begin late.
+const forcesOf = replay => replay.forces || replay.series;
+
+// In contact where the force is more than a thousandth of the greatest: when first and last, when it is greatest, and the
+// share of it that counts. Times are null of an impact without a contact.
+function contactOf(replay) {
+  const { time, force_n } = forcesOf(replay), force = force_n.map(Math.abs), most = force.reduce((a, b) => Math.max(a, b), 0);
+  const touching = force.map(f => most > 0 && f > 1e-3 * most), at = k => k < 0 ? null : time[k];
+  return { first: at(touching.indexOf(true)), last: at(touching.lastIndexOf(true)), hardest: most > 0 ? time[force.indexOf(most)] : null, floor: 1e-3 * most };
 }
 
 function phaseAt(k) {
-  const contact = contactFrames(player.replay);
-  return contact.first < 0 ? "Free flight" : k < contact.first ? "Before the contact"
-    : k > contact.last ? "After the contact" : contact.touching[k] ? "In contact" : "Between two touches";
+  const contact = contactOf(player.replay), time = timesOf(player.replay)[k];
+  return contact.first == null ? "Free flight" : time < contact.first ? "Before the contact"
+    : time > contact.last ? "After the contact" : Math.abs(player.replay.series.force_n[k]) > contact.floor ? "In contact" : "Between two touches";
 }
 
 // Of all energy, what deforms and shakes the bodies.
@@ -102,18 +106,18 @@ function tick(now) {
 }
 
 // Line charts of series against time, with a line at the moment shown that can be dragged.
-function chart(box, lines, unit, label) {
+function chart(box, lines, unit, label, series = player.replay.series) {
   box.textContent = "";
   box.classList.add("draggable");
   const { replay } = player, colours = palette().concat("#888", "#555");
-  const times = timesOf(replay), along = powerOf(times, replay.unit.time), up = powerOf(lines.flatMap(line => replay.series[line[0]]), unit);
+  const times = series.time, along = powerOf(times, replay.unit.time), up = powerOf(lines.flatMap(line => series[line[0]]), unit);
   const dashes = [[], [], [6, 4], [2, 3], [8, 3, 2, 3], [], [2, 2], [6, 2]];
   const made = new uPlot({ width: box.clientWidth, height: 210, legend: keyWithDashes,
     cursor: { y: false, drag: { setScale: false, x: false, y: false } }, scales: { x: { time: false } },
     axes: [axisOf(along, { label: withUnit("time", scaledUnit(replay.unit.time, along)), labelSize: 20 }),
       axisOf(up, { label: withUnit(label, scaledUnit(unit, up)), labelSize: 20, size: axisWidth })],
-    series: [{}, ...lines.map((line, i) => ({ label: line[1], stroke: colours[i], width: 2, dash: dashes[i], points: { show: false } }))],
-    hooks: { setSize: [() => placeLines()] } }, [times, ...lines.map(line => replay.series[line[0]])], box);
+    series: [{}, ...lines.map((line, i) => ({ label: line[1], stroke: colours[i], width: times.length > 200 ? 1 : 2, dash: dashes[i], points: { show: false } }))],
+    hooks: { setSize: [() => placeLines()] } }, [times, ...lines.map(line => series[line[0]])], box);
   made.nowLine = made.over.appendChild(element("div", { className: "nowline" }));
   made.root.querySelector("canvas").setAttribute("role", "img");
   made.root.querySelector("canvas").setAttribute("aria-label", `${label} against time: ${lines.map(line => line[1]).join(", ")}`);
@@ -139,7 +143,7 @@ function drawCharts() {
   const most = Math.max(...series.total_energy.map(Math.abs)) || 1;
   const parts = player.parts.filter(([name]) => series[name].some(x => x != null && Math.abs(x) > 1e-4 * most));
   chart(byId("energy"), parts, energyUnit(), "energy");
-  chart(byId("force"), player.forces, unit.force_n, "force");
+  chart(byId("force"), player.forces, unit.force_n, "force", forcesOf(player.replay));
   if (byId("overlap")) chart(byId("overlap"), [["overlap", "how much nearer the centres are than at the first touch"]], unit.overlap, "overlap");
   placeLines();
 }
@@ -162,13 +166,13 @@ function drawLedger() {
 }
 
 function drawStrip() {
-  const { replay, frames } = player, contact = contactFrames(replay), last = replay.frames - 1.001;
-  const first = Math.max(0, contact.first), end = Math.max(0, contact.last);
-  const moments = [[0, "start"], [first, "first touch"], [Math.max(0, contact.hardest), "greatest force"], [end, "last touch"], [last, "end"]];
+  const { replay, frames } = player, contact = contactOf(replay), times = timesOf(replay);
+  const moments = [[times[0], "start"], [contact.first, "first touch"], [contact.hardest, "greatest force"], [contact.last, "last touch"], [times.at(-1), "end"]]
+    .map(([time, name]) => [time == null ? 0 : frameAt(time), name, time == null ? times[0] : time]);
   byId("strip").textContent = "";
-  for (const [frame, name] of moments) {
+  for (const [frame, name, time] of moments) {
     const canvas = element("canvas", { width: 380, height: 222 });
-    const text = `${name}, t = ${shownTime(replay, timesOf(replay)[Math.floor(frame)], 3)}`;
+    const text = `${name}, t = ${shownTime(replay, time, 3)}`;
     byId("strip").append(element("button", { onclick: () => { play(false); go(frame); } }, canvas, element("small", {}, text)));
     drawMoment(canvas, null, replay, frames, frame, { scales: false });
   }

@@ -29,11 +29,12 @@ function axesOf(section) {
   const parameters = parametersOf(section), numeric = parameters.filter(c => typeof c.values[0] === "number");
   const { columns } = section;
   const fallback = Object.values(columns).find(c => c.parameter && typeof c.values[0] === "number" && new Set(c.values).size > 1);
-  const plotted = section.plotted.map(plot => numeric.find(c => plainName(c.name) === plot.x)).find(c => c);
+  const plotted = section.plotted.map(plot => numeric.find(c => scriptName(section, c) === plot.x || c.name === plot.x)).find(c => c);
   section.x = plotted || numeric[0] || fallback || { name: "impact", unit: "", values: Array.from({ length: section.rows }, (_, i) => i + 1) };
   section.by = parameters.find(c => c !== section.x && new Set(c.values).size <= 6) || null;
   const wanted = pageData.plots.length ? pageData.plots : [...section.plotted.flatMap(plot => plot.columns), "e", "mu", "beta"];
-  section.quantities = [...new Set(wanted)].filter(q => columns[q] && columns[q].values.some(v => typeof v === "number"));
+  const behind = q => q.startsWith("outcome_") && columns[`over_${q.slice(8)}`] ? q.slice(8) : q;
+  section.quantities = [...new Set(wanted.map(behind))].filter(q => columns[q] && columns[q].values.some(v => typeof v === "number"));
   section.curves = [...pageData.lines, ...section.plotted.flatMap(plot => plot.lines)];
 }
 
@@ -70,7 +71,7 @@ function dataOf(section, quantity) {
     series.push({ label: `mean ± standard error${name}`, stroke: colour, paths: () => null, group: g, stats, points: { show: true, size: 8, fill: colour, width: 1 } });
   });
   if (section.show.lines) {
-    section.curves.filter(line => line.of === quantity && (!line.against || line.against === plainName(section.x.name))).forEach((line, i) => {
+    section.curves.filter(line => line.of === quantity && (!line.against || line.against === scriptName(section, section.x))).forEach((line, i) => {
       const sorted = line.x.map((x, k) => [x, line.y[k]]).sort((a, b) => a[0] - b[0]);
       tables.push([sorted.map(p => p[0]), sorted.map(p => p[1])]);
       series.push(line.marks ? { label: line.label, marks: true, stroke: ink(), paths: () => null, points: { show: true, size: 9, stroke: ink(), fill: "transparent", width: 1.5 } }
@@ -180,7 +181,7 @@ function drawPlot(section, quantity) {
   box.textContent = "";
   const marks = { series, dots: dotsOf(section, quantity) }, log = section.show.log;
   const up = powerOf(marks.dots.map(d => d.y), column.unit);
-  const { x } = section, along = powerOf(x.values, x.unit), name = names[plainName(x.name)] || symbolOf(x.name);
+  const { x } = section, along = powerOf(x.values, x.unit), name = names[x.name] || symbolOf(x.name);
   const canLog = log && marks.dots.every(d => d.y > 0);
   const [from, to] = yRange(marks.dots, { tables, series }, canLog);
   const pad = 0.06 * (to - from) || 0.1 * Math.abs(to) || 0.1, whole = canLog ? [from / 1.1, to * 1.1] : [from - pad, to + pad];

@@ -124,7 +124,7 @@ function trustLines(section) {
   const overYield = count("over_yield", v => v > 0), deep = count("penetration", v => v > 0.01 * lengthOfR(section));
   if (certified) lines.push(`In ${certified} of ${section.rows} impacts it is certain that no node crossed the other body's rim${certified < section.rows ? "; the others were watched for it" : ""}.`);
   if (overYield) lines.push(`In ${overYield} impacts the estimated pressure passes what starts to yield, and nothing yields here: their e is too high.`);
-  if (deep) lines.push(`In ${deep} impacts a node stood deeper than 0.01 R inside the other body: the contact is too soft for them.`);
+  if (deep) lines.push(`In ${deep} impacts a node stood deeper inside the other body than a hundredth of the projectile's radius: the contact is too soft for them.`);
   if (folded) lines.push(`${folded} impacts folded triangles of a body: their numbers mean less than they say${foldedWhere(section)}.`);
   if (done.length < section.rows) {
     const reasons = new Map();

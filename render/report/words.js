@@ -58,19 +58,23 @@ const palette = () => isDark() ? ["#6cb4f5", "#f0a860", "#5fd0ac", "#e6a3cc", "#
   : ["#0b5fa5", "#b3541e", "#00795a", "#a6437c", "#7a6a00", "#3b3b98"];
 
 const names = { e: "coefficient of restitution e", mu: "impulse ratio μ", beta: "tangential restitution β",
-  psi1: "Ψ₁ (tangent of the angle of incidence)", psi2: "Ψ₂ (of the contact point's rebound)",
+  over_psi1: "Ψ₁ (tangent of the angle of incidence)", psi1: "Ψ₁ of the contact (with the spin)", psi2: "Ψ₂ (of the contact point's rebound)",
   vn: "normal velocity after", vt: "tangential velocity after", omega: "spin after", contact_time: "contact time",
   indentation: "greatest indentation", energy_closure: "relative error of the energy balance",
   touches: "number of touches", status: "how it ended", wall_seconds: "computing time",
   certified: "certified: no node can have crossed the other rim", time: "time", speed: "speed of the impact" };
-const symbols = { e: "e", mu: "μ", beta: "β", psi1: "Ψ₁", psi2: "Ψ₂", omega: "ω", vn: "vₙ", vt: "vₜ" };
-const plainName = name => name.startsWith("over_") ? name.slice(5) : name;
-const symbolOf = name => symbols[plainName(name)] || plainName(name).replaceAll("_", " ");
+const symbols = { e: "e", mu: "μ", beta: "β", over_psi1: "Ψ₁", psi1: "Ψ₁ of the contact", over_step: "step asked for",
+  seed: "seed of the projectile", psi2: "Ψ₂", omega: "ω", vn: "vₙ", vt: "vₜ" };
+// A sweep's own values that have the name of another column are over_NAME; to scripts they are NAME, and it outcome_NAME.
+const plainName = name => /^over_(psi1|seed|step|units)$/.test(name) ? name.slice(5) : name;
+const scriptName = (section, column) => column.parameter ? plainName(column.name)
+  : section.columns[`over_${column.name}`] ? `outcome_${column.name}` : column.name;
+const symbolOf = name => symbols[name] || plainName(name).replaceAll("_", " ");
 // "m0 c^2/R" as it is printed.
 const pretty = unit => unit.replaceAll("m0", "m₀").replaceAll("^2", "²").replaceAll("^3", "³");
 const withUnit = (text, unit) => unit ? `${text} [${pretty(unit)}]` : text;
 const labelOf = (column, power = 0) =>
-  withUnit(names[plainName(column.name)] || symbolOf(column.name), scaledUnit(column.unit, power));
+  withUnit(names[column.name] || symbolOf(column.name), scaledUnit(column.unit, power));
 
 // Mean, standard deviation and standard error of what is defined.
 function statistics(values) {

@@ -131,6 +131,10 @@ const Columns& of_energy() {
        [](O o) { return o.before.of(role::projectile).rotation; }},
       {{"before_projectile_vibration", "number", "m0 c^2", "energy before: projectile, vibration"},
        [](O o) { return o.before.of(role::projectile).vibration; }},
+      {{"before_target_translation", "number", "m0 c^2", "energy before: target, centre of mass (0 if anchored)"},
+       [](O o) { return o.before.of(role::target).translation; }},
+      {{"before_target_rotation", "number", "m0 c^2", "energy before: target, spin (0 if anchored)"},
+       [](O o) { return o.before.of(role::target).rotation; }},
       {{"before_target_vibration", "number", "m0 c^2", "energy before: target, vibration"},
        [](O o) { return o.before.of(role::target).vibration; }},
       {{"before_total", "number", "m0 c^2", "energy before: all"}, [](O o) { return o.before.total(); }},
@@ -181,9 +185,8 @@ const Columns& of_run() {
        [](O o) { return o.V0; }},
       {{"certified", "number", "",
         "1 if no node can come inside the other body: every rim node of both is pushed, and the energy is below that "
-        "of "
-        "one on a segment; never 1 of a one-sided contact, of one along springs' normals, or beside effects that bring "
-        "energy"},
+        "of one on a segment; never 1 of a one-sided contact, of one along springs' normals, or beside effects that "
+        "bring energy"},
        [](O o) { return o.certified; }},
       {{"time", "number", "R/c", "simulated time, from the rims' coming within reach to the end"},
        [](O o) { return o.time; }},
@@ -205,8 +208,7 @@ const Columns& of_run() {
        [](O o) { return o.error_contact; }},
       {{"error_contact_time", "number", "R/c",
         "by how much contact_time may exceed that of a hard contact, 2 ln(1000)/(xi v): the force counts that long "
-        "before "
-        "the outlines meet and after; undefined where the scene gives xi"},
+        "before the outlines meet and after; undefined where the scene gives xi"},
        [](O o) { return o.error_contact_time; }},
       {{"over_yield", "number", "",
         "1 if the greatest pressure that ricochet.estimate gives passes 1.67 times the yield stress of a body's "

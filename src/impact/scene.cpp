@@ -88,8 +88,7 @@ const std::vector<Member<Launch>>& Launch::fields() {
   static const std::vector<Member<Launch>> list{
       {{"speed", "number", "c",
         "launch speed |v| in space, whatever the target's own velocity; 0.1 unless normal_speed is given; 0 only with "
-        "a "
-        "height to fall from under gravity",
+        "a height to fall from under gravity",
         not_negative, "", true},
        &Launch::speed},
       {{"psi1", "number", "",
@@ -162,8 +161,7 @@ const std::vector<Member<Integration>>& Integration::fields() {
         "number",
         "",
         "wanted error of `accuracy_of` from the time step, instead of a step: method and step are chosen by trial "
-        "runs, and "
-        "an impact of a sweep that fails by them runs again with half the step",
+        "runs, and an impact of a sweep that fails by them runs again with half the step",
         {1e-12, 0.1},
         "",
         true},
@@ -205,8 +203,7 @@ const std::vector<Member<EndRule>>& EndRule::fields() {
         "string",
         "",
         "parted: the bodies have parted for good; first_parting: a touch has ended and the bodies move apart, whatever "
-        "follows; time: at "
-        "a given time, whatever the bodies do",
+        "follows; time: at a given time, whatever the bodies do",
         any_number,
         "parted",
         false,
@@ -235,7 +232,7 @@ void EndRule::check(const Integration& integration) const {
   if (at != "time" && given) throw FieldError("ending", fmt::format("time goes with at = time, not with {}", at));
   if (at == "time" && !std::isnan(gap)) throw FieldError("ending", "gap goes with parted or first_parting");
   if (given && time > integration.time_limit)
-    throw FieldError("time_limit", fmt::format("{:g} R/c is before ending.time = {:g}; raise it or leave it out",
+    throw FieldError("time_limit", fmt::format("{:g} R/c is before ending.time, {:g} R/c; raise it or leave it out",
                                                integration.time_limit, time));
 }
 

@@ -182,14 +182,12 @@ Function accuracy_function() {
       .name = "accuracy",
       .doc =
           "What accuracy costs: runs a scene by many methods and steps against two runs of order 6 at short steps, "
-          "prints errors, force evaluations, wall times, "
-          "energy drifts and fitted orders, and leaves NAME.csv and work-precision plots NAME.png, NAME.svg. With "
-          "`lattices` it also shows what the size of the lattice, or of the mesh of a body of elements, "
-          "changes, in a panel of its own. Where the program chose the contact, its softness is told beside. Returns a "
-          "table with the rows (each with its `error` by column), the `reference`, its `floor`, `softness` (false, or "
-          "xi "
-          "and an error by column), and `cheapest(wanted)`: the row with the fewest force "
-          "evaluations within that error.",
+          "prints errors, force evaluations, wall times, energy drifts and fitted orders, and leaves NAME.csv and "
+          "work-precision plots NAME.png, NAME.svg. With `lattices` it also shows what the size of the lattice, or of "
+          "the mesh of a body of elements, changes, in a panel of its own. Where the program chose the contact, its "
+          "softness is told beside. Returns a table with the rows (each with its `error` by column), the `reference`, "
+          "its `floor`, `softness` (false, or xi and an error by column), and `cheapest(wanted)`: the row with the "
+          "fewest force evaluations within that error.",
       .fields = std::vector<Field>{scene_field()} + own,
       .returns = "table",
       .example = "ricochet.accuracy { scene = scene, methods = { \"verlet\", \"pefrl\" }, of = { \"e\", \"beta\" } }"};
@@ -204,12 +202,10 @@ Function relevance_function() {
       .name = "relevance",
       .doc =
           "Which effects a scene calls for: runs it with and without each on the same lattices or meshes, prints the "
-          "change of outcomes with its standard error beside "
-          "that of their mean over the samples, whether it is seen (by chance in one of twenty cases, by Student's t), "
-          "and "
-          "the cost in time. All by verlet. An effect that cannot act on "
-          "these bodies, as damping of springs on elements, is left out by name. Returns a list of tables: "
-          "name, cost, and by outcome change, se, sampling; or name and `left_out`, the reason.",
+          "change of outcomes with its standard error beside that of their mean over the samples, whether it is seen "
+          "(by chance in one of twenty cases, by Student's t), and the cost in time. All by verlet. An effect that "
+          "cannot act on these bodies, as damping of springs on elements, is left out by name. Returns a list of "
+          "tables: name, cost, and by outcome change, se, sampling; or name and `left_out`, the reason.",
       .fields = std::vector<Field>{scene_field()} + own,
       .returns = "table",
       .example = "ricochet.relevance { scene = scene, effects = { ricochet.gravity { g = 1e-4 } } }"};
@@ -220,20 +216,15 @@ Function plan_function() {
       .name = "plan",
       .doc =
           "The error budget of a sweep (time step, size of lattice or mesh, contact, samples: which one dominates), "
-          "from "
-          "a pilot, and "
-          "the cheapest method, step, nodes and samples "
-          "that bring a wanted standard error, with the time it will take. `plan:run()` runs that sweep, into the "
-          "sweep's folder, and says how long it took. "
-          "The error of a lattice or mesh is extrapolated in the spacing of its nodes, and what the pilot leaves "
-          "unknown "
+          "from a pilot, and the cheapest method, step, nodes and samples that bring a wanted standard error, with the "
+          "time it will take. `plan:run()` runs that sweep, into the sweep's folder, and says how long it took. The "
+          "error of a lattice or mesh is extrapolated in the spacing of its nodes, and what the pilot leaves unknown "
           "of it counts as error too. Of a contact that the program chose, its softness counts: the pilot runs again "
           "with one twice as hard, and twice the mean change counts if it is told apart from the scatter of the "
           "samples. The samples are planned with a deviation that nine pilots of ten do not underrate.",
       .fields = {{"sweep", "sweep", "",
                   "with one name in `over` that counts samples, or with samples = \"by_error\": each point then takes "
-                  "as many "
-                  "as what the other errors leave asks for"},
+                  "as many as what the other errors leave asks for"},
                  {"standard_error", "number", "",
                   "wanted at every point: root of the sum of the squares of the four errors", positive},
                  {"of", "string", "", "the outcome it is about", any_number, "e"},

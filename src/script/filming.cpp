@@ -95,7 +95,7 @@ render::Texts texts_of(const Shooting& shooting, const std::vector<Source>& sour
   return {{"Software", fmt::format("ricochet {} (commit {})", version_number, version_commit)},
           {"ricochet.script", shooting.origin},
           {"ricochet.scene", scenes},
-          {"ricochet.time", fmt::format("{:.6g} R/c", time)},
+          {"ricochet.time", sources[0].subject->mesh.units.shown(time, "R/c", 6)},
           {"ricochet.picture", hash_text(text_of(shooting) + titles + scenes + which)}};
 }
 

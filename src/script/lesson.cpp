@@ -105,15 +105,16 @@ std::vector<std::string> replays_of_all(lua_State* L, const Table& table, const 
   return replays;
 }
 
-std::string page_of_lesson(const std::string& title, const std::string& words, const PageSection& section) {
+std::string page_of_lesson(const std::string& title, const std::string& words, const PageSection& section,
+                           const std::string& log) {
   using namespace page_source;
   PageParts parts{.frame = page_source::lesson_html,
                   .kind = "lesson",
                   .styles = {uplot_uPlot_min_css, page_css, lesson_css},
                   .code = {uplot_uPlot_iife_js, decode_js, words_js, replay_js, player_js, lesson_graph_js, lesson_js},
                   .title = title,
-                  .data = fmt::format("{{\"title\":{},\"lesson\":{},\"sections\":[{}]}}", json_text(title), words,
-                                      section_json(section, "")),
+                  .data = fmt::format("{{\"title\":{},\"log\":{},\"lesson\":{},\"sections\":[{}]}}", json_text(title),
+                                      json_text(log), words, section_json(section, "")),
                   .script = script_in(section)};
   for (const std::string& replay : section.replays) parts.replays += replay_element(replay);
   return assembled(parts);
@@ -128,7 +129,7 @@ int write_lesson(lua_State* L) {
   const fs::path results = run_names::readable_results(swept->folder);
   PageSection section{swept->name, read_table(results), read_provenance(results)};
   section.replays = replays_of_all(L, section.table, *swept, static_cast<int>(luaL_checkinteger(L, 5)));
-  const std::string html = page_of_lesson(luaL_checkstring(L, 3), json_at(L, 4), section);
+  const std::string html = page_of_lesson(luaL_checkstring(L, 3), json_at(L, 4), section, shown_log(session.logged()));
   if (html.size() > most_lesson_bytes)
     throw at_this_call(
         L, fmt::format("the page would have {:.1f} MB, and a lesson has at most {:.0f}; give fewer frames, nodes "
@@ -160,7 +161,8 @@ Function lesson_function() {
                  {"results", "result[]", "", "what is told of an impact after the guess"},
                  {"guess", "guess", "", "what is to be guessed"},
                  {"graph", "graph", "", "what the guessed result is drawn against"},
-                 {"intuition", "intuition", "", "what many people think, shown after five results"},
+                 {"intuition", "intuition", "",
+                  "a wrong idea that many people have, shown once five settings were tried"},
                  {"questions", "question[]", "", "with answers that are folded away"},
                  {"teacher", "strings", "", "paragraphs for the teacher: how to use it, what goes wrong"},
                  {"minutes", "number", "min", "that it takes in class", positive, "10"},
@@ -225,7 +227,7 @@ Function graph_table() {
 Function intuition_table() {
   return {.name = "intuition",
           .doc = "The `intuition` of a lesson.",
-          .fields = {{"wrong", "string", "", "what many people think"},
+          .fields = {{"wrong", "string", "", "the wrong idea"},
                      {"right", "string", "", std::string("how it is.") + numbers_of_rows}},
           .is_table = true};
 }

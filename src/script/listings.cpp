@@ -112,8 +112,7 @@ void print_errata() {
          wrapped(std::string("right:   ") + m.right, "   "), wrapped(std::string("checked: ") + m.checked, "   "));
   putf(
       "\nWhat the paper says of its simulation, whose text leaves the model open, and what gives it "
-      "(scripts/readings.lua, "
-      "scripts/four_claims.lua):\n\n");
+      "(scripts/readings.lua, scripts/four_claims.lua):\n\n");
   for (const theory::Claim& claim : theory::claims())
     putf("{}\n{}{}{}\n", claim.where, wrapped(std::string("printed: ") + claim.printed, "   "),
          wrapped(std::string("can be had: ") + claim.had, "   "), wrapped(std::string("by: ") + claim.by, "   "));

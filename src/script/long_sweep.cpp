@@ -186,9 +186,9 @@ void LongSweep::tell(const LongStore::Written& written, const LongStore::Columns
   const auto of = [&](const char* name, std::size_t row) { return columns.at(name)[row]; };
   for (std::size_t row = 0; row < points.size(); ++row) {
     const std::size_t point = points[row];
-    told_.add_row(point,
-                  {&methods()[method_[point]], chosen_[point], written.finished[row], of("step", row), of("theta", row),
-                   of("theta_most", row), of("over_yield", row), of("folded", row), of("penetration", row)});
+    told_.add_row(point, {&methods()[method_[point]], chosen_[point], written.finished[row], of("step", row),
+                          of("theta", row), of("theta_most", row), of("over_yield", row), of("folded", row),
+                          of("penetration", row) / told_.units().worth("R")});
   }
   const auto finished = static_cast<std::size_t>(std::count(written.finished.begin(), written.finished.end(), true));
   session_.count(finished, points.size() - finished, written.first_failure);

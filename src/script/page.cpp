@@ -160,6 +160,11 @@ void put_in(std::string& html, const std::string& mark, const std::string& text)
 
 }  // namespace
 
+std::string shown_log(const std::string& log) {
+  constexpr std::size_t most = 20000;
+  return log.size() <= most ? log : log.substr(0, most) + "\n(the rest is in run.log)";
+}
+
 bool is_main(const Field& field) {
   static const std::set<std::string> names{"e",      "mu",     "beta",       "energy_closure", "certified",
                                            "status", "folded", "over_yield", "penetration"};

@@ -63,6 +63,9 @@ struct PageParts {
 };
 std::string assembled(const PageParts& parts);
 
+/// As much of a run's log as fits on some screens.
+std::string shown_log(const std::string& log);
+
 /// A section as the page's data hold it.
 std::string section_json(const PageSection& section, const std::string& told);
 /// The element that holds a replay by replay_json().

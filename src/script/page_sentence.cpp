@@ -100,9 +100,7 @@ std::string of_many(const Table& table, const NumberColumn& e, const Mean& mean,
   return text;
 }
 
-}  // namespace
-
-std::string report_sentence(const Table& table) {
+std::string sentence_of(const Table& table) {
   std::size_t done = 0;
   for (std::size_t row = 0; row < table.rows(); ++row) done += sweep_table::has_finished(table, row);
   if (done == 0) return why_none(table);
@@ -140,6 +138,14 @@ std::string report_sentence(const Table& table) {
         head, both(low, high), mean.text());
   return fmt::format("{}. The mean coefficient of restitution is e = {} (standard error).{}", head, mean.text(),
                      of_many(table, *e, mean, above));
+}
+
+}  // namespace
+
+std::string report_sentence(const Table& table) {
+  const std::string text = sentence_of(table);
+  const bool has_error = text.find("±") != std::string::npos;
+  return has_error ? text + " What a finer lattice or mesh would change is not in these errors." : text;
 }
 
 }  // namespace ricochet

@@ -197,7 +197,9 @@ std::vector<double> given_times(lua_State* L, const Units& units) {
   each_in_field(L, 1, "times", [&](lua_Integer) { times.push_back(lua_tonumber(L, -1) / units.worth("R/c")); });
   for (const double t : times)
     if (std::abs(t) > farthest_moment)
-      throw_here(L, FieldError("times", fmt::format("must lie between -1e6 and 1e6 R/c, one is {:g}", t)));
+      throw_here(L, FieldError("times", fmt::format("must lie between {} and {}, one is {}",
+                                                    units.shown(-farthest_moment, "R/c", 2),
+                                                    units.shown(farthest_moment, "R/c", 2), units.shown(t, "R/c", 6))));
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/spelling.hpp"
+#include "script/objects.hpp"
 #include "script/value_types.hpp"
 
 namespace ricochet {
@@ -39,7 +40,8 @@ std::string belongs_elsewhere(const std::string& name, const std::vector<Field>&
 /// Gathers the mistakes in a table and in the tables of named fields inside it.
 class Check {
  public:
-  explicit Check(lua_State* L) : L_(L) {}
+  /// `units`: those of the numbers.
+  Check(lua_State* L, const Units& units) : L_(L), units_(units) {}
 
   void table(int index, const std::vector<Field>& fields, const std::vector<std::string>& path) {
     index = lua_absindex(L_, index);
@@ -95,7 +97,9 @@ class Check {
   }
 
   // The value of a field is on top of the stack.
-  void value(const Field& field, const std::vector<std::string>& path, const std::string& where) {
+  void value(const Field& given, const std::vector<std::string>& path, const std::string& where) {
+    Field field = given;
+    field.unit = units_.name(given.unit);
     if (lua_isnil(L_, -1)) {
       if (field.initial.empty() && !field.optional)
         mistakes.push_back({path, fmt::format("{}'{}' is missing: {}", where, field.name, field.doc)});
@@ -124,7 +128,21 @@ class Check {
   }
 
   lua_State* L_;
+  Units units_;
 };
+
+// The units of a table's numbers: SI of a scene that says so, of a body of a material, and of what a function is asked
+// about a scene in SI.
+Units units_of_table(lua_State* L, int index) {
+  Units units;
+  lua_getfield(L, index, "units");
+  lua_getfield(L, index, "material");
+  lua_getfield(L, index, "scene");
+  units.si = (lua_type(L, -3) == LUA_TSTRING && lua_tostring(L, -3) == std::string("SI")) ||
+             is_object(L, -2, "material") || (is_object(L, -1, "scene") && scene_at(L, -1).scene.units.si);
+  lua_pop(L, 3);
+  return units;
+}
 
 // True if the value is the module itself: a function was called with a colon instead of a dot.
 bool is_module(lua_State* L, int index) {
@@ -146,7 +164,7 @@ void check_table(lua_State* L, int index, const Function& function, bool ours) {
   if (is_module(L, index))
     refuse(fmt::format("is called with a dot, not a colon: ricochet.{} {{ ... }}", function.name));
   if (!ours) make_plain(L, index, function.fields);
-  Check check(L);
+  Check check(L, units_of_table(L, index));
   check.table(index, function.fields, {});
   if (!check.mistakes.empty()) throw Error(report(session, site, check.mistakes, check.valid));
 }

@@ -134,6 +134,53 @@ std::string series_json(const std::vector<Sample>& samples, const Scene& scene) 
   return fmt::format("\"series\":{{{}}},\"unit\":{{{}}}", values, names);
 }
 
+// Of so many samples to a frame the forces are told: at frames alone a peak between two is missed, and touches begin
+// late.
+constexpr int most_samples_a_frame = 8;
+
+// As many samples to a frame as there are steps.
+int samples_a_frame(const std::vector<double>& frames, double step) {
+  if (frames.size() < 2) return 1;
+  return std::clamp(static_cast<int>((frames[1] - frames[0]) / step + 1e-6), 1, most_samples_a_frame);
+}
+
+// The times of the frames, and those between.
+std::vector<double> sample_times(const std::vector<double>& frames, int each) {
+  std::vector<double> times;
+  for (std::size_t k = 0; k + 1 < frames.size(); ++k)
+    for (int j = 0; j < each; ++j) times.push_back(frames[k] + j * (frames[k + 1] - frames[k]) / each);
+  times.push_back(frames.back());
+  return times;
+}
+
+std::vector<Sample> every(const std::vector<Sample>& samples, int each) {
+  std::vector<Sample> chosen;
+  for (std::size_t k = 0; k < samples.size(); k += static_cast<std::size_t>(each)) chosen.push_back(samples[k]);
+  return chosen;
+}
+
+// Whether a sample says more of the forces than a straight line between its neighbours: where one of the three has any.
+bool tells_force(const std::vector<Sample>& samples, std::size_t k) {
+  if (k == 0 || k + 1 == samples.size()) return true;
+  return samples[k - 1].force != Vec2::Zero() || samples[k].force != Vec2::Zero() ||
+         samples[k + 1].force != Vec2::Zero();
+}
+
+std::string forces_json(const std::vector<Sample>& samples, const Scene& scene) {
+  std::string list;
+  for (const char* name : {"time", "force_n", "force_t"}) {
+    const auto& value = Sample::value_named(name);
+    const double worth = scene.units.worth(std::string(name) == "time" ? "R/c" : "m0 c^2/R");
+    const double sign = scene.mirrored && turns(name) ? -1 : 1;
+    std::string numbers;
+    for (std::size_t k = 0; k < samples.size(); ++k)
+      if (tells_force(samples, k))
+        numbers += fmt::format("{}{:.7g}", numbers.empty() ? "" : ",", sign * worth * value(samples[k]));
+    list += fmt::format("{}\"{}\":[{}]", list.empty() ? "" : ",", name, numbers);
+  }
+  return "\"forces\":{" + list + "}";
+}
+
 std::string bodies_json(const FrameMesh& mesh) {
   std::string bodies;
   for (const BodyMesh& body : mesh.bodies) {
@@ -220,25 +267,28 @@ std::string replay_json(const Scene& scene, const Viewing& viewing) {
   Trajectory trajectory(mesh);
   std::vector<Sample> samples;
   const std::vector<double> times = equal_times(viewing.from, viewing.until, frames, viewing.step);
-  const Sampling sampling{times, [&](const Sample& sample) { samples.push_back(sample); }};
+  if (times.empty()) return "";
+  const int each = samples_a_frame(times, viewing.step);
+  const Sampling sampling{sample_times(times, each), [&](const Sample& sample) { samples.push_back(sample); }};
   const auto add = [&](const Frame& seen) {
     const Frame frame = whole_section(halves, seen);
     trajectory.add(scene.mirrored ? in_mirror(frame) : frame);
   };
   const bool whole = film_scene(solids, scene, times, stop_requested, add, sampling);
-  if (!whole || trajectory.frames().size() < 2 || samples.size() != trajectory.frames().size()) return "";
+  if (!whole || trajectory.frames().size() < 2 || samples.size() != sampling.times.size()) return "";
   settle_overlaps(samples);
+  const std::vector<Sample> at_frames = every(samples, each);
   const PackedReplay replay = packed(trajectory);
   const Units& units = scene.units;
   return fmt::format(
       "{{\"hash\":\"{}\",\"nodes\":{},\"frames\":{},\"grid\":{},\"levels\":{},\"top\":{:.7g},\"speedUnit\":{},"
-      "\"length\":{:.7g},\"lengthUnit\":{},\"method\":\"{}\",\"collided\":{},{},{},\"scene\":{},\"triangles\":\"{}\","
-      "\"place\":\"{}\","
-      "\"colour\":\"{}\"}}",
-      scene.hash(), mesh.nodes(), samples.size(), replay.grid, replay.levels, replay.top * units.worth("c"),
+      "\"length\":{:.7g},\"lengthUnit\":{},\"method\":\"{}\",\"collided\":{},{},{},{},\"scene\":{},"
+      "\"triangles\":\"{}\",\"place\":\"{}\",\"colour\":\"{}\"}}",
+      scene.hash(), mesh.nodes(), at_frames.size(), replay.grid, replay.levels, replay.top * units.worth("c"),
       json_text(units.name("c")), units.worth("R"), json_text(units.name("R")), scene.method().name,
-      json_text(collided(scene, solids, mesh)), bodies_json(mesh), series_json(samples, scene), json_text(scene.text()),
-      base64(replay.triangles), base64(replay.place), base64(replay.colour));
+      json_text(collided(scene, solids, mesh)), bodies_json(mesh), series_json(at_frames, scene),
+      forces_json(samples, scene), json_text(scene.text()), base64(replay.triangles), base64(replay.place),
+      base64(replay.colour));
 }
 
 }  // namespace ricochet

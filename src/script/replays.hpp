@@ -34,8 +34,8 @@ struct Viewing {
 };
 
 /// A scene's impact as one line of JSON: mesh, packed frames, a series of numbers at the same times in the scene's
-/// units, and the scene's text; of a mirrored scene as seen in the mirror, as its row tells it. Empty if it has too
-/// many nodes, or was interrupted. Throws FieldError.
+/// units, the forces of the contact at up to eight times as many times, and the scene's text; of a mirrored scene as
+/// seen in the mirror, as its row tells it. Empty if it has too many nodes, or was interrupted. Throws FieldError.
 std::string replay_json(const Scene& scene, const Viewing& viewing);
 
 /// The `time` and `step` of a row of these results as a viewing of its scene.

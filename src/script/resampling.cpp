@@ -67,11 +67,10 @@ Function peak_function() {
           .doc =
               "Where the mean of a column is greatest, by a bootstrap over whole lattices: a table of `at` and "
               "`value`, of the rows themselves; `low` and `high`, values of x between which the greatest mean of "
-              "resamples lies; `inside`, the share of resamples in which it is neither at the first nor at the last "
-              "x, so that there is a peak at all; `shares`, a list over the values of x, of x (by its own name), "
-              "`mean` and `share`; "
-              "`units` and `reason`, which says why there is none (nan). Where nothing depends on x, `inside` is "
-              "the share of x that are inside, whatever the number of lattices.",
+              "resamples lies; `inside`, the share of resamples in which it is neither at the first nor at the last x, "
+              "so that there is a peak at all; `shares`, a list over the values of x, of x (by its own name), `mean` "
+              "and `share`; `units` and `reason`, which says why there is none (nan). Where nothing depends on x, "
+              "`inside` is the share of x that are inside, whatever the number of lattices.",
           .fields = with_resampling({{"x", "string", "", "column of numbers"},
                                      {"of", "string", "", "column whose mean is taken"},
                                      {"unit", "string", "", "as in rows:power_law", any_number, "", true}}),

@@ -25,9 +25,6 @@ namespace {
 // Replays of a run may take a tenth of the time that its impacts took, or so long, whichever is more. [s]
 constexpr double little_time = 5;
 
-// A page tells no more of the log than fits on some screens.
-constexpr std::size_t most_log = 20000;
-
 // "A soft wall at three angles", if the script begins with "-- A soft wall at three angles.".
 std::string title_of(const std::string& script, const std::string& name) {
   std::string line = script.substr(0, script.find('\n'));
@@ -46,8 +43,7 @@ std::string text_in(const Provenance& provenance, const std::string& name) {
 std::string log_in(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(folder / run_names::log, error)) return "";
-  std::string log = read_file(folder / run_names::log);
-  return log.size() <= most_log ? log : log.substr(0, most_log) + "\n(the rest is in run.log)";
+  return shown_log(read_file(folder / run_names::log));
 }
 
 using SceneOfRow = decltype(Swept::scene_of);
@@ -204,6 +200,20 @@ PageSection section_of(const fs::path& file, std::size_t most, int frames) {
   return section;
 }
 
+// A sweep's folder is called as the sweep, that of plots and the report as the script: where both are, it is told.
+void tell_folders(const Session& session) {
+  constexpr std::size_t most = 3;
+  const fs::path own = session.own_folder();
+  std::vector<std::string> others;
+  for (const Swept& swept : session.swept)
+    if (swept.folder != own) others.push_back(swept.folder.string());
+  if (others.empty() || !session.folders.claimed(own) || session.options.quiet) return;
+  const std::size_t more = others.size() - std::min(most, others.size());
+  others.resize(others.size() - more);
+  put(fmt::format("folders: rows of sweeps in {}{}; all else of the script in {}\n", fmt::join(others, ", "),
+                  more > 0 ? fmt::format(" and {} more", more) : "", own.string()));
+}
+
 }  // namespace
 
 Table table_of_results(const fs::path& file) {
@@ -219,13 +229,16 @@ void write_report(Session& session) {
   // An earlier one would pass for that of the new results.
   if (!session.options.report && session.options.force && session.folders.claimed(folder))
     remove_file(folder / run_names::report);
-  if (!session.options.report || session.options.check || !session.options.study.empty() || session.done) return;
+  if (session.options.check || !session.options.study.empty() || session.done) return;
   if (session.swept.empty() && session.singles.empty()) return;
-  session.folders.claim(folder);
-  const Page page = page_of_run(session);
-  if (stop_requested) throw Error("interrupted before the report; the results are stored", Exit::interrupted);
-  write_atomically(folder / run_names::report, html_of(page));
-  if (!session.options.quiet) put(fmt::format("report: {}\n", (folder / run_names::report).string()));
+  if (session.options.report) {
+    session.folders.claim(folder);
+    const Page page = page_of_run(session);
+    if (stop_requested) throw Error("interrupted before the report; the results are stored", Exit::interrupted);
+    write_atomically(folder / run_names::report, html_of(page));
+    if (!session.options.quiet) put(fmt::format("report: {}\n", (folder / run_names::report).string()));
+  }
+  tell_folders(session);
 }
 
 void report_of_results(const ReportOptions& options) {

@@ -159,7 +159,7 @@ int scene(lua_State* L) {
     made.scene = read_scene(L);
     check_scene(made.scene);
   } catch (const FieldError& error) {
-    throw_at(session, made.site, error);
+    throw_at(session, made.site, explained(error, made.scene));
   }
   if (const Method& method = made.scene.method(); !method.symplectic())
     session.warn(
@@ -326,12 +326,11 @@ Function scene_function() {
       .name = "scene",
       .doc =
           "One impact: a free projectile falls on a target along -y and moves along +x, or along -x where psi1 is "
-          "below 0. It is placed upstream "
-          "so that its smooth outline would touch the "
-          "target's at x = launch.at. Speeds are those in space: launch.speed of the projectile, body.velocity of the "
-          "target, which is where it was built when the run begins; heights and gaps are between the two. "
-          "`scene:run()` runs it and returns a row, `scene:bounces { }` several impacts one after another; "
-          "`scene:text()` is its canonical text, `scene:hash()` that text's hash.",
+          "below 0. It is placed upstream so that its smooth outline would touch the target's at x = launch.at. Speeds "
+          "are those in space: launch.speed of the projectile, body.velocity of the target, which is where it was "
+          "built when the run begins; heights and gaps are between the two. `scene:run()` runs it and returns a row, "
+          "`scene:bounces { }` several impacts one after another; `scene:text()` is its canonical text, `scene:hash()` "
+          "that text's hash.",
       .fields = parts + fields_of<Integration>(),
       .returns = "scene",
       .example =

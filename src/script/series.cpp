@@ -184,6 +184,7 @@ int bounces(lua_State* L) {
     throw_at(session, object.site, explained(error, object.scene));
   }
   if (stop_requested) throw Error("interrupted", Exit::interrupted);
+  result.reason = object.scene.units.explained(result.reason);
   if (!result.reason.empty())
     session.inform(fmt::format("{} of {} bounces: {}\n", result.list.size(), count, result.reason));
   lua_createtable(L, static_cast<int>(result.list.size()), 0);

@@ -142,6 +142,8 @@ class Session {
   void warn(const std::string& text);
   /// Only into run.log.
   void log(const std::string& text) { log_ += text; }
+  /// What run.log will hold, so far.
+  const std::string& logged() const { return log_; }
   /// The file of what trials chose.
   std::filesystem::path steps_file() const;
   /// Writes run.log and what trials chose, if the run has written anything else.

@@ -9,23 +9,25 @@ Function sweep_function() {
   return {
       .name = "sweep",
       .doc =
-          "Scenes over every combination of some values. `sweep:run()` runs them on all cores, leaves "
-          "results.h5 and results.csv in the run's folder and returns the rows. A sample that did not finish is "
-          "counted "
-          "and never averaged in. Of more points than --at-once (8192), but not with samples, the scenes are made and "
-          "run chunk by chunk, those that share a lattice together, and the rows are read from results.h5 as they are "
-          "asked for: `scene` must then depend on `at` alone.",
+          "Scenes over every combination of some values. `sweep:run()` runs them on all cores, leaves results.h5 and "
+          "results.csv in the run's folder and returns the rows. A sample that did not finish is counted and never "
+          "averaged in. Of more points than --at-once (8192), but not with samples, the scenes are made and run chunk "
+          "by chunk, those that share a lattice together, and the rows are read from results.h5 as they are asked for: "
+          "`scene` must then depend on `at` alone.",
       .fields =
           {{"name", "string", "", "names the folder of its results"},
            {"over", "table", "",
-            "name = list of values, each a number, string or boolean; and what zip or latin_hypercube returns"},
+            "name = list of values, each a number, string or boolean; and what zip or latin_hypercube returns. Of the "
+            "columns psi1, seed and step may be among them: a row then holds what was asked for as psi1 and over_psi1, "
+            "and what the impact had, a spin included, as outcome_psi1; in files they are over_psi1 and psi1"},
            {"units", "table", "", "name = unit of a value of 'over', for axes: { gap = \"R\" }", any_number, "{}"},
            {"scene", "function", "", "function (at) that returns the scene at the values at.name"},
            {"samples",
             "string",
             "",
             "by_error: as many samples of every point as a wanted error of `of` takes, in rounds; the scene's "
-            "function gets their running number as at.sample, from 1",
+            "function gets their running number as at.sample, from 1. The error is that of the samples: what a finer "
+            "lattice or mesh would change is not in it",
             any_number,
             "",
             true,
@@ -58,11 +60,9 @@ Function find_function() {
           "refused, and so is a range in which the value does not lie. Prints the result, and leaves all impacts as "
           "the results of a sweep. Returns a table: `at`, by a straight line between the last two values tried "
           "(`bracket`); `se`, the standard error of the mean over its `slope` there, which is taken between the "
-          "nearest "
-          "values whose means differ by 4 standard errors; `low` and `high`, between which it is with 95 % by "
+          "nearest values whose means differ by 4 standard errors; `low` and `high`, between which it is with 95 % by "
           "Student's t; `count`, of the lattices whose impacts all finished; `places`, of values tried; `rows`. "
-          "Without "
-          "an error (nan), `reason` says why.",
+          "Without an error (nan), `reason` says why.",
       .fields = {{"name", "string", "", "names the folder of the impacts", any_number, "find"},
                  {"scene", "function", "",
                   "function (at) that returns the scene at the value at.NAME, on the lattice of at.sample, from 1"},

@@ -78,15 +78,15 @@ constexpr ToldDoubt told_doubts[] = {
      "the estimated pressure passes what starts to yield, of a body that no effect lets yield: their e is too high"},
     {"folded", 0, "springs folded, which takes energy that no solid would; see ricochet.estimate"},
     {"penetration", 0.01,
-     "a node stood deeper than 0.01 R inside the other body; raise contact.V0, or give "
+     "a node stood deeper inside the other body than a hundredth of the projectile's radius; raise contact.V0, or give "
      "contact.sides = \"two\""}};
 
 SweepTold::Ended ended(const Scene& scene, const Row& row) {
   static const std::size_t step = column("step"), theta = column("theta"), most = column("theta_most"),
                            yield = column("over_yield"), folded = column("folded"), deep = column("penetration");
   const std::vector<double>& v = row.outcomes;
-  return {&scene.method(), scene.step_is_chosen(), row.finished(), v[step], v[theta], v[most], v[yield], v[folded],
-          v[deep]};
+  return {&scene.method(), scene.step_is_chosen(),          row.finished(), v[step], v[theta], v[most], v[yield],
+          v[folded],       v[deep] / scene.units.worth("R")};
 }
 
 }  // namespace

@@ -44,8 +44,10 @@ class SweepTold {
   struct Ended {
     const Method* method;
     bool step_is_chosen, finished;
-    double step, theta, theta_most, over_yield, folded, penetration;
+    double step, theta, theta_most, over_yield, folded;
+    double penetration;  // [R]
   };
+  const Units& units() const { return units_; }  ///< of the first scene
   void add_row(std::size_t place, const Ended& row);
   void add_row(std::size_t place, const Scene& scene, const Row& row);
 

@@ -184,16 +184,30 @@ std::vector<Row> run(Session& session, Request& sweep) {
   return rows;
 }
 
+// Sets `name` of the row below the top to the sweep's value, which the point at the top has. What the row had of that
+// name is outcome_NAME from then on, and the sweep's value is over_NAME, too, as in files.
+void set_parameter(lua_State* L, const std::string& name) {
+  const auto set = [&](const std::string& as) {
+    lua_getfield(L, -1, name.c_str());
+    lua_setfield(L, -3, as.c_str());
+  };
+  lua_pushstring(L, name.c_str());
+  if (lua_rawget(L, -3) == LUA_TNIL) {
+    lua_pop(L, 1);
+  } else {
+    lua_setfield(L, -3, ("outcome_" + name).c_str());
+    set("over_" + name);
+  }
+  set(name);
+}
+
 // Pushes the rows of a sweep, with its own values over an outcome of the same name.
 void push_rows(lua_State* L, const std::vector<Row>& rows, const std::vector<std::string>& names, int points) {
   lua_createtable(L, static_cast<int>(rows.size()), 0);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     push_row(L, rows[i]);
     lua_rawgeti(L, points, static_cast<lua_Integer>(i) + 1);
-    for (const std::string& name : names) {
-      lua_getfield(L, -1, name.c_str());
-      lua_setfield(L, -3, name.c_str());
-    }
+    for (const std::string& name : names) set_parameter(L, name);
     lua_pop(L, 1);
     lua_seti(L, -2, static_cast<lua_Integer>(i) + 1);
   }

@@ -11,20 +11,17 @@ constexpr Misprint list[] = {
     {"eq. dissip-f, F_f", "F_f = -2 sqrt(R_eff h) h' / D~, D~ corresponding to D",
      "-(3/2) sqrt(R_eff h) h' / D~ where D~ is D with viscous for elastic moduli",
      "a viscous stress that is tau times the rate of the elastic one gives F_f = -tau dF_el/dt, and d(h^(3/2))/dt = "
-     "(3/2) sqrt(h) h'; eta is then three "
-     "quarters of the printed one. kuwabara_kono_eta keeps the printed 2"},
+     "(3/2) sqrt(h) h'; eta is then three quarters of the printed one. kuwabara_kono_eta keeps the printed 2"},
     {"C3 of the series in eta, as often quoted", "e = 1 - C1 s + C2 s^2 - 0.4836 s^3", "C3 = 0.5229",
      "the equation integrated at small eta: (e - 1 + C1 s - C2 s^2)/s^3 tends to -0.523"},
     {"disk with dissipation, section II B", "e = 1 - 2 pi E*/(rho R c sqrt(ln(4c/v)))",
      "e = 1 - (pi/2) (tau0 c/R)/sqrt(ln(4c/v))",
-     "the printed one has no tau0 and is no number (E*/(rho R c) = c/R is a rate); half a period of h'' + tau0 w^2 "
-     "h' + w^2 h = 0, t_c = pi/w, leaves e = "
-     "exp(-pi tau0 w/2)"},
+     "the printed one has no tau0 and is no number (E*/(rho R c) = c/R is a rate); half a period of h'' + tau0 w^2 h' "
+     "+ w^2 h = 0, t_c = pi/w, leaves e = exp(-pi tau0 w/2)"},
     {"Miller & Pursey's F0", "4 x^2 sqrt((x^2 - zeta^2)(x^2 - 1))",
      "4 x^2 sqrt(x^2 - zeta^2) sqrt(x^2 - 1), each root on its own",
      "for x < 1 both roots are imaginary and their product is negative; only then are the waves' energy and the work "
-     "done at the surface equal, to 1e-9 "
-     "for every nu tried"},
+     "done at the surface equal, to 1e-9 for every nu tried"},
     {"eq. miller18-19, W", "W = 1.579 a^4 k1^2 t_c zeta^4 P0^2/(4 rho)",
      "the number without zeta^4: 1.579 = zeta^4 (I1 + zeta^5 I2) already contains zeta^4 = 9",
      "I1 + zeta^5 I2 = 0.1753879 at nu = 1/4 by quadrature; times 9 is 1.578"},
@@ -45,15 +42,14 @@ constexpr Misprint list[] = {
     {"eq. walton32, sliding", "beta = -1 - mu (1 + e) cot(gamma) (1 + m R^2/I)",
      "beta = -1 + mu (1 + e) cot(gamma) (1 + m R^2/I), gamma > 0",
      "the printed sign holds for v_n = v.n < 0, that is gamma < 0; the other branch and the figures take gamma > 0, "
-     "where friction cannot make beta fall "
-     "below -1"},
+     "where friction cannot make beta fall below -1"},
     {"eq. j8, B", "B = (1 + m R^2/I) m (1 + beta)", "B = -m (1 + beta)/(1 + m R^2/I)",
      "the tangential part of eq. j8: m (v_ct' - v_ct) = -m (1 + beta) v_ct = (1 + m R^2/I) B v_ct"},
     {"Maw's bound of all-slip, (ii) and (iii)", "cot(gamma) < 1/[mu (1 + e) beta_x/beta_z]",
      "tan(gamma) > mu max(b, b (1 + e) - sigma^2/e), b = beta_x/beta_z",
      "the paper's own t2 reaches the end of the impact at b (1 + e) - sigma^2/e; for e^2 < sigma^2/b the speed of "
-     "sliding grows in restitution, so what "
-     "counts is b; beta is continuous there for random mu, e, nu, and direct integration agrees to 1e-6"},
+     "sliding grows in restitution, so what counts is b; beta is continuous there for random mu, e, nu, and direct "
+     "integration agrees to 1e-6"},
     {"eq. regime1, sign of friction", "- mu (beta_x/beta_z) e [...]",
      "+ sgn(sin(omega t1)) mu (beta_x/beta_z) e [...] for gamma > 0",
      "friction opposes the tangential spring's stretch at t1; direct integration to 1e-6"},
@@ -66,8 +62,7 @@ constexpr Misprint list[] = {
     {"tilted surface, mu_alpha", "mu_alpha = (mu + tan(alpha))/(1 - mu tan(alpha))",
      "(mu - tan(alpha))/(1 + mu tan(alpha)), if the surface rises in the direction of motion as in Psi1_alpha",
      "the impulse (-mu, 1) against n = (-sin(alpha), cos(alpha)) and t = (cos(alpha), sin(alpha)); tilted_surface "
-     "gives e as printed, and e_rotated with "
-     "this"},
+     "gives e as printed, and e_rotated with this"},
     {"eq. tanalpha2",
      "tan(alpha) = ((1 - 2 theta)/(2 - 2 theta)) |x_c - x_a|/R, a surface that rises in the direction of motion",
      "the chord of a parabola about x_c falls from x_a to x_b where x_c - x_a > l/2: it is minus that if a is the "

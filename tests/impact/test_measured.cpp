@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "impact/batch.hpp"
+#include "impact/roles.hpp"
 #include "impact/watch/parting.hpp"
 #include "impact/watch/smooth_outline.hpp"
 #include "scenes.hpp"
@@ -387,4 +388,35 @@ TEST_CASE("a row tells whether a body folded") {
   const Outcome fast = outcome_of(scene);
   CHECK(fast.inverted > 0.002);
   CHECK(fast.folded == 1);
+}
+
+TEST_CASE("the energies before an impact are those of both bodies, a target's that flies and spins among them") {
+  Scene scene = paper_scene();
+  scene.projectile = disk(80, 1e4, 0, 3);
+  Body moving = *disk(80, 1e4, 0, 2);
+  moving.velocity = {0.02, 0.03};
+  moving.spin = 0.05;
+  scene.target = std::make_shared<Body>(moving);
+  const Outcome o = outcome_of(scene);
+  INFO(name_of(o.status) << " " << o.reason);
+  REQUIRE(o.status == Status::finished);
+  const auto told = [&](const std::string& name) {
+    for (const auto& [field, value] : Outcome::fields())
+      if (field.name == name) return value(o);
+    FAIL("no column " << name);
+    return 0.0;
+  };
+  const BuiltSolids solids(scene);
+  const double mass = solids[role::target].total_mass();
+  CHECK(told("before_target_translation") == Catch::Detail::Approx(mass / 2 * (0.02 * 0.02 + 0.03 * 0.03)));
+  CHECK(told("before_target_rotation") == Catch::Detail::Approx(o.inertia_target * mass / 2 * 0.05 * 0.05));
+  double sum = 0;
+  for (const char* body : {"projectile", "target"})
+    for (const char* part : {"translation", "rotation", "vibration"})
+      sum += told(std::string("before_") + body + "_" + part);
+  CHECK(sum == Catch::Detail::Approx(told("before_total")));
+  scene.target = wall(150, 400, 0, 1);
+  const Outcome held = outcome_of(scene);
+  CHECK(held.before.of(role::target).translation == 0);
+  CHECK(held.before.of(role::target).rotation == 0);
 }

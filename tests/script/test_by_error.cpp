@@ -173,7 +173,9 @@ TEST_CASE("a point none of whose impacts finishes is told and not tried for ever
   const Ended ended =
       here.script(by_error("standard_error = 0.01, most = 16", "psi1 = at.psi1", ", time_limit = 0.1"), "--quiet");
   CHECK_THAT(ended.out, Contains("cannot be planned: fewer than two impacts of the pilot finished") &&
-                            Contains("24 impacts in 1 rounds"));
+                            Contains("24 impacts in 1 rounds") &&
+                            Contains("  these errors are of the samples alone: what a finer lattice would change "
+                                     "(ricochet.refined) is not in them\n"));
 }
 
 // examples/sweeps.md tells the figures. The one that sits lowest is skewed: where a sweep stops because the deviation

@@ -16,10 +16,8 @@ namespace {
 std::string sweep_over(const std::string& over) {
   return "local ricochet = require \"ricochet\"\nlocal rows = ricochet.sweep { name = \"s\", over = " + over +
          ", units = { speed = \"c\" }, scene = function(at) return ricochet.scene { projectile = ricochet.disk { nodes "
-         "= "
-         "60, seed = at.sample }, target = ricochet.wall { nodes = 150, stiffness = 400 }, launch = { speed = "
-         "at.speed, "
-         "psi1 = at.psi1 } } end }:run()\n";
+         "= 60, seed = at.sample }, target = ricochet.wall { nodes = 150, stiffness = 400 }, launch = { speed = "
+         "at.speed, psi1 = at.psi1 } } end }:run()\n";
 }
 
 }  // namespace
@@ -102,4 +100,41 @@ TEST_CASE("values of 'over' that belong to no name are refused, not left out") {
   CHECK_THAT(refused("{ speed = { 0.1 }, psi1 = { 0 }, [3] = ricochet.zip { sample = { 1, 2 } } }"), Contains("[3]"));
   CHECK_THAT(refused("{ speed = { 0.1 }, psi1 = { 0 }, [true] = { 1 } }"), Contains("[true]"));
   CHECK_THAT(refused("{ speed = { 0.1 }, { { psi1 = { 0 } }, sample = { 1, 2 } } }"), Contains("[sample]"));
+}
+
+TEST_CASE("a sweep over psi1 of a disk that spins tells what was asked for from what its contact had") {
+  const std::string text = R"(local ricochet = require "ricochet"
+local rows = ricochet.sweep { name = "s", over = { psi1 = { 0, 1 }, seed = { 7 } }, scene = function(at)
+  return ricochet.scene { projectile = ricochet.disk { nodes = 60, seed = at.seed },
+    target = ricochet.wall { nodes = 150, stiffness = 400 }, launch = { normal_speed = 0.1, psi1 = at.psi1, spin = 0.05 } } end }:run()
+for _, row in ipairs(rows) do
+  print(("%g %g %.3f %g %s"):format(row.psi1, row.over_psi1, row.outcome_psi1, row.seed, row.outcome_seed))
+end
+print(rows:summary { by = "over_psi1", of = { "outcome_psi1", "e" } })
+rows:save { name = "kept", columns = { "psi1", "outcome_psi1" } }
+ricochet.plot { rows = rows, x = "psi1", y = { "outcome_psi1", "e" }, name = "p" }
+)";
+  std::string told;
+  for (const char* how : {"", " --at-once 1 --force"}) {  // held, and read from results.h5
+    const Workplace here;
+    const Ended ended =
+        here.script(text.substr(0, text.find("ricochet.plot")), "--quiet --no-report" + std::string(how));
+    INFO(ended.err);
+    REQUIRE(ended.status == 0);
+    // The rim moves at R omega, half of the normal speed.
+    CHECK_THAT(ended.out, Contains("0 0 0.499 7 7\n1 1 1.499 7 7\n") && !Contains("averaged over psi1"));
+    const Table table = read_table(here.path / "out/s/results.h5");
+    CHECK(table.number("over_psi1")->values == std::vector<double>{0, 1});
+    CHECK(std::abs(std::abs(table.number("psi1")->values[1] - 1) - 0.5) < 1e-3);
+    CHECK_THAT(here.read("out/s/kept.csv"), Catch::Matchers::StartsWith("psi1,outcome_psi1\n0,"));
+    if (told.empty()) told = ended.out;
+    CHECK(ended.out == told);
+  }
+  const Workplace here;
+  const Ended drawn = here.script(text, "--quiet --no-report");
+  INFO(drawn.err);
+  REQUIRE(drawn.status == 0);
+  CHECK_THAT(here.read("out/s/p.gp"), Contains("'incidence Ψ_1'") && Contains("'incidence of the contact Ψ_1'"));
+  const char* taken = "require('ricochet').sweep { name = 's', over = { over_psi1 = { 1 } }, scene = print }";
+  CHECK_THAT(here.script(taken, "--force").err, Contains("'over_psi1' is a column of the outcome; take another name"));
 }

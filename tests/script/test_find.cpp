@@ -23,8 +23,7 @@ std::string search(const std::string& psi1, const std::string& range, const std:
 
 constexpr const char* told =
     "print(\"told:\", found.at, found.se, found.slope, found.low, found.high, found.bracket[1], found.bracket[2], "
-    "found.count, "
-    "found.places, #found.rows)";
+    "found.count, found.places, #found.rows)";
 
 }  // namespace
 

@@ -170,3 +170,17 @@ TEST_CASE("what --new began is gone on with by --new --resume, as the message sa
   CHECK_FALSE(fs::exists(here.path / "out/s-3"));
   CHECK(here.run("s.lua samples=1 --quiet --new --force").status == 2);
 }
+
+TEST_CASE("a sweep that is not called as its script says where its rows are, and where all else is") {
+  const Workplace here;
+  here.write("angles.lua", small_sweep);
+  const Ended ended = here.run("angles.lua samples=1");
+  INFO(ended.err);
+  REQUIRE(ended.status == 0);
+  CHECK_THAT(ended.out,
+             Catch::Matchers::EndsWith("\nfolders: rows of sweeps in out/s; all else of the script in out/angles\n"));
+  CHECK(fs::exists(here.path / "out/angles/report.html"));
+  CHECK(fs::exists(here.path / "out/s/results.h5"));
+  CHECK(here.script(small_sweep, "samples=1 --out same").out.find("folders:") == std::string::npos);
+  CHECK(here.run("angles.lua samples=1 --quiet --out calm").out.find("folders:") == std::string::npos);
+}

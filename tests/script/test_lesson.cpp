@@ -135,6 +135,19 @@ TEST_CASE("a lesson is one file with the replay of each of its settings, and the
   CHECK(e[row_of_hash(table, numbers[1].hash)] == *std::max_element(e.begin(), e.end()));
 }
 
+TEST_CASE("a lesson holds what the run printed and warned of") {
+  const Workplace here;
+  const Ended run = here.script("print 'a word of the script'\n" + lesson("require 'ricochet'.scene { method = 'rk4', "
+                                                                          "projectile = require 'ricochet'.disk {}, "
+                                                                          "target = require 'ricochet'.plane {} }"));
+  INFO(run.err);
+  REQUIRE(run.status == 0);
+  const std::string html = here.read("out/s/lesson.html"), log = text_after(html, 0, "log");
+  CHECK_THAT(log,
+             Contains("a word of the script") && Contains("warning: rk4 is a control") && Contains("12 of 12 impacts"));
+  CHECK_THAT(html, Contains("id=\"careful\"") && Contains("What to be careful with"));
+}
+
 TEST_CASE("what a lesson cannot be made of is told in one clear line") {
   const Workplace here;
   const auto mistake = [&](const std::string& text) {
@@ -158,7 +171,7 @@ TEST_CASE("what a lesson cannot be made of is told in one clear line") {
   CHECK_THAT(mistake(lesson("", "angle = { 0, 0, 20, 30 }, speed = { 0.05, 0.1, 0.15 }")),
              Contains("are the same impact; leave out what changes nothing"));
   CHECK_THAT(changed("t.grid = 3"), Contains("lesson: 'grid' must be a sweep (from ricochet.sweep), is 3"));
-  CHECK_THAT(changed("t.intuition = nil"), Contains("'intuition' is missing: what many people think"));
+  CHECK_THAT(changed("t.intuition = nil"), Contains("'intuition' is missing: a wrong idea that many people have"));
   CHECK_THAT(changed("t.teachers = t.teacher"), Contains("unknown field 'teachers' (did you mean 'teacher'?)"));
   CHECK_THAT(changed("t.sliders[2].lable = 'x'"),
              Contains("lesson: sliders[2]: unknown field 'lable' (did you mean 'label'?)"));

@@ -127,3 +127,36 @@ local scene = ricochet.scene { units = "SI", target = ricochet.plane {}, launch 
   CHECK_THAT(run("E = 70e9, yield = 276", "scene:run()").first_line(),
              Contains("has a yield stress of 3.9e-09 of its E") && Contains("in SI both are in Pa"));
 }
+
+TEST_CASE("SI: mistakes are told in the units in which the script was written") {
+  const Workplace here;
+  const auto told = [&](const std::string& text) {
+    const Ended ended = here.script(
+        "local ricochet = require \"ricochet\"\nlocal steel = ricochet.materials.steel\n" + text, "--force");
+    INFO(text);
+    CHECK_THAT(ended.err + ended.out, !Contains("R/c") && !Contains(" R ") && !Contains(" c "));
+    return ended.err + ended.out;
+  };
+  const auto scene = [](const std::string& fields) {
+    return "local scene = ricochet.scene { units = \"SI\", projectile = ricochet.disk { radius = 0.005, nodes = 60, "
+           "material = steel }, target = ricochet.plane {}, " +
+           fields + " }\n";
+  };
+  const std::string launch = "launch = { speed = 1 }";
+  CHECK_THAT(told(scene(launch + ", step = 'a'")), Contains("'step' must be a number [s], is"));
+  CHECK_THAT(told(scene(launch + ", time_limit = -1")), Contains("'time_limit' must be greater than 0 s, is -1"));
+  CHECK_THAT(told(scene("launch = { speed = 'fast' }")), Contains("'speed' must be a number [m/s]"));
+  CHECK_THAT(told(scene(launch + ", contact = { xi = -1 }")), Contains("'xi' must be greater than 0 1/m, is -1"));
+  CHECK_THAT(told(scene(launch + ", time_limit = 1e-4, ending = { at = \"time\", time = 1e-3 }")),
+             Contains("0.0001 s is before ending.time, 0.001 s"));
+  CHECK_THAT(told("ricochet.disk { radius = -1, material = steel }"),
+             Contains("'radius' must be greater than 0 m, is -1"));
+  CHECK_THAT(told(scene(launch) + "ricochet.contact_sheet { scene = scene, times = { 1e9 }, out = 'x' }"),
+             Contains(" s and ") && Contains(" s, one is 1e+09 s"));
+  CHECK_THAT(told(scene(launch + ", effects = { ricochet.gravity { g = 9.81 } }, time_limit = 1e-3") +
+                  "scene:bounces { count = 3 }"),
+             Contains("the time_limit of 0.001 s was over"));
+  // As deep as a hundredth of the radius, in a contact that is far too soft.
+  CHECK_THAT(told(scene(launch + ", contact = { V0 = 1e-4, xi = 3e4 }") + "scene:run()"),
+             Contains("penetration: in 1 of 1 impacts a node stood deeper inside the other body than a hundredth"));
+}

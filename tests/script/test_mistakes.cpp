@@ -42,8 +42,7 @@ const std::vector<Mistake> mistakes{
      "error: s.lua:2: disk: 'roughness' must be a finite number, is inf"},
     {"misspelt choice", "local d = ricochet.disk { placement = 'poison_disk' }",
      "error: s.lua:2: disk: 'placement' must be one of uniform, poisson_disk, triangular, hull, is 'poison_disk' (did "
-     "you "
-     "mean 'poisson_disk'?)"},
+     "you mean 'poisson_disk'?)"},
     {"positional table", "local d = ricochet.disk { 5 }",
      "error: s.lua:2: disk: takes named fields only, has the value 5 without a name"},
     {"no table", "local d = ricochet.disk(5)",
@@ -72,8 +71,7 @@ const std::vector<Mistake> mistakes{
     {"a hole across the outline",
      "local b = ricochet.disk { nodes = 60,\n holes = { { {0.5, 0}, {1.5, 0}, {0.5, 0.5} } } }",
      "error: s.lua:3: disk: 'holes': hole 1 crosses or touches the outline or a hole before it; move it, or make one "
-     "of "
-     "both"},
+     "of both"},
     {"a hole beside the body",
      "local b = ricochet.disk { holes = { { {0, 0}, {.1, 0}, {0, .1} }, { {5, 0}, {6, 0}, {5, 1} } } }",
      "error: s.lua:2: disk: 'holes': hole 2 must lie inside the outline and outside of other holes; move it"},
@@ -90,8 +88,7 @@ const std::vector<Mistake> mistakes{
      "error: s.lua:2: disk: 'points': point 3 at (0, 0) is point 1 again; leave one out"},
     {"a rim without a corner", "local b = ricochet.rectangle { points = { {0, 0}, {0, .5}, {0.5, 0.5} } }",
      "error: s.lua:2: rectangle: 'points': some lie on the outline, but none at its corner (-1, -0.5); give one there, "
-     "or "
-     "none on the outline"},
+     "or none on the outline"},
     {"a rim finer than the nodes", "local b = ricochet.disk {\n  rim_spacing = 1e-9 }",
      "error: s.lua:3: disk: 'rim_spacing': 1e-09 would take 6.283e+09 nodes on the rim; raise it, or nodes"},
     {"a rim of more nodes than there are", "local b = ricochet.disk { rim_spacing = 6e-3 }",
@@ -118,14 +115,12 @@ const std::vector<Mistake> mistakes{
     {"a projectile with a velocity of its own",
      "local b = ricochet.disk { nodes = 60, velocity = {0, 1} }\nricochet.scene { projectile = b, target = b }",
      "error: s.lua:3: scene: 'projectile': has a velocity or spin of its own, which only a target has; say them in "
-     "launch "
-     "instead"},
+     "launch instead"},
     {"a turned plane", "local b = ricochet.rotated { body = ricochet.plane {},\n angle = 3 }",
      "error: s.lua:2: rotated: 'body': a plane cannot be turned; take a wide rectangle with interior = \"rigid\""},
     {"a turn of no body", "local b = ricochet.rotated { body = 3, angle = 3 }",
      "error: s.lua:2: rotated: 'body' must be a body (from ricochet.disk, ricochet.wall, ricochet.body or another "
-     "shape), "
-     "is 3"},
+     "shape), is 3"},
     {"nodes by hand made finer",
      "local b = ricochet.disk { points = { {0, 0}, {0.5, 0}, {0, 0.5} } }\nricochet.accuracy { methods = { 'verlet' }, "
      "lattices = { 2, 4 }, steps = { 1e-3 },\n  scene = ricochet.scene { projectile = b, target = ricochet.plane {} } "
@@ -433,12 +428,8 @@ TEST_CASE("all mistakes of a table are reported together, each at its line, with
       "error: s.lua:3: disk: unknown field 'radus' (did you mean 'radius'?)\n    3 |   radus = 0.05,\n      |   ^^^^^\n"
       "error: s.lua:4: disk: 'seed' must be between 0 and 9.0072e+15, is -1\n    4 |   seed = -1,\n      |   ^^^^\n"
       "  valid fields: E, anchored, angle, crossing, density, fine_at, fine_within, grade, h_max, h_min, holes, "
-      "interior, law, "
-      "margin, mass, "
-      "material, mesh, modes, modes_of, nodes, nu, placement, points, prestress, quartic, radius, rim_spacing, "
-      "roughness, "
-      "seed, spin, state, "
-      "stiffness, thickness, triangulation, velocity\n");
+      "interior, law, margin, mass, material, mesh, modes, modes_of, nodes, nu, placement, points, prestress, quartic, "
+      "radius, rim_spacing, roughness, seed, spin, state, stiffness, thickness, triangulation, velocity\n");
 }
 
 TEST_CASE("a mistake in a sweep's scene names the values it was made with, caught errors do not") {

@@ -93,8 +93,7 @@ TEST_CASE("a recording of elements is drawn as it ran, with their stress") {
   const Ended ended = here.script(
       "local ricochet = require 'ricochet'\n"
       "local scene = ricochet.scene { projectile = ricochet.disk { interior = 'elements', E = 1e4, nu = 0.2, h_min = "
-      "0.1 "
-      "}, target = ricochet.wall { nodes = 150, width = 4, stiffness = 400 }, launch = { speed = 0.1 } }\n"
+      "0.1 }, target = ricochet.wall { nodes = 150, width = 4, stiffness = 400 }, launch = { speed = 0.1 } }\n"
       "ricochet.animate { scene = scene, frames = 3, from = 0, duration = 4, size = { 320, 180 }, show = { material = "
       "'von_mises' } }\n"
       "ricochet.record { scene = scene, frames = 3, duration = 4 }\n");
@@ -255,11 +254,10 @@ TEST_CASE("mistakes in pictures are found at their own line, before anything run
        "error: s.lua:5: animate: 'springs': 'tension' colours the springs and 'energy_density' the material, and there "
        "is one colour bar; make one of them plain or none"},
       {"ricochet.still { scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.plane "
-       "{}, "
-       "launch = { speed = 0.1 } },\n  show = { fronts = true } }",
+       "{}, launch = { speed = 0.1 } },\n  show = { fronts = true } }",
        "error: s.lua:5: still: 'fronts': needs a target whose waves have one speed: it must not be rigid or "
-       "prestressed, "
-       "nor its stiffness or density differ from place to place; a recording by an older version does not hold it"},
+       "prestressed, nor its stiffness or density differ from place to place; a recording by an older version does not "
+       "hold it"},
       {"ricochet.animate { frames = 3 }",
        "error: s.lua:4: animate: 'scene': is missing: what is to be drawn (or scenes, for several)"},
       {"ricochet.animate { scenes = { scene(), 3 } }",
@@ -288,7 +286,8 @@ TEST_CASE("mistakes in pictures are found at their own line, before anything run
       {"ricochet.still { scene = scene(), size = { 320.5, 180 } }",
        "error: s.lua:4: still: 'size': counts pixels, which 320.5 does not"},
       {"ricochet.contact_sheet { scene = scene(), times = { 1e300 } }",
-       "error: s.lua:4: contact_sheet: 'times': must lie between -1e6 and 1e6 R/c, one is 1e+300"},
+       "error: s.lua:4: contact_sheet: 'times': must lie between -1e+06 R/c and 1e+06 R/c, one is "
+       "1e+300 R/c"},
       {"ricochet.still { scene = scene(), show = { material = 'speed', high = -5 } }",
        "error: s.lua:4: still: 'high': must be above 0: 'speed' is never below"},
       {"ricochet.still { scene = scene(), show = { material = 'speed', low = 1e16, high = 1e16 + 2 } }",

@@ -14,8 +14,7 @@ namespace {
 std::string swept(const std::string& call, const std::string& limit = "nil") {
   return "local ricochet = require 'ricochet'\n"
          "local rows = ricochet.sweep { name = 's', over = { speed = { 0.05, 0.1 }, gap = { 1, 2, 40 }, sample = { 1, "
-         "2 "
-         "} },\n  units = { gap = 'R' }, scene = function(at) return ricochet.scene {\n"
+         "2 } },\n  units = { gap = 'R' }, scene = function(at) return ricochet.scene {\n"
          "  projectile = ricochet.disk { nodes = 40, roughness = 0.02, seed = at.sample + 10 * math.floor(at.gap) }, "
          "target = ricochet.wall { width = 4, depth = 1, nodes = 80, stiffness = 400 },\n"
          "  launch = { speed = at.speed }, time_limit = " +
@@ -176,4 +175,30 @@ ricochet.plot { x = "x", y = { "y" }, name = "odd", title = "e \u{10FF00} \u{E4}
   CHECK(ended.status == 0);
   CHECK_THAT(ended.err, Catch::Matchers::Contains("the font of plots lacks U+10FF00 and draws boxes"));
   CHECK_THAT(here.read("out/s/odd.gp"), Catch::Matchers::Contains("e □ ä"));
+}
+
+TEST_CASE("marks of axes in SI are told with prefixes or powers of ten, in every kind of plot") {
+  const Workplace here;
+  const Ended ended = here.script(R"(local ricochet = require "ricochet"
+local rows = ricochet.sweep { name = "s", over = { sample = { 1, 2 }, radius = { 0.004, 0.005 } }, units = { radius = "m" },
+  scene = function(at) return ricochet.scene { units = "SI", launch = { speed = 1 }, target = ricochet.plane {},
+    projectile = ricochet.disk { radius = at.radius, nodes = 60, seed = at.sample, material = ricochet.materials.steel } } end }:run()
+local y = { "contact_time", "after_projectile_vibration", "e" }
+ricochet.plot { rows = rows, x = "radius", y = y, name = "p" }
+ricochet.plot { rows = rows, x = "radius", y = { "contact_time" }, ylabel = { contact_time = "how long" }, log = "y", name = "own" }
+ricochet.histogram { rows = rows, of = "contact_time", name = "h" }
+ricochet.heat_map { rows = rows, x = "radius", y = "sample", of = "contact_time", name = "m" }
+ricochet.plot { x = "x", y = { "y" }, theory = { y = { { 0, -3e-9 }, { 1, 2e-9 } } }, name = "t" }
+)",
+                                  "--quiet");
+  INFO(ended.err);
+  REQUIRE(ended.status == 0);
+  const std::string plot = here.read("out/s/p.gp");
+  CHECK_THAT(plot, Contains("set xlabel 'radius [mm]'") && Contains("set ylabel 'contact time t_c [µs]'"));
+  CHECK_THAT(plot, Contains("set xtics ('4.0' 0.004") && Contains("set ytics autofreq"));  // e is told as it is
+  CHECK_THAT(here.read("out/s/own.gp"), Contains("'how long, marks in 10⁻⁶' noenhanced") && Contains("set ytics ('"));
+  CHECK_THAT(here.read("out/s/h.gp"), Contains("contact time t_c [µs]") && Contains(" µs' at graph"));
+  CHECK_THAT(here.read("out/s/m.gp"),
+             Contains("set cblabel 'contact time t_c [µs]'") && Contains("set xtics ('4' 0.00"));
+  CHECK_THAT(here.read("out/s/t.gp"), Contains("'-3' -3e-09") && Contains("'0' 0") && Contains("[10^{-9}]"));
 }

@@ -456,8 +456,8 @@ TEST_CASE("./workbench without root or sudo says which packages to install and h
   // A machine that has nothing installed, no sudo, and a user that is not root.
   const Ended ended =
       here.shell(std::string("mkdir bin; ln -s $(command -v dirname) $(command -v sh) bin/; printf '#!/bin/sh\nexit "
-                             "1\n' > bin/dpkg-query; "
-                             "printf '#!/bin/sh\necho 1000\n' > bin/id; chmod +x bin/*; PATH=$PWD/bin sh ") +
+                             "1\n' > bin/dpkg-query; printf '#!/bin/sh\necho 1000\n' > bin/id; chmod +x bin/*; "
+                             "PATH=$PWD/bin sh ") +
                  RICOCHET_SOURCE + "/workbench test");
   CHECK(ended.status == 4);
   CHECK_THAT(ended.first_line(),

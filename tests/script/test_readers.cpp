@@ -1,6 +1,7 @@
 // Other programs read our files. ricochet_tests "[.slow]" needs python3-h5py python3-mdanalysis paraview.
 
 #include <catch2/catch.hpp>
+#include <set>
 #include <sstream>
 
 #include "script/program.hpp"
@@ -56,6 +57,42 @@ TEST_CASE("pandas reads the rows of several runs, and a file that h5py opened to
   for (std::string line; std::getline(ours, line);)
     if (line.find("+-") != std::string::npos && line.find("psi1") == std::string::npos)
       CHECK_THAT(joined.out, Catch::Matchers::Contains(line.substr(line.find('.') - 1, 5)));
+}
+
+TEST_CASE("runs over other parameters are joined without a loss, where h5py and pandas are installed") {
+  const Workplace here;
+  if (here.shell("/usr/bin/python3 -c 'import h5py, pandas'").status != 0) {
+    WARN("skipped: h5py and pandas are not installed (apt-get install python3-h5py python3-pandas)");
+    return;
+  }
+  // The impact at a speed of 0.1 and psi1 = 0 is in both.
+  const auto run_over = [&](const std::string& over, const std::string& launch, const std::string& more) {
+    return here
+        .script("local ricochet = require 'ricochet'\nricochet.sweep { name = 's', over = { " + over +
+                    " }, scene = function(at) return ricochet.scene { projectile = ricochet.disk { nodes = 40 }, "
+                    "target = ricochet.plane {}, launch = { " +
+                    launch + " } } end }:run()\n",
+                "--quiet --no-report --out " + more)
+        .status;
+  };
+  REQUIRE(run_over("psi1 = { 0, 1, 2 }", "speed = 0.1, psi1 = at.psi1", "a") == 0);
+  REQUIRE(run_over("speed = { 0.05, 0.1 }", "speed = at.speed, psi1 = 0", "b") == 0);
+  const std::string join = "/usr/bin/python3 '" RICOCHET_SOURCE "/examples/read_results.py' ";
+  const Ended joined = here.shell(join + "a/s b/s");
+  INFO(joined.err + joined.out);
+  CHECK_THAT(joined.out, Catch::Matchers::StartsWith("4 impacts of 2 runs; vn in c\n"));
+  std::istringstream lines(joined.out);
+  std::set<std::string> places;  // "0.0 0.10"
+  std::string over, speed, line;
+  while (std::getline(lines, line)) {
+    std::istringstream words(line);
+    words >> over >> speed;
+    if (line.find("impacts") == std::string::npos && over != "over_psi1" &&
+        line.find_first_of("0123456789") != std::string::npos)
+      places.insert(over + " " + speed);
+  }
+  CHECK(places == std::set<std::string>{"0.0 0.10", "1.0 NaN", "2.0 NaN", "NaN 0.05"});
+  CHECK_THAT(here.shell(join + "a/s a/s").out, Catch::Matchers::StartsWith("3 impacts of 2 runs"));
 }
 
 TEST_CASE("trajectory.h5 opens in MDAnalysis", "[.slow]") {

@@ -70,12 +70,10 @@ TEST_CASE("scripts: what goes with no hull, no plain triangulation and no single
       {"ricochet.disk { triangulation = 'plain', interior = 'elements', E = 1, nu = 0.3 }",
        "disk: 'triangulation': plain is of springs; leave it out, or take interior springs"},
       {"ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150 }, contact = "
-       "{ "
-       "rule = 'nearest' }, effects = { ricochet.friction { mu = 0.3 } } }",
+       "{ rule = 'nearest' }, effects = { ricochet.friction { mu = 0.3 } } }",
        "scene: 'contact': rule = nearest does not go with friction, which acts by all segments; take sum"},
       {"ricochet.scene { projectile = ricochet.disk { nodes = 60 }, target = ricochet.wall { nodes = 150 }, contact = "
-       "{ "
-       "rule = 'closest' } }",
+       "{ rule = 'closest' } }",
        "scene: contact: 'rule' must be one of sum, nearest, spring_normal, is 'closest'"}};
   for (const Refused& r : refused) {
     const Ended ended = script_with_module(std::string("local x = ") + r.script);

@@ -106,12 +106,14 @@ TEST_CASE("the sentence of a report has four forms, and never says more than the
       Contains("1 of 2 impacts finished: the coefficient of restitution is e = 0.75") && Contains("no error bar"));
   CHECK_THAT(report_sentence(results({0, 0, 1, 1}, {0.7, 0.8, 0.7, 0.8})),
              Contains("4 of 4 impacts finished. ") && Contains("between 0.7 and 0.8. So few impacts") &&
-                 !Contains("±") && !Contains("highest"));
+                 !Contains("±") && !Contains("highest") && !Contains("finer"));
   CHECK_THAT(report_sentence(results(repeated({0}, 4), {0.7, 0.8, 0.7, 0.8})),
-             Contains("between 0.7 and 0.8, its mean is 0.75 ± 0.029"));
+             Contains("between 0.7 and 0.8, its mean is 0.75 ± 0.029") &&
+                 Catch::Matchers::EndsWith(" What a finer lattice or mesh would change is not in these errors."));
   const std::vector<double> psi1 = repeated({0, 0, 1, 1}, 5);
   CHECK_THAT(report_sentence(results(psi1, repeated({0.7, 0.71, 0.9, 0.91}, 5))),
-             Contains("20 of 20") && Contains("highest at Ψ₁ = 1 (0.905 ±") && Contains("lowest at Ψ₁ = 0 (0.705 ±"));
+             Contains("20 of 20") && Contains("highest at Ψ₁ = 1 (0.905 ±") && Contains("lowest at Ψ₁ = 0 (0.705 ±") &&
+                 Contains("finer lattice"));
   CHECK_THAT(report_sentence(results(psi1, repeated({0.5, 1.1, 0.52, 1.11}, 5))),
              Contains("cannot tell") && !Contains("highest at") && Contains("In 10 of them"));
   CHECK_THAT(report_sentence(results(repeated({0}, 12), repeated({0.9, 1.1}, 6))),
@@ -215,6 +217,67 @@ TEST_CASE("a thinned replay has some moments of the whole one, in all that it ca
   std::string damaged = whole;
   damaged[damaged.find("\"place\":\"") + 40] = '*';
   CHECK_THROWS_WITH(thinned(damaged, 7), Contains("a replay of the earlier report is damaged"));
+}
+
+namespace {
+
+struct Touch {
+  double first = NAN, last = NAN, most = 0;
+};
+
+// Where the force is more than a thousandth of the greatest.
+Touch touch_of(const std::vector<double>& times, const std::vector<double>& force) {
+  Touch touch;
+  for (const double f : force) touch.most = std::max(touch.most, std::abs(f));
+  for (std::size_t k = 0; k < force.size(); ++k)
+    if (std::abs(force[k]) > 1e-3 * touch.most) {
+      if (std::isnan(touch.first)) touch.first = times[k];
+      touch.last = times[k];
+    }
+  return touch;
+}
+
+// The list of this name in a part of a replay's JSON.
+std::vector<double> list_in(const std::string& json, const std::string& part, const std::string& name) {
+  const std::size_t at = json.find("\"" + part + "\":{"),
+                    begins = json.find("\"" + name + "\":[", at) + name.size() + 4;
+  std::istringstream text(json.substr(begins, json.find(']', begins) - begins));
+  std::vector<double> numbers;
+  for (std::string number; std::getline(text, number, ',');) numbers.push_back(std::stod(number));
+  return numbers;
+}
+
+}  // namespace
+
+TEST_CASE("a replay tells the forces between its frames, too: peaks and touches are where the impact has them") {
+  double worst = 1;  // of the greatest force, the share that frames alone would tell
+  for (const int seed : {1, 2, 3, 4}) {
+    const Scene scene = small_scene(seed);
+    const BuiltSolids solids(scene);
+    const std::atomic<bool> stop = false;
+    const Course course = follow_course(solids, scene, stop);
+    const Viewing viewing{.until = course.outcome.time, .step = course.step, .frames = 12};
+    const std::string json = replay_json(scene, viewing);
+    std::vector<double> times, force;  // at each step
+    const Sampling every_step{equal_times(0, viewing.until, 1 << 20, course.step), [&](const Sample& sample) {
+                                times.push_back(sample.time);
+                                force.push_back(sample.force.y());
+                              }};
+    REQUIRE(film_scene(
+        solids, scene, {0, viewing.until}, stop, [](const Frame&) {}, every_step));
+    const std::vector<double> told_times = list_in(json, "forces", "time"), frames = list_in(json, "series", "time");
+    const Touch all = touch_of(times, force), told = touch_of(told_times, list_in(json, "forces", "force_n"));
+    CHECK(frames.size() == 12);
+    CHECK(told_times.size() == list_in(json, "forces", "force_t").size());
+    CHECK(told_times.front() == frames.front());
+    CHECK(told_times.back() == frames.back());
+    const double spacing = (viewing.until - viewing.from) / 11;
+    for (const auto& [known, shown] : {std::pair{all.first, told.first}, std::pair{all.last, told.last}})
+      CHECK(std::abs(shown - known) < spacing / 8 + course.step);
+    CHECK(told.most > 0.95 * all.most);
+    worst = std::min(worst, touch_of(frames, list_in(json, "series", "force_n")).most / all.most);
+  }
+  CHECK(worst < 0.95);
 }
 
 TEST_CASE("a replay of a mirrored row moves as the row tells it") {

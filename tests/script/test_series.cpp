@@ -77,7 +77,8 @@ assert(rows[300].velocity > 0 and rows[10].place - rows[1].place > 0.017)
   INFO(run.err);
   REQUIRE(run.status == 0);
   CHECK_THAT(place.read("out/s/up.csv"), Contains("time [s],body,place [m],velocity [m/s]"));
-  CHECK_THAT(place.read("out/s/up.gp"), Contains("with image") && Contains("y at the first moment [m]"));
+  CHECK_THAT(place.read("out/s/up.gp"),
+             Contains("with image") && Contains("y at the first moment [mm]") && Contains("time [µs]"));
   for (const char* file : {"up.png", "up.svg", "up.h5"}) CHECK(fs::exists(place.path / "out/s" / file));
   const auto told = [&](const std::string& fields) {
     return place.script(head + "ricochet.waves { scene = ball, points = 4, duration = 1, " + fields + " }", "--force")

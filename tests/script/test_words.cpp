@@ -16,8 +16,7 @@ print(table.concat(p.v, " "), p.n, p.x)
 
 std::string impact_with(const std::string& fields) {
   return "local ricochet = require 'ricochet'\nprint(ricochet.scene { projectile = ricochet.disk { nodes = 60 }, "
-         "target = "
-         "ricochet.wall { nodes = 150, width = 4 }, " +
+         "target = ricochet.wall { nodes = 150, width = 4 }, " +
          fields + " }:run().status)\n";
 }
 
@@ -198,10 +197,8 @@ TEST_CASE("what a result lacks is told: doubts under --quiet, means of a part of
   const std::string folds =
       "local rows = ricochet.sweep { name = 's', over = { v = { 0.4 } }, scene = function(at) return ricochet.scene { "
       "projectile = ricochet.disk { nodes = 200, placement = 'uniform' }, target = ricochet.plane {}, launch = { speed "
-      "= "
-      "at.v } } end }:run()\nprint(rows[1].folded > 0, rows[1].wall_seconds > 0)\nlocal row = ricochet.scene { "
-      "projectile "
-      "= ricochet.disk { nodes = 60 }, target = ricochet.plane {} }:run()\nprint(row.wall_seconds > 0)\n";
+      "= at.v } } end }:run()\nprint(rows[1].folded > 0, rows[1].wall_seconds > 0)\nlocal row = ricochet.scene { "
+      "projectile = ricochet.disk { nodes = 60 }, target = ricochet.plane {} }:run()\nprint(row.wall_seconds > 0)\n";
   const Ended quiet = here.script(begin + folds, "--quiet --force");
   INFO(quiet.out << quiet.err);
   CHECK(quiet.out == "true\ttrue\ntrue\n");

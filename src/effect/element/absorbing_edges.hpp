@@ -35,8 +35,7 @@ struct AbsorbingEdges {
     static const std::vector<Member<AbsorbingEdges>> list{
         {{"impedance", "number", "",
           "s of the dashpots, over that of the body's waves: (1 - s)/(1 + s) of the amplitude of a wave that meets "
-          "them "
-          "head on comes back",
+          "them head on comes back",
           positive, "1"},
          &AbsorbingEdges::impedance},
     };

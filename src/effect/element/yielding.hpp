@@ -31,8 +31,7 @@ struct Yielding {
          &Yielding::yield},
         {{"hardening", "number", "m0 c^2/R^2",
           "rise of the yield stress with the plastic strain, in units of E; that of the body's material, else 0, "
-          "unless "
-          "given",
+          "unless given",
           not_negative, "", true},
          &Yielding::hardening},
         {{"on",

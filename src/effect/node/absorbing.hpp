@@ -17,8 +17,7 @@ struct Absorbing {
   static constexpr const char* name = "absorbing";
   static constexpr const char* doc =
       "A layer along the target's anchored edges in which waves fade, so that the target acts as a half-space. A wave "
-      "much shorter than the width, "
-      "of speed c_w, comes back with exp(-rate width / 3 c_w) of its amplitude.";
+      "much shorter than the width, of speed c_w, comes back with exp(-rate width / 3 c_w) of its amplitude.";
   static constexpr const char* example = "ricochet.absorbing { width = 1, rate = 5 }";
   static constexpr const char* energy_doc = "energy lost in the absorbing layer";
 

@@ -18,9 +18,8 @@ struct MovingAnchor {
   static constexpr const char* name = "moving_anchor";
   static constexpr const char* doc =
       "A shaken wall: the target's anchors move by amplitude sin(omega t + phase), t from the rims' coming within "
-      "reach on; the target starts "
-      "displaced and moving as a whole. e and all velocities are those in the frame at rest. An impact ends when the "
-      "bodies first part.";
+      "reach on; the target starts displaced and moving as a whole. e and all velocities are those in the frame at "
+      "rest. An impact ends when the bodies first part.";
   static constexpr const char* example = "ricochet.moving_anchor { amplitude = 0.02, omega = 0.5, phase = 90 }";
   static constexpr const char* energy_doc = "energy given to the anchors; below 0 if they did work on the target";
 

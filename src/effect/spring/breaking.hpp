@@ -18,8 +18,7 @@ struct Breaking {
   static constexpr const char* name = "breaking";
   static constexpr const char* doc =
       "Springs that break when drawn out too far. Springs of the rim hold, and only rims touch: what breaks off inside "
-      "may leave through the rim. "
-      "A break falls on the end of a step.";
+      "may leave through the rim. A break falls on the end of a step.";
   static constexpr const char* example = "ricochet.breaking { strain = 0.05 }";
   static constexpr const char* energy_doc = "energy that springs held when they broke";
   static constexpr const char* count_doc = "broken springs";

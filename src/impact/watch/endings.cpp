@@ -37,8 +37,7 @@ std::string text(const ending::BrokenNode& e, const Run& run) {
         described(e.node), run.time(), run.start.step, run.start.step / 8);
   return fmt::format(
       "{} was no longer finite at t = {:.6g} R/c: the forces had outgrown the time step {:.3g} R/c; give a step half "
-      "as "
-      "long or a lower speed",
+      "as long or a lower speed",
       described(e.node), run.time(), run.start.step);
 }
 
@@ -51,8 +50,7 @@ std::string text(const ending::EnergyDrift& e, const Run& run) {
   if (advised < run.start.least_step)
     return fmt::format(
         "the total energy had strayed by {:.3g} at t = {:.6g} R/c with the time step {:.3g} R/c, and shorter steps are "
-        "lost "
-        "in rounding: give a higher speed, or a larger energy_tolerance",
+        "lost in rounding: give a higher speed, or a larger energy_tolerance",
         run.drift, run.time(), run.start.step);
   return fmt::format(
       "the total energy had strayed by {:.3g} at t = {:.6g} R/c with the time step {:.3g} R/c; give a step of {:.2g} "
@@ -64,16 +62,14 @@ std::string text(const ending::Unstable& e, const Run& run) {
   const Method& method = run.scene->method();
   return fmt::format(
       "at t = {:.6g} R/c the frequency bound had risen to {:.4g} c/R at {}, where {} is unstable with the time step "
-      "{:.3g} "
-      "R/c; give a step of {:.3g} R/c",
+      "{:.3g} R/c; give a step of {:.3g} R/c",
       run.time(), e.omega, described(e.node), method.name, run.start.step, method.usual / e.expected);
 }
 
 std::string text(const ending::TurnedOver& e, const Run& run) {
   return fmt::format(
       "at t = {:.6g} R/c elements that yield, {:.2g} of the {}'s area, had turned over, and their law ends before "
-      "that: "
-      "flow flattens them without end; lower the speed, or raise yield or hardening",
+      "that: flow flattens them without end; lower the speed, or raise yield or hardening",
       run.time(), e.share, body_name(static_cast<std::size_t>(e.body)));
 }
 
