@@ -12,7 +12,8 @@ namespace ricochet {
 
 /// What makes a scene's numbers doubtful.
 struct Doubt {
-  std::string kind;    ///< "coarse_contact", "coarse_rim", "folding", "fast_modes", "few_modes", "corner", "over_yield"
+  /// coarse_contact, coarse_rim, folding, fast_modes, few_modes, corner, over_yield, small_half_space, supersonic
+  std::string kind;
   std::string reason;  ///< a sentence with its remedy
 };
 

@@ -123,7 +123,7 @@ std::map<std::string, Follows> rule_of_columns() {
   add(of_one_body, {"after_projectile_translation", "after_target_translation", "last_energy", "energy_closure",
                     "energy_drift", "contact_length", "centre_offset", "tan_alpha", "e_alpha", "last_omega",
                     "momentum_residual", "before_projectile_rotation", "before_projectile_vibration",
-                    "before_target_vibration", "error_step", "error_contact", "dent"});
+                    "before_target_vibration", "error_step", "error_contact", "dent", "dent_target"});
   return rules;
 }
 
