@@ -42,22 +42,25 @@ constexpr double told_margin = 1.05;
 // some per cent.
 constexpr double enough_triangles = 8, enough_nodes = 4;
 
-// Whether a body resolves the contact. `radius`: of its outline there.
-void add_doubts_of_mesh(const Scene& scene, std::size_t b, double radius, Estimate& e) {
+// Whether a body resolves the contact at this place of it. `radius`: of its outline there.
+void add_doubts_of_mesh(const Scene& scene, std::size_t b, const Vec2& place, double radius, Estimate& e) {
   const Body& body = *scene.bodies()[b];
   if (body.rigid()) return;
   const std::string name = body_name(b);
   const auto add = [&](const char* kind, std::string reason) { e.doubts.push_back({kind, std::move(reason)}); };
   const bool meshed = body.numbers.meshed();
+  const double spacing = spacing_of(body, place), half = e.impact.half_width / spacing;
+  const auto told = [&](double x) { return scene.units.shown(std::abs(x) < 1e-9 ? 0 : x, "R"); };  // without rounding
   const auto finer = [&](double times) {
     times *= told_margin;
-    return meshed ? fmt::format("take h_min = {}", scene.units.shown(spacing_of(body) / times, "R", 2))
-                  : fmt::format("take {:.2g} times as many nodes", times * times);
+    if (!meshed) return fmt::format("take {:.2g} times as many nodes", times * times);
+    if (spacing > 1.5 * body.numbers.h_min)
+      return fmt::format("its mesh is finest elsewhere, give fine_at = {{ {}, {} }}", told(place.x()), told(place.y()));
+    return fmt::format("take h_min = {}", scene.units.shown(spacing / times, "R", 2));
   };
-  const double spacing = spacing_of(body), half = e.impact.half_width / spacing;
   if (meshed && half < enough_triangles)
     add("coarse_contact",
-        fmt::format("half of the contact is as wide as {:.2g} of the {}'s triangles, h_min, and {:g} are needed for e "
+        fmt::format("half of the contact is as wide as {:.2g} of the {}'s triangles there, and {:g} are needed for e "
                     "within one per cent: {}",
                     half, name, enough_triangles, finer(enough_triangles / half)));
   if (!meshed && 2 * half < enough_nodes)
@@ -133,9 +136,9 @@ void add_doubts_of_speed(const Scene& scene, Estimate& e) {
 
 }  // namespace
 
-double spacing_of(const Body& body) {
+double spacing_of(const Body& body, const Vec2& place) {
   if (body.rigid()) return 0;
-  return body.numbers.meshed() ? body.numbers.h_min : std::sqrt(signed_area(body.outline) / body.numbers.nodes);
+  return body.numbers.meshed() ? body.size_field()(place) : std::sqrt(signed_area(body.outline) / body.numbers.nodes);
 }
 
 double pressure_over_yield(const Scene& scene, double pressure) {
@@ -168,8 +171,9 @@ void add_doubts_of_bodies(const Scene& scene, double speed, Estimate& e) {
   }
 }
 
-void add_doubts_of_contact(const Scene& scene, const std::array<double, 2>& radii, Estimate& e) {
-  for (const std::size_t b : {0, 1}) add_doubts_of_mesh(scene, b, radii[b], e);
+void add_doubts_of_contact(const Scene& scene, const std::array<Vec2, 2>& places, const std::array<double, 2>& radii,
+                           Estimate& e) {
+  for (const std::size_t b : {0, 1}) add_doubts_of_mesh(scene, b, places[b], radii[b], e);
   add_doubts_of_speed(scene, e);
   for (const std::size_t b : {0, 1}) add_doubts_of_yield(scene, b, e);
   add_doubts_of_block(scene, e);

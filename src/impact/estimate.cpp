@@ -34,7 +34,7 @@ Points outline_of(const Body& body) {
 /// Where the smooth outlines first touch: the projectile is moved there, the target lies where it is at rest.
 struct Touch {
   Points projectile, target;
-  Vec2 at;
+  Vec2 at, moved;  ///< by how much the projectile was
 };
 
 // The height of a closed outline's lower or upper side at x; NaN beside it.
@@ -75,7 +75,7 @@ std::optional<Touch> touch_of(const Scene& scene) {
       for (const Vec2& p : *corners) consider(p.x());
   if (lift == -boundless) return std::nullopt;
   for (Vec2& p : above) p += lift * upwards();
-  return Touch{std::move(above), std::move(below), at};
+  return Touch{std::move(above), std::move(below), at, {shift, lift}};
 }
 
 /// A body at the touch.
@@ -169,7 +169,12 @@ bool lies_flat(const Scene& scene, const Touch& touch) {
   });
 }
 
-double spacing_of(const Scene& scene) { return std::max(spacing_of(*scene.projectile), spacing_of(*scene.target)); }
+// Where the touch is in a body as it was described, before it was turned and moved.
+Vec2 place_in(const Body& body, const Vec2& at) {
+  Points place{at};
+  turn(place, -body.numbers.angle);
+  return place[0];
+}
 
 void set_speeds(const Scene& scene, Estimate& e) {
   e.wave_speed = elastic_of(*scene.projectile).wave_speed();
@@ -189,10 +194,12 @@ Estimate without_law(Estimate e, std::string why) {
 
 Estimate by_law(const Scene& scene) {
   Estimate e;
-  e.spacing = spacing_of(scene);
   set_speeds(scene, e);
   const std::optional<Touch> touch = touch_of(scene);
   if (!touch) return without_law(e, "the outlines pass beside each other");
+  const std::array<Vec2, 2> places{place_in(*scene.projectile, touch->at - touch->moved),
+                                   place_in(*scene.target, touch->at)};
+  e.spacing = std::max(spacing_of(*scene.projectile, places[0]), spacing_of(*scene.target, places[1]));
   const Side one = side_of(*scene.projectile, touch->projectile, touch->at);
   const Side other = side_of(*scene.target, touch->target, touch->at);
   const Vec2 normal =
@@ -214,7 +221,7 @@ Estimate by_law(const Scene& scene) {
   e.over_yield = pressure_over_yield(scene, e.pressure);
   const double most = !scene.target->rigid() && other.elastic.held ? 0.05 : 0.1;
   e.in_range = e.impact.in_range && e.normal_speed <= most * e.slowest_wave;
-  add_doubts_of_contact(scene, {one.outline.radius, other.outline.radius}, e);
+  add_doubts_of_contact(scene, places, {one.outline.radius, other.outline.radius}, e);
   return e;
 }
 

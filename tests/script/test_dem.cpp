@@ -146,15 +146,15 @@ end
   CHECK(run(onto_plane, "ricochet.dem { rows = rows, projectile = steel }").status == 0);
   CHECK(run(onto_glass, "ricochet.dem { rows = rows, projectile = steel, target = glass }").status == 0);
   CHECK_THAT(here.read("out/s/pair_dem.lammps"), !Contains("of another run"));
-  CHECK_THAT(run(onto_plane, "ricochet.dem { rows = rows, projectile = glass }").first_line(),
+  CHECK_THAT(run(onto_plane, "ricochet.dem { rows = rows, projectile = glass }").err,
              Contains("dem: the projectiles of the rows are of E = 2.05e+11 Pa, nu = 0.29") &&
                  Contains("'projectile' is of E = 7.2e+10 Pa") && Contains("name the rows' material"));
   CHECK_THAT(
-      run(onto_plane, "ricochet.dem { rows = rows, projectile = steel, target = glass }").first_line(),
+      run(onto_plane, "ricochet.dem { rows = rows, projectile = steel, target = glass }").err,
       Contains("the targets of the rows are rigid, and 'target' is of E = 7.2e+10 Pa") && Contains("leave it out"));
-  CHECK_THAT(run(onto_glass, "ricochet.dem { rows = rows, projectile = steel }").first_line(),
+  CHECK_THAT(run(onto_glass, "ricochet.dem { rows = rows, projectile = steel }").err,
              Contains("the targets of the rows are of E = 7.2e+10 Pa") && Contains("'target' is not given"));
-  CHECK_THAT(run(onto_glass, "ricochet.dem { rows = rows, projectile = steel, target = steel }").first_line(),
+  CHECK_THAT(run(onto_glass, "ricochet.dem { rows = rows, projectile = steel, target = steel }").err,
              Contains("the targets of the rows are of E = 7.2e+10 Pa") && Contains("name the rows' material"));
   REQUIRE(
       here.script(made_rows("{ 0.9, 0.9, 0.9, 0.9 }", "ricochet.dem { rows = rows, projectile = steel }"), "--force")
