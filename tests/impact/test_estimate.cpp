@@ -151,8 +151,18 @@ TEST_CASE("estimate: a contact that is not resolved names the body, and finds no
   auto above = std::make_shared<Body>(*fine);
   above->fine_at = Vec2(0, 1);
   CHECK(coarse(scene_of(fine, above, 0.01)).empty());
-  above->numbers.angle = 180;  // it is turned over
-  CHECK(coarse(scene_of(fine, above, 0.01)).size() == 1);
+  // A body is turned after it is meshed.
+  const auto disk = [](double h_min, double finest, double angle) {
+    Body body{circle(1, 1000), element_numbers(0, 1e4, 0.3), {}, {}};
+    body.numbers.h_min = h_min;
+    body.numbers.angle = angle;
+    body.fine_at = Vec2(0, finest);
+    return std::make_shared<Body>(body);
+  };
+  const double wide = estimate(scene_of(disk(0.02, -1, 0), disk(0.02, 1, 0), 0.01)).impact.half_width, h = wide / 10;
+  CHECK(coarse(scene_of(disk(h, -1, 0), disk(h, 1, 0), 0.01)).empty());
+  CHECK(coarse(scene_of(disk(h, 1, 180), disk(h, -1, 180), 0.01)).empty());
+  CHECK(coarse(scene_of(disk(h, -1, 180), disk(h, 1, 180), 0.01)).size() == 2);
 }
 
 TEST_CASE("estimate: yielding begins at 1.67 times the yield stress", "[estimate]") {
