@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "impact/axes.hpp"
 #include "impact/elastic.hpp"
+#include "impact/roles.hpp"
 #include "shape/outline.hpp"
 
 namespace ricochet {
@@ -55,7 +57,8 @@ void add_doubts_of_mesh(const Scene& scene, std::size_t b, const Vec2& place, do
     times *= told_margin;
     if (!meshed) return fmt::format("take {:.2g} times as many nodes", times * times);
     if (spacing > 1.5 * body.numbers.h_min)
-      return fmt::format("its mesh is finest elsewhere, give fine_at = {{ {}, {} }}", told(place.x()), told(place.y()));
+      return fmt::format("its mesh is finest elsewhere, give fine_at = {{ {}, {} }}", told(tangential(place)),
+                         told(normal(place)));
     return fmt::format("take h_min = {}", scene.units.shown(spacing / times, "R", 2));
   };
   if (meshed && half < enough_triangles)
@@ -78,7 +81,7 @@ void add_doubts_of_mesh(const Scene& scene, std::size_t b, const Vec2& place, do
 void add_doubts_of_yield(const Scene& scene, std::size_t b, Estimate& e) {
   if (pressure_over_yield(scene, b, e.pressure) != 1) return;
   const Body& body = *scene.bodies()[b];
-  const bool both = flows(scene, 1 - b);
+  const bool both = flows(scene, role::projectile + role::target - b);
   e.doubts.push_back(
       {"over_yield",
        fmt::format(
@@ -105,7 +108,7 @@ void add_doubts_of_block(const Scene& scene, Estimate& e) {
   if (!open && std::count(block.anchored.begin(), block.anchored.end(), true) != 1) return;
   const Elastic elastic = elastic_of(block);
   const Box box = bounding_box(block.outline);
-  const double extent = std::min(box.high.x(), box.high.y() - box.low.y());
+  const double extent = std::min(tangential(box.high), normal(Vec2(box.high - box.low)));
   const double enough =
       e.impact.time * (open ? deep_enough_of_open * elastic.shear_speed() : deep_enough * elastic.wave_speed());
   if (extent >= enough) return;
@@ -142,7 +145,8 @@ double spacing_of(const Body& body, const Vec2& place) {
 }
 
 double pressure_over_yield(const Scene& scene, double pressure) {
-  return std::fmax(pressure_over_yield(scene, 0, pressure), pressure_over_yield(scene, 1, pressure));
+  return std::fmax(pressure_over_yield(scene, role::projectile, pressure),
+                   pressure_over_yield(scene, role::target, pressure));
 }
 
 void add_doubts_of_bodies(const Scene& scene, double speed, Estimate& e) {
@@ -173,9 +177,9 @@ void add_doubts_of_bodies(const Scene& scene, double speed, Estimate& e) {
 
 void add_doubts_of_contact(const Scene& scene, const std::array<Vec2, 2>& places, const std::array<double, 2>& radii,
                            Estimate& e) {
-  for (const std::size_t b : {0, 1}) add_doubts_of_mesh(scene, b, places[b], radii[b], e);
+  for (const std::size_t b : {role::projectile, role::target}) add_doubts_of_mesh(scene, b, places[b], radii[b], e);
   add_doubts_of_speed(scene, e);
-  for (const std::size_t b : {0, 1}) add_doubts_of_yield(scene, b, e);
+  for (const std::size_t b : {role::projectile, role::target}) add_doubts_of_yield(scene, b, e);
   add_doubts_of_block(scene, e);
 }
 
