@@ -616,7 +616,7 @@ function ricochet.thermal(t) end
 ---@class ricochet.yielding_fields
 ---@field yield? number yield stress in tension, in units of E; that of the body's material unless given [m0 c^2/R^2]
 ---@field hardening? number rise of the yield stress with the plastic strain, in units of E; that of the body's material, else 0, unless given [m0 c^2/R^2]
----@field on? "projectile"|"target"|"both" the bodies whose elements yield (default projectile)
+---@field on? "projectile"|"target"|"both" the bodies whose elements yield; unless given the projectile, or, where yield is left to the materials, every one of elements that may whose material has a yield stress
 --- An effect, for the `effects` of a scene. Elements that yield, as metals do: past a von Mises stress of yield + hardening times the plastic strain they flow at constant volume, and the work of that is lost. Of plane_strain and axisymmetric bodies. Goes with verlet only: outcomes converge at order 2.
 ---@param t ricochet.yielding_fields
 ---@return ricochet.effect
@@ -629,7 +629,7 @@ function ricochet.yielding(t) end
 ---@return ricochet.effect
 function ricochet.absorbing_edges(t) end
 
---- What laws say of a scene before it runs. A table of force, overlap, contact_time, contact_length, pressure, e and wave_speed; each is a table of value (NaN where no law holds), unit, law, range and in_range. `no_law` says why none holds, or is empty. `warnings` is a list of { kind =, reason = }: coarse_contact, coarse_rim, folding, fast_modes, few_modes, corner, over_yield, supersonic.
+--- What laws say of a scene before it runs. A table of force, overlap, contact_time, contact_length, pressure, e and wave_speed; each is a table of value (NaN where no law holds), unit, law, range and in_range. `no_law` says why none holds, or is empty. `warnings` is a list of { kind =, reason = }: coarse_contact (a mesh has less than 8 sides along half of the contact, a lattice less than 4 nodes along it), coarse_rim, folding, fast_modes, few_modes, corner, over_yield, small_half_space, supersonic.
 ---@param scene ricochet.scene
 ---@return table
 function ricochet.estimate(scene) end
@@ -1064,8 +1064,8 @@ function ricochet.mesh(t) end
 ---@class ricochet.dem_fields
 ---@field rows ricochet.rows of a sweep over speeds, head on, in SI; oblique impacts may be among them
 ---@field oblique? ricochet.rows of another sweep, over psi1, for mu and beta0
----@field projectile ricochet.material of the projectile
----@field target? ricochet.material of the target; rigid unless given
+---@field projectile ricochet.material of the projectile; rows of this run must be of it, of others the files say that nobody knows
+---@field target? ricochet.material of the target, likewise; rigid unless given
 ---@field at? number normal speed at which the constant e is taken; the middle one that was measured unless given [m/s]
 ---@field name? string how the files' names begin (default pair)
 --- What a code of discrete elements needs of a pair of materials, from rows of scenes in SI: e at every normal speed of the head-on impacts (psi1 = 0), and mu and beta0 of the oblique ones, each with its standard error. Leaves NAME_dem.csv and NAME_dem.json, and the lines that LAMMPS (NAME_dem.lammps: pair_style granular), YADE (NAME_dem_yade.py) and MercuryDPM (NAME_dem_mercury.cpp, not run) read for a sphere of the projectile's material on the target's. Those codes take one e for all speeds: the files say at which it was taken, and by how much it is off at a third and at three times that. Returns a table: e (a list of v, e, e_se, count), mu, mu_se, beta0, beta0_se (NaN where the rows do not tell them, and the files say why), at, e_at, and e_lammps, the number that LAMMPS must be given so that e_at comes out. The bodies of the rows are plane: mu and beta0 are theirs.

@@ -10,6 +10,42 @@ local rigid_over_elastic = 1e4
 
 local function is_head_on(row) return math.abs(row.psi1) < 1e-9 end
 
+-- "E = 2.05e+11 Pa, nu = 0.29, 7850 kg/m^3".
+local function told(m)
+  return m and ("E = %.4g Pa, nu = %.4g and %.4g kg/m^3"):format(m.E, m.nu, m.density) or "rigid"
+end
+
+local function is_same(one, other)
+  if not one or not other then return not one == not other end
+  for _, name in ipairs { "E", "nu", "density" } do
+    if math.abs(one[name] - other[name]) > 1e-6 * math.abs(other[name]) then return false end
+  end
+  return true
+end
+
+-- What the codes compute with is what the impacts were of. True where all rows are of this run, whose scenes are known.
+local function check_materials(t)
+  local known = true
+  for _, rows in ipairs { t.rows, t.oblique } do
+    for k = 1, #rows, math.max(1, #rows // 200) do
+      local hash = core.peek(rows[k], "scene_hash")
+      local projectile, target = nil, nil
+      if hash then projectile, target = core.materials_of(hash) end
+      known = known and projectile ~= nil
+      if projectile and not is_same(projectile, t.projectile) then
+        core.fail(("the projectiles of the rows are of %s, and 'projectile' is of %s; name the rows' material"):format(
+          told(projectile), told(t.projectile)), "projectile")
+      end
+      if projectile and not is_same(target, t.target) then
+        core.fail(("the targets of the rows are %s%s, and 'target' is %s; %s"):format(target and "of " or "",
+          told(target), t.target and "of " .. told(t.target) or "not given, which is rigid",
+          target and "name the rows' material" or "leave it out"), "target")
+      end
+    end
+  end
+  return known
+end
+
 -- Finished rows whose e is told, with the speed `v` at which the surfaces met.
 local function measured(t)
   local list = {}
@@ -126,13 +162,14 @@ local function dem(given)
   local t = core.check("dem", given)
   if core.is_check() then return nil end
   local impacts = measured(t)
+  local is_of_materials = check_materials(t)
   local list = table_of_e(impacts)
   local over_yield = 0
   for _, impact in ipairs(impacts) do
     if core.peek(impact.row, "over_yield") == 1 then over_yield = over_yield + 1 end
   end
   local study = { e = list, impacts = #impacts, over_yield = over_yield, friction = friction_of(impacts),
-    pair = pair_of(t), constant = constant_of(list, t.at) }
+    pair = pair_of(t), constant = constant_of(list, t.at), is_of_materials = is_of_materials }
   for extension, text in pairs(lines.of(study)) do core.functions["file.write"](t.name .. extension, text) end
   print(lines.summary(study))
   return core.strict({

@@ -56,6 +56,9 @@ local function head(study)
     list[#list + 1] = ("%d of %d impacts press beyond a yield stress of a body that no effect lets yield: their e is "
       .. "too high."):format(study.over_yield, study.impacts)
   end
+  if not study.is_of_materials then
+    list[#list + 1] = "The rows are of another run: whether their bodies were of these materials is not known."
+  end
   if study.pair.rigid then list[#list + 1] = "The target is rigid: 1e4 times as stiff as the other." end
   return list
 end

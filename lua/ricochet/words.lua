@@ -48,6 +48,7 @@ local table_of = {
   error_step = { "error from the step" }, error_contact = { "error from the soft contact" },
   error_contact_time = { "excess of contact time" }, over_yield = { "over the yield stress" },
   plastic_strain_most = { "greatest plastic strain" }, dent = { "depth of the dent" },
+  dent_target = { "depth of the dent in the target" },
   -- series
   x = { "place along the surface", "x" }, height = { "height", "y" }, angle = { "angle turned" },
   force_n = { "normal force", "F_n" }, force_t = { "tangential force", "F_t" }, vibration = { "energy of vibration" },

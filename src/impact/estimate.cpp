@@ -1,19 +1,17 @@
 #include "impact/estimate.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <optional>
 
-#include "body/elasticity.hpp"
 #include "body/plan.hpp"
 #include "contact/line_contact.hpp"
 #include "contact/point_contact.hpp"
 #include "impact/axes.hpp"
+#include "impact/doubts.hpp"
+#include "impact/elastic.hpp"
 #include "impact/launch/launch.hpp"
 #include "shape/curvature.hpp"
 #include "shape/outline.hpp"
@@ -23,32 +21,6 @@ namespace ricochet {
 namespace {
 
 constexpr double boundless = std::numeric_limits<double>::infinity();
-
-/// A body as the laws see it.
-struct Elastic {
-  double modulus = boundless, poisson = 0, density = boundless;
-  bool held = true;  ///< infinitely heavy
-
-  double wave_speed() const { return std::sqrt(modulus / (density * (1 - poisson * poisson))); }
-};
-
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double density_of(const Body& body) {
-  if (!body.node_density.empty()) return mean(body.node_density);
-  const BodyNumbers& numbers = body.numbers;
-  return std::isnan(numbers.mass) ? numbers.area_density() : numbers.mass * numbers.nodes / signed_area(body.outline);
-}
-
-Elastic elastic_of(const Body& body) {
-  if (body.rigid()) return {};
-  const PlaneModuli moduli = usual_moduli(body.numbers);
-  const double by_place = body.node_stiffness.empty() ? 1 : mean(body.node_stiffness);
-  return {moduli.per_stiffness * body.numbers.stiffness * by_place, moduli.poisson_ratio, density_of(body),
-          std::find(body.anchored.begin(), body.anchored.end(), true) != body.anchored.end()};
-}
 
 Vec2 arriving_velocity(const Scene& scene) { return arriving_velocity(scene, elastic_of(*scene.target).held); }
 
@@ -62,7 +34,7 @@ Points outline_of(const Body& body) {
 /// Where the smooth outlines first touch: the projectile is moved there, the target lies where it is at rest.
 struct Touch {
   Points projectile, target;
-  Vec2 at;
+  Vec2 at, moved;  ///< by how much the projectile was
 };
 
 // The height of a closed outline's lower or upper side at x; NaN beside it.
@@ -103,7 +75,7 @@ std::optional<Touch> touch_of(const Scene& scene) {
       for (const Vec2& p : *corners) consider(p.x());
   if (lift == -boundless) return std::nullopt;
   for (Vec2& p : above) p += lift * upwards();
-  return Touch{std::move(above), std::move(below), at};
+  return Touch{std::move(above), std::move(below), at, {shift, lift}};
 }
 
 /// A body at the touch.
@@ -197,98 +169,11 @@ bool lies_flat(const Scene& scene, const Touch& touch) {
   });
 }
 
-double spacing_of(const Scene& scene) {
-  double spacing = 0;
-  for (const Body* body : scene.bodies())
-    if (!body->rigid())
-      spacing = std::max(spacing, body->numbers.meshed() ? body->numbers.h_min
-                                                         : std::sqrt(signed_area(body->outline) / body->numbers.nodes));
-  return spacing;
-}
-
-// Greatest pressure over the yield stress where yielding begins.
-double yields_at(const Scene& scene) { return scene.projectile->numbers.axisymmetric() ? 1.60 : 1.67; }
-
-double pressure_over_yield(const Scene& scene, double pressure) {
-  double over = not_given;
-  const auto bodies = scene.bodies();
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Body* body = bodies[b];
-    if (!body->material || std::isnan(body->material->yield) || std::isnan(pressure)) continue;
-    if (flowing(scene.effects, static_cast<int>(b), static_cast<int>(bodies.size()))) continue;
-    const bool passes = pressure > yields_at(scene) * body->material->yield;
-    over = passes || over == 1 ? 1 : 0;
-  }
-  return over;
-}
-
-// Speeds over c_P up to which no spring of a smooth disk of 1600 nodes folds on a plane: triangular 0.14, and at 0.21 7
-// % of the area does; Poisson disks 0.05, and 0.6 % at 0.07; uniform points 0.02, and some at 0.05. [here]
-double folding_speed(const std::string& placement) {
-  return placement == "triangular" ? 0.15 : placement == "poisson_disk" ? 0.055 : 0.025;
-}
-
-// Speed over c_P up to which a body of modes rebounds as the elements that its modes are of: there e of a disk differs
-// by 0.002, at twice that by 0.01. [here]
-constexpr double fastest_modes = 0.05;
-
-// What does not need a law of the contact.
-void add_doubts_of_bodies(const Scene& scene, Estimate& e) {
-  const double speed = e.normal_speed > 0 ? e.normal_speed : arriving_velocity(scene).norm();
-  for (const Body* body : scene.bodies()) {
-    if (body->rigid()) continue;
-    const double share = speed / elastic_of(*body).wave_speed();
-    if (share > 1)
-      e.doubts.push_back(
-          {"supersonic", fmt::format("at {:.2g} of a body's wave speed nothing runs ahead of the contact, and strains "
-                                     "are no small ones; in SI, are E and density in Pa and kg/m^3?",
-                                     share)});
-    if (!body->numbers.of_modes()) continue;
-    if (share > fastest_modes)
-      e.doubts.push_back(
-          {"fast_modes",
-           fmt::format("at {:.2g} of a body's wave speed strains are too large for modes, which are those "
-                       "of small ones; stay below {:g} of it, or give interior = \"{}\"",
-                       share, fastest_modes, body->numbers.modes_of)});
-    if (body->numbers.modes > 0 && std::isnan(scene.contact.xi))
-      e.doubts.push_back(
-          {"few_modes",
-           fmt::format("a rim of {} modes cannot yield to the contact that the program chooses for a whole "
-                       "body, and chatters: leave modes out, or give a softer contact.xi and see whether "
-                       "e stays with half of it",
-                       body->numbers.modes)});
-  }
-}
-
-void add_doubts(const Scene& scene, Estimate& e) {
-  const auto add = [&](const char* kind, std::string reason) { e.doubts.push_back({kind, std::move(reason)}); };
-  const double nodes = 2 * e.impact.half_width / e.spacing;
-  if (nodes < 4)
-    add("coarse_contact",
-        fmt::format("the contact is {:.2g} node spacings long, and 4 are needed for a force within some per cent: take "
-                    "{:.2g} times as many nodes",
-                    nodes, std::pow(4 / nodes, 2)));
-  const double sagitta = e.spacing * e.spacing / (8 * e.radius);
-  if (sagitta > 0.1 * e.impact.approach)
-    add("coarse_rim",
-        fmt::format("the rim's polygon strays from the outline by {:.2g} of the indentation: take {:.2g} times as many "
-                    "nodes",
-                    sagitta / e.impact.approach, sagitta / (0.1 * e.impact.approach)));
-  for (const Body* body : scene.bodies()) {
-    if (body->rigid()) continue;
-    const double share = e.normal_speed / elastic_of(*body).wave_speed();
-    if (body->numbers.interior != "springs") continue;  // elements resist being turned over
-    const double most = folding_speed(body->numbers.placement);
-    if (share > most)
-      add("folding",
-          fmt::format("at {:.2g} of a body's wave speed springs of a {} lattice fold, which takes energy that "
-                      "no solid would; stay below {:g} of it, or take a triangular lattice",
-                      share, body->numbers.placement, most));
-  }
-  if (e.over_yield == 1)
-    add("over_yield", fmt::format("the greatest pressure passes {:g} times a yield stress, where yielding begins, of a "
-                                  "body that no effect lets yield",
-                                  yields_at(scene)));
+// Where the touch is in a body as it was described, before it was turned and moved.
+Vec2 place_in(const Body& body, const Vec2& at) {
+  Points place{at};
+  turn(place, -body.numbers.angle);
+  return place[0];
 }
 
 void set_speeds(const Scene& scene, Estimate& e) {
@@ -309,10 +194,12 @@ Estimate without_law(Estimate e, std::string why) {
 
 Estimate by_law(const Scene& scene) {
   Estimate e;
-  e.spacing = spacing_of(scene);
   set_speeds(scene, e);
   const std::optional<Touch> touch = touch_of(scene);
   if (!touch) return without_law(e, "the outlines pass beside each other");
+  const std::array<Vec2, 2> places{place_in(*scene.projectile, touch->at - touch->moved),
+                                   place_in(*scene.target, touch->at)};
+  e.spacing = std::max(spacing_of(*scene.projectile, places[0]), spacing_of(*scene.target, places[1]));
   const Side one = side_of(*scene.projectile, touch->projectile, touch->at);
   const Side other = side_of(*scene.target, touch->target, touch->at);
   const Vec2 normal =
@@ -334,7 +221,7 @@ Estimate by_law(const Scene& scene) {
   e.over_yield = pressure_over_yield(scene, e.pressure);
   const double most = !scene.target->rigid() && other.elastic.held ? 0.05 : 0.1;
   e.in_range = e.impact.in_range && e.normal_speed <= most * e.slowest_wave;
-  add_doubts(scene, e);
+  add_doubts_of_contact(scene, places, {one.outline.radius, other.outline.radius}, e);
   return e;
 }
 
@@ -342,7 +229,7 @@ Estimate by_law(const Scene& scene) {
 
 Estimate estimate(const Scene& scene) {
   Estimate e = by_law(scene);
-  add_doubts_of_bodies(scene, e);
+  add_doubts_of_bodies(scene, e.normal_speed > 0 ? e.normal_speed : arriving_velocity(scene).norm(), e);
   return e;
 }
 

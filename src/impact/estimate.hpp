@@ -12,7 +12,8 @@ namespace ricochet {
 
 /// What makes a scene's numbers doubtful.
 struct Doubt {
-  std::string kind;    ///< "coarse_contact", "coarse_rim", "folding", "fast_modes", "few_modes", "corner", "over_yield"
+  /// coarse_contact, coarse_rim, folding, fast_modes, few_modes, corner, over_yield, small_half_space, supersonic
+  std::string kind;
   std::string reason;  ///< a sentence with its remedy
 };
 
@@ -27,9 +28,10 @@ struct Estimate {
   double normal_speed = not_given;
   double wave_speed = not_given;    ///< c_P of the projectile: sqrt(E2/(rho (1 - nu2^2)))
   double slowest_wave = not_given;  ///< the least c_P of the bodies that move inside
-  double spacing = not_given;       ///< of nodes: the square root of area over nodes; the coarser body's
-  double radius = not_given;        ///< of curvature, of both together
-  double over_yield = not_given;    ///< 1 if something would begin to yield that does not, else 0
+  double spacing = not_given;  ///< of nodes: the square root of area over nodes, the sides of a mesh at the touch; the
+                               ///< coarser body's
+  double radius = not_given;   ///< of curvature, of both together
+  double over_yield = not_given;  ///< 1 if something would begin to yield that does not, else 0
   std::vector<Doubt> doubts;
 };
 

@@ -219,9 +219,14 @@ const Columns& of_run() {
         "greatest plastic strain of an element; undefined without ricochet.yielding"},
        [](O o) { return o.plastic_strain_most; }},
       {{"dent", "number", "R",
-        "by how much less far the projectile reaches from its centre of mass towards the target at the end than at "
-        "rest, as it vibrates then; undefined without ricochet.yielding"},
+        "of the projectile: by how much less far it reaches from its centre of mass towards the target at the end than "
+        "at rest, as it vibrates then; undefined without ricochet.yielding"},
        [](O o) { return o.dent; }},
+      {{"dent_target", "number", "R",
+        "how far the deepest node of the target's upper surface lies below where it was before the impact, as it "
+        "vibrates at the end; of a target that is free, seen from its centre of mass; undefined without "
+        "ricochet.yielding, and of a target that is rigid, or free in the plane, where it may have turned"},
+       [](O o) { return o.dent_target; }},
   };
   return columns;
 }

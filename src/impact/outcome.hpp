@@ -72,7 +72,7 @@ struct Outcome {
   double certified = 0, time = undefined, step = undefined, theta = undefined, theta_most = undefined, steps = 0;
   double momentum_residual = undefined, error_step = undefined, error_contact = undefined;
   double error_contact_time = undefined, over_yield = undefined;
-  double plastic_strain_most = undefined, dent = undefined;
+  double plastic_strain_most = undefined, dent = undefined, dent_target = undefined;
   double last_vn = undefined, last_vt = undefined, last_omega = undefined, last_energy = undefined;
 
   /// By kind of effect, NaN for those that the scene does not name; empty if it names none. Energy lost to it, or

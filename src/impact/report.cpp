@@ -283,7 +283,8 @@ Outcome report(const Run& run, const Ending& ending, const Solids& solids, const
   const Relative start = before(run, solids), later = after(projectile, target);
   report_energy(run, facts, o);
   o.plastic_strain_most = facts.plastic_strain_most;
-  o.dent = facts.dent;
+  o.dent = facts.dents[role::projectile];
+  o.dent_target = facts.dents[role::target];
   report_contact(run, o);
   report_velocities(run, start, later, o);
   report_impulse(run, solids, projectile, target, o);

@@ -24,4 +24,10 @@ PlaneMaterial in_plane(const Material& m, const std::string& state, double thick
   return {E * thickness, nu, m.density * thickness, m.yield * thickness, m.hardening * thickness, thickness};
 }
 
+Material in_space(const PlaneMaterial& m, const std::string& state) {
+  const double nu = state != "plane_stress" ? m.nu / (1 + m.nu) : m.nu;
+  const double E = state != "plane_stress" ? m.E * (1 - nu * nu) : m.E;
+  return {.E = E / m.thickness, .nu = nu, .density = m.density / m.thickness};
+}
+
 }  // namespace ricochet

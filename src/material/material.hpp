@@ -31,4 +31,7 @@ struct PlaneMaterial {
 /// revolution (axisymmetric): E2 = E/(1 - nu^2), nu2 = nu/(1 - nu). `thickness` in m.
 PlaneMaterial in_plane(const Material& material, const std::string& state, double thickness);
 
+/// The elastic material of which this is what it is in a plane.
+Material in_space(const PlaneMaterial& material, const std::string& state);
+
 }  // namespace ricochet

@@ -150,7 +150,9 @@ Group estimate_functions() {
            .doc = "What laws say of a scene before it runs. A table of force, overlap, contact_time, contact_length, "
                   "pressure, e and wave_speed; each is a table of value (NaN where no law holds), unit, law, range "
                   "and in_range. `no_law` says why none holds, or is empty. `warnings` is a list of { kind =, reason "
-                  "= }: coarse_contact, coarse_rim, folding, fast_modes, few_modes, corner, over_yield, supersonic.",
+                  "= }: coarse_contact (a mesh has less than 8 sides along half of the contact, a lattice less than 4 "
+                  "nodes along it), coarse_rim, folding, fast_modes, few_modes, corner, over_yield, "
+                  "small_half_space, supersonic.",
            .returns = "table",
            .example = "ricochet.estimate(scene).contact_time.value",
            .call = guarded<estimate_from_lua>,

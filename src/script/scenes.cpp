@@ -16,6 +16,7 @@
 #include "script/scaling.hpp"
 #include "script/step_choice.hpp"
 #include "script/sweep_report.hpp"
+#include "script/yielding_bodies.hpp"
 
 namespace ricochet {
 namespace {
@@ -71,25 +72,6 @@ void check_scene(const Scene& scene) {
     throw FieldError("projectile", "must be free, but this body has anchored nodes");
 }
 
-// What yields as a body's material does, and where the body is in space, whose stresses are no forces per length.
-Yielding yielding_of(Yielding given, const Scene& scene, const Body& body, const char* name) {
-  given.on = name;
-  if (body.numbers.axisymmetric())
-    for (double* stress : {&given.yield, &given.hardening})
-      *stress *= scene.units.worth("m0 c^2/R^2") / scene.units.worth("m0 c^2/R^3");
-  if (std::isnan(given.yield) && body.material) given.yield = body.material->yield;
-  if (std::isnan(given.hardening) && body.material) given.hardening = body.material->hardening;
-  if (std::isnan(given.hardening)) given.hardening = 0;
-  return given;
-}
-
-// One for each body that it is on, which may be of different materials.
-void add_yielding(const Yielding& given, Scene& scene) {
-  if (given.on != "target") scene.effects.push_back(yielding_of(given, scene, *scene.projectile, "projectile"));
-  if (given.on == "target" || (given.on == "both" && !scene.target->rigid()))
-    scene.effects.push_back(yielding_of(given, scene, *scene.target, "target"));
-}
-
 // The effect on top of the stack, from the table that it was made of, in these units.
 Effect read_effect(lua_State* L, const Units& units) {
   Effect effect = effect_at(L, -1).effect;
@@ -98,6 +80,14 @@ Effect read_effect(lua_State* L, const Units& units) {
   std::visit([&](auto& e) { read_members(L, lua_gettop(L), e, units); }, effect);
   lua_pop(L, 1);
   return effect;
+}
+
+// Whether the effect on top of the stack was given a field.
+bool was_given(lua_State* L, const char* field) {
+  lua_getiuservalue(L, -1, 1);
+  const bool given = lua_getfield(L, -1, field) != LUA_TNIL;
+  lua_pop(L, 2);
+  return given;
 }
 
 bool is_si(lua_State* L) {
@@ -122,11 +112,11 @@ Scene read_scene(lua_State* L) {
   read_inner_members(L, 1, "contact", scene.contact, scene.units);
   read_inner_members(L, 1, "ending", scene.ending, scene.units);
   each_in_field(L, 1, "effects", [&](lua_Integer) {
-    const Effect effect = read_effect(L, scene.units);
-    if (const auto* yielding = std::get_if<Yielding>(&effect))
-      add_yielding(*yielding, scene);
-    else
-      scene.effects.push_back(effect);
+    Effect effect = read_effect(L, scene.units);
+    auto* yielding = std::get_if<Yielding>(&effect);
+    if (!yielding) return scene.effects.push_back(effect);
+    if (!was_given(L, "on")) yielding->on = usually_on(*yielding, scene);
+    add_yielding(*yielding, scene);
   });
   return scene;
 }

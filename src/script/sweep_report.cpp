@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "impact/estimate.hpp"
@@ -53,9 +54,9 @@ namespace {
 
 // What an estimate doubts that no column of the rows and no number of the line tells, by its kind.
 void collect_doubts(const Estimate& e, std::map<std::string, std::string>& doubts) {
+  static const std::set<std::string> told{"few_modes", "fast_modes", "corner", "supersonic", "small_half_space"};
   for (const Doubt& doubt : e.doubts)
-    if (doubt.kind == "few_modes" || doubt.kind == "fast_modes" || doubt.kind == "corner" || doubt.kind == "supersonic")
-      doubts.emplace(doubt.kind, doubt.reason);
+    if (told.contains(doubt.kind)) doubts.emplace(doubt.kind, doubt.reason);
 }
 
 std::string listed(const std::map<std::string, std::string>& doubts) {
@@ -75,7 +76,8 @@ struct ToldDoubt {
 // In the order of SweepTold::Ended.
 constexpr ToldDoubt told_doubts[] = {
     {"over_yield", 0,
-     "the estimated pressure passes what starts to yield, of a body that no effect lets yield: their e is too high"},
+     "the estimated pressure passes what starts to yield, of a body that no effect lets yield: their e is too high; "
+     "ricochet.estimate says which"},
     {"folded", 0, "springs folded, which takes energy that no solid would; see ricochet.estimate"},
     {"penetration", 0.01,
      "a node stood deeper inside the other body than a hundredth of the projectile's radius; raise contact.V0, or give "

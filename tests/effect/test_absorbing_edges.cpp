@@ -10,6 +10,7 @@
 #include "core/rng.hpp"
 #include "effect/acting.hpp"
 #include "impact/batch.hpp"
+#include "impact/estimate.hpp"
 #include "refusal.hpp"
 #include "same_bits.hpp"
 
@@ -193,6 +194,35 @@ TEST_CASE("a block with absorbing edges takes of a sphere's rebound what one doe
   CHECK(std::abs(lost(held) - lost(half_space)) > 2 * std::abs(lost(small) - lost(half_space)));
   CHECK(small.effect_energy[Effect(AbsorbingEdges{}).index()] > 0.3 * lost(small) * small.before.total());
   CHECK(small.energy_closure < 1e-5);
+}
+
+TEST_CASE("a half-space that is too small for its contact is told, where it takes more than 15 % too much") {
+  using Catch::Matchers::Contains;
+  const double speed = 0.01, theory = 1.11 * std::pow(speed, 0.6);
+  struct Case {
+    double extent;
+    bool open;
+  };
+  for (const auto& [extent, open] : {Case{3, true}, Case{6, true}, Case{5, false}, Case{8, false}}) {
+    Body block = cylinder(extent, extent, 0.06, 0.8);
+    for (const Vec2& p : ricochet::plan_nodes(block, {}).points)
+      block.anchored.push_back(p.x() == 0 && p.y() == -extent);
+    Scene scene = onto(block, speed);
+    if (open) scene.effects = {AbsorbingEdges{}};
+    const Outcome o = run(scene);
+    REQUIRE(o.status == Status::finished);
+    const double lost = 1 - (o.after.of(0).translation + o.after.of(0).vibration) / o.before.total();
+    const Estimate told = estimate(scene);
+    const auto doubt = std::find_if(told.doubts.begin(), told.doubts.end(),
+                                    [](const Doubt& d) { return d.kind == "small_half_space"; });
+    const bool warned = doubt != told.doubts.end();
+    fmt::print("half-space of {} R, {}: {:.3f} of the loss by theory, {}\n", extent, open ? "absorbing" : "free",
+               lost / theory, warned ? doubt->reason : "not warned of");
+    CHECK(warned == (lost > 1.15 * theory));
+    CHECK(warned == (extent < 5.5));
+    if (warned) CHECK_THAT(doubt->reason, Contains("take extent = "));
+    if (warned) CHECK(doubt->reason.ends_with("or add ricochet.absorbing_edges {}") == !open);
+  }
 }
 
 TEST_CASE("absorbing edges: the ledger closes ever better with a shorter step, and lanes have the same bits") {

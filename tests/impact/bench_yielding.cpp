@@ -1,4 +1,4 @@
-// ricochet_tests "[.benchmark]": what an element that yields costs beside a spring in the same lanes.
+// ricochet_tests "[.benchmark]": what elements cost beside a spring in the same lanes, and those that yield.
 
 #include <fmt/format.h>
 
@@ -74,7 +74,9 @@ TEST_CASE("an element that yields beside a spring, in the same lanes", "[.benchm
                {"plane strain, elastic", plane, circle(), 1e3 * E},
                {"plane strain, all yielding", plane, circle(), 1e-3 * E},
                {"axisymmetric, elastic", rings, half_circle(), 1e3 * E},
-               {"axisymmetric, all yielding", rings, half_circle(), 1e-3 * E}};
+               {"axisymmetric, all yielding", rings, half_circle(), 1e-3 * E},
+               {"triangles, polynomial", plane, circle(), 0},
+               {"rings, polynomial", rings, half_circle(), 0}};
   std::vector<Sheared> bodies;
   for (const auto& kind : kinds) bodies.emplace_back(kind.numbers, kind.outline, kind.yield);
   std::vector<double> least(bodies.size(), 1e9);

@@ -110,6 +110,61 @@ TEST_CASE("estimate: it doubts a contact of few nodes, and a speed at which spri
   CHECK(kinds(scene_of(std::make_shared<Body>(random), plane(), 0.7)) == std::vector<std::string>{"folding"});
 }
 
+TEST_CASE("estimate: a contact that is not resolved names the body, and finds nothing to say of the remedy it names",
+          "[estimate]") {
+  using Catch::Matchers::Contains;
+  const auto coarse = [](const Scene& scene) {
+    std::vector<std::string> reasons;
+    for (const Doubt& doubt : estimate(scene).doubts)
+      if (doubt.kind == "coarse_contact") reasons.push_back(doubt.reason);
+    return reasons;
+  };
+  auto few = round_body(1, 1e4, 100), many = round_body(1, 1e4, 12800);
+  auto reasons = coarse(scene_of(many, few, 0.03));
+  REQUIRE(reasons.size() == 1);
+  CHECK_THAT(reasons[0], Contains("node spacings of the target long") && Contains("times as many nodes"));
+  reasons = coarse(scene_of(few, few, 0.03));
+  REQUIRE(reasons.size() == 2);
+  CHECK_THAT(reasons[0], Contains("of the projectile long"));
+  // Of a mesh it takes eight sides along half of the contact.
+  const auto ball = [](double h_min) {
+    Body body{half_circle(1, 1000), element_numbers(0, 1e4, 0.3), {}, {}};
+    body.numbers.state = "axisymmetric";
+    body.numbers.h_min = h_min;
+    return std::make_shared<Body>(body);
+  };
+  const double half = estimate(scene_of(ball(0.02), plane(), 0.01)).impact.half_width;
+  CHECK(coarse(scene_of(ball(half / 8.01), plane(), 0.01)).empty());
+  reasons = coarse(scene_of(ball(half / 7.9), plane(), 0.01));
+  REQUIRE(reasons.size() == 1);
+  CHECK_THAT(reasons[0], Contains("7.9 of the projectile's triangles there") && Contains("8 are needed"));
+  const auto at = reasons[0].find("take h_min = ");
+  REQUIRE(at != std::string::npos);
+  const double wanted = std::stod(reasons[0].substr(at + 13));
+  CHECK_THAT(wanted, WithinRel(half / 8, 0.1));
+  CHECK(coarse(scene_of(ball(wanted), plane(), 0.01)).empty());
+  // A sphere's mesh is finest at its lowest point unless it is said where, and a target is met at its highest.
+  const auto fine = ball(half / 20);
+  reasons = coarse(scene_of(fine, fine, 0.01));
+  REQUIRE(reasons.size() == 1);
+  CHECK_THAT(reasons[0], Contains("of the target's triangles") && Contains("give fine_at = { 0 R, 1 R }"));
+  auto above = std::make_shared<Body>(*fine);
+  above->fine_at = Vec2(0, 1);
+  CHECK(coarse(scene_of(fine, above, 0.01)).empty());
+  // A body is turned after it is meshed.
+  const auto disk = [](double h_min, double finest, double angle) {
+    Body body{circle(1, 1000), element_numbers(0, 1e4, 0.3), {}, {}};
+    body.numbers.h_min = h_min;
+    body.numbers.angle = angle;
+    body.fine_at = Vec2(0, finest);
+    return std::make_shared<Body>(body);
+  };
+  const double wide = estimate(scene_of(disk(0.02, -1, 0), disk(0.02, 1, 0), 0.01)).impact.half_width, h = wide / 10;
+  CHECK(coarse(scene_of(disk(h, -1, 0), disk(h, 1, 0), 0.01)).empty());
+  CHECK(coarse(scene_of(disk(h, 1, 180), disk(h, -1, 180), 0.01)).empty());
+  CHECK(coarse(scene_of(disk(h, -1, 180), disk(h, 1, 180), 0.01)).size() == 2);
+}
+
 TEST_CASE("estimate: yielding begins at 1.67 times the yield stress", "[estimate]") {
   Scene scene = scene_of(round_body(1, 1e4), plane(), 0.3);
   CHECK(std::isnan(over_yield(scene)));
@@ -123,6 +178,22 @@ TEST_CASE("estimate: yielding begins at 1.67 times the yield stress", "[estimate
   };
   CHECK(with_yield(pressure / 1.66) == 0);
   CHECK(with_yield(pressure / 1.68) == 1);
+  // Of two bodies the one that no effect lets yield is named.
+  Body metal = *round_body(1, 1e4);
+  metal.material = PlaneMaterial{.yield = 1e-3 * pressure};
+  metal.numbers.interior = "elements";
+  metal.numbers.nu = 0.3;
+  metal.numbers.state = "plane_strain";
+  scene.projectile = scene.target = std::make_shared<Body>(metal);
+  scene.effects = {Yielding{1, 0, "projectile"}};
+  const Estimate one_yields = estimate(scene);
+  CHECK(one_yields.over_yield == 1);
+  REQUIRE(!one_yields.doubts.empty());
+  CHECK(one_yields.doubts.back().kind == "over_yield");
+  CHECK_THAT(one_yields.doubts.back().reason,
+             Catch::Matchers::Contains("yield stress of the target") && Catch::Matchers::Contains("on = \"both\""));
+  scene.effects = {Yielding{1, 0, "both"}};
+  CHECK(std::isnan(estimate(scene).over_yield));
 }
 
 TEST_CASE("an estimate counts the fall from a height under gravity, as the impact does") {

@@ -120,11 +120,26 @@ std::map<std::string, Follows> rule_of_columns() {
   add(of_other_body, {"omega", "target_omega", "inertia", "inertia_target", "after_projectile_rotation",
                       "after_target_rotation", "after_projectile_vibration", "after_target_vibration"});
   add(by_mass_ratio, {"target_vn", "target_vt", "before_total", "before_projectile_translation"});
-  add(of_one_body,
-      {"after_projectile_translation", "after_target_translation", "last_energy", "energy_closure", "energy_drift",
-       "contact_length", "centre_offset", "tan_alpha", "e_alpha", "last_omega", "momentum_residual",
-       "before_projectile_rotation", "before_projectile_vibration", "before_target_translation",
-       "before_target_rotation", "before_target_vibration", "error_step", "error_contact", "dent"});
+  add(of_one_body, {"after_projectile_translation",
+                    "after_target_translation",
+                    "last_energy",
+                    "energy_closure",
+                    "energy_drift",
+                    "contact_length",
+                    "centre_offset",
+                    "tan_alpha",
+                    "e_alpha",
+                    "last_omega",
+                    "momentum_residual",
+                    "before_projectile_rotation",
+                    "before_projectile_vibration",
+                    "before_target_translation",
+                    "before_target_rotation",
+                    "before_target_vibration",
+                    "error_step",
+                    "error_contact",
+                    "dent",
+                    "dent_target"});
   return rules;
 }
 

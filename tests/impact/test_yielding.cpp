@@ -76,6 +76,47 @@ TEST_CASE("a sphere that yields keeps its ledger, and is dented", "[P2]") {
   CHECK(o.effect_count[kind()] > 20);
 }
 
+TEST_CASE(
+    "the dent of a target that yields: as deep as that of an equal sphere, and of a block that a hard sphere meets") {
+  Scene scene = sphere(3e-3, 0.1, 0.005);
+  CHECK(std::isnan(run(scene).dent_target));  // a rigid plane has none
+  Body below = *scene.projectile;
+  below.fine_at = Vec2(0, 1);
+  scene.target = std::make_shared<Body>(below);
+  scene.launch.speed *= 2;
+  scene.effects = {Yielding{0.005 * E, 0, "both"}};
+  const Outcome equal = run(scene);
+  REQUIRE(equal.status == Status::finished);
+  CHECK(equal.dent > 0.01);
+  CHECK(equal.dent_target == Catch::Detail::Approx(equal.dent).epsilon(0.2));  // its deepest node, not the face
+  scene.effects = {Yielding{0.005 * E, 0, "projectile"}};
+  const Outcome one = run(scene);
+  CHECK(one.dent > 0.01);
+  CHECK(one.dent_target < 0.1 * one.dent);
+
+  Body block{{{0, -4}, {4, -4}, {4, 0}, {0, 0}}, element_numbers(0, E, 0.3), {}, {}}, hard = *scene.projectile;
+  block.numbers.state = "axisymmetric";
+  block.numbers.h_min = 0.1;
+  block.numbers.h_max = 0.8;
+  block.fine_at = Vec2(0, 0);
+  for (const Vec2& p : plan_nodes(block, {}).points) block.anchored.push_back(p.y() == -4);
+  hard.numbers.stiffness *= 10;
+  scene.projectile = std::make_shared<Body>(hard);
+  scene.target = std::make_shared<Body>(block);
+  scene.effects = {Yielding{0.005 * E, 0, "target"}};
+  const Outcome pressed = run(scene);
+  REQUIRE(pressed.status == Status::finished);
+  fmt::print("dents: equal spheres {:.4f} and {:.4f}; one that yields {:.4f} and {:.4f}; block {:.4f} of {:.4f}\n",
+             equal.dent, equal.dent_target, one.dent, one.dent_target, pressed.dent_target, pressed.overlap);
+  CHECK(pressed.dent_target > 0.5 * pressed.overlap);
+  CHECK(pressed.dent_target < pressed.overlap);
+  CHECK(pressed.dent < 0.1 * pressed.dent_target);
+  // One that may have turned has no such depth.
+  Scene plane_strain = disk(1e-2, 0.1, 0.005);
+  plane_strain.target = plane_strain.projectile;
+  CHECK(std::isnan(run(plane_strain).dent_target));
+}
+
 TEST_CASE("a disk of plane strain yields too, and what never yields rebounds as elastic elements do") {
   const Outcome yields = run(disk(1e-2, 0.06, 0.005));
   fmt::print("disk: e {:.4f}, taken {:.4f}, closure {:.1e}, steps {}\n", yields.e, taken(yields), yields.energy_closure,

@@ -122,6 +122,46 @@ TEST_CASE("dem: rows that tell no e for such a code are refused with a remedy") 
              Contains("these codes take no e above 1"));
 }
 
+TEST_CASE("dem: materials that are not those of the rows are refused, and rows of another run are told") {
+  const Workplace here;
+  const auto run = [&](const std::string& call, const std::string& more = "") {
+    return here.script(R"(local ricochet = require "ricochet"
+local steel, glass = ricochet.materials.steel, ricochet.materials.glass
+local function rows_on(target)
+  return ricochet.sweep { name = "drops", over = { speed = { 5, 15 } }, scene = function(at)
+    return ricochet.scene { units = "SI", target = target, launch = { speed = at.speed },
+      projectile = ricochet.disk { radius = 0.005, material = steel, interior = "elements", nodes = 60,
+        state = "plane_strain" } }
+  end }:run()
+end
+local function block(material)
+  return ricochet.rectangle { width = 0.02, height = 0.005, material = material, interior = "elements", nodes = 60,
+    state = "plane_strain" }
+end
+)" + call + more,
+                       "--quiet --force");
+  };
+  const std::string onto_plane = "local rows = rows_on(ricochet.plane {})\n",
+                    onto_glass = "local rows = rows_on(block(glass))\n";
+  CHECK(run(onto_plane, "ricochet.dem { rows = rows, projectile = steel }").status == 0);
+  CHECK(run(onto_glass, "ricochet.dem { rows = rows, projectile = steel, target = glass }").status == 0);
+  CHECK_THAT(here.read("out/s/pair_dem.lammps"), !Contains("of another run"));
+  CHECK_THAT(run(onto_plane, "ricochet.dem { rows = rows, projectile = glass }").err,
+             Contains("dem: the projectiles of the rows are of E = 2.05e+11 Pa, nu = 0.29") &&
+                 Contains("'projectile' is of E = 7.2e+10 Pa") && Contains("name the rows' material"));
+  CHECK_THAT(
+      run(onto_plane, "ricochet.dem { rows = rows, projectile = steel, target = glass }").err,
+      Contains("the targets of the rows are rigid, and 'target' is of E = 7.2e+10 Pa") && Contains("leave it out"));
+  CHECK_THAT(run(onto_glass, "ricochet.dem { rows = rows, projectile = steel }").err,
+             Contains("the targets of the rows are of E = 7.2e+10 Pa") && Contains("'target' is not given"));
+  CHECK_THAT(run(onto_glass, "ricochet.dem { rows = rows, projectile = steel, target = steel }").err,
+             Contains("the targets of the rows are of E = 7.2e+10 Pa") && Contains("name the rows' material"));
+  REQUIRE(
+      here.script(made_rows("{ 0.9, 0.9, 0.9, 0.9 }", "ricochet.dem { rows = rows, projectile = steel }"), "--force")
+          .status == 0);
+  CHECK_THAT(here.read("out/s/pair_dem.csv"), Contains("whether their bodies were of these materials is not known"));
+}
+
 TEST_CASE("dem: LAMMPS returns the e that its lines are to give, to 2 %") {
   const Workplace here;
   if (here.shell("lmp -h | grep -q GRANULAR").status != 0) {

@@ -166,3 +166,33 @@ ricochet.lammps { scene = ricochet.scene { target = ricochet.wall { nodes = 100 
   CHECK_THAT(ended.err,
              Contains("'projectile': LAMMPS files hold bodies of springs only, and this one is of elements"));
 }
+
+TEST_CASE("scripts: by materials every body with a yield stress yields, unless it is said whose elements do") {
+  const Ended ended = script_with_module(R"(
+local soft = ricochet.material { E = 200e9, nu = 0.3, density = 7800, yield = 2e8 }
+local strong = ricochet.material { E = 200e9, nu = 0.3, density = 7800, yield = 4e8 }
+local brittle = ricochet.material { E = 200e9, nu = 0.3, density = 7800 }
+local function yields(projectile, target, fields, state)
+  local function ball(material) return ricochet.sphere { radius = 0.01, material = material, h_min = 2e-3 } end
+  local scene = ricochet.scene { units = "SI", launch = { speed = 1 }, projectile = ball(projectile),
+    target = target and ball(target) or ricochet.plane {}, effects = { ricochet.yielding(fields) } }
+  local text = scene:text()
+  return text:find("yielding[^\n]*projectile") ~= nil, text:find("yielding[^\n]*target") ~= nil
+end
+local function check(a, b, projectile, target) assert(a == projectile and b == target, tostring(a) .. tostring(b)) end
+local a, b = yields(soft, strong, {})
+check(a, b, true, true)
+a, b = yields(soft, strong, { on = "projectile" })
+check(a, b, true, false)
+a, b = yields(soft, strong, { yield = 1e8 })
+check(a, b, true, false)
+a, b = yields(brittle, soft, {})
+check(a, b, false, true)
+a, b = yields(soft, brittle, {})
+check(a, b, true, false)
+a, b = yields(soft, nil, {})
+check(a, b, true, false)
+)");
+  INFO(ended.err);
+  CHECK(ended.status == 0);
+}

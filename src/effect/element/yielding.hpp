@@ -37,10 +37,12 @@ struct Yielding {
         {{"on",
           "string",
           "",
-          "the bodies whose elements yield",
+          "the bodies whose elements yield; unless given the projectile, or, where yield is left to the materials, "
+          "every "
+          "one of elements that may whose material has a yield stress",
           any_number,
-          "projectile",
-          false,
+          "",
+          true,
           {"projectile", "target", "both"}},
          &Yielding::on},
     };

@@ -13,6 +13,7 @@
 #include "impact/report.hpp"
 #include "impact/roles.hpp"
 #include "impact/watch/contact_frame.hpp"
+#include "impact/watch/dents.hpp"
 #include "impact/watch/follow_touches.hpp"
 #include "impact/watch/indentation.hpp"
 #include "impact/watch/ledger.hpp"
@@ -380,9 +381,7 @@ class Watch {
     const auto counts = effects.counts(lane);
     facts.effect_count.assign(counts.begin(), counts.end());
     facts.plastic_strain_most = effects.flows().most_strain(lane);
-    if (effects.flows().any())
-      facts.dent = run.projectile_radius -
-                   depth_below(fact(now.motions[role::projectile].centre, lane), state_.end[role::projectile], lane);
+    if (effects.flows().any()) facts.dents = dents(run, now.motions, state_.end, lane);
     facts.effect_energy.assign(effect_kinds, Outcome::undefined);
     for (const Effect& effect : run.scene->effects)
       facts.effect_energy[effect.index()] =
