@@ -280,6 +280,50 @@ TEST_CASE("by error in shards: round after round, each planned by what was merge
   }
 }
 
+TEST_CASE(
+    "by error in shards: a smaller error goes on from the rows of a larger one, none of which is lost on the way") {
+  const Workplace here;
+  const auto reach = [&](const std::string& error, const std::string& out) {
+    here.write("s.lua", by_error("standard_error = " + error));
+    Ended merged{3, "", ""};
+    for (int round = 0; round < 12 && merged.status == 3; ++round) {
+      for (const char* shard : {"0/2", "1/2"}) {
+        const Ended ran = here.run(fmt::format("s.lua --quiet --shard {} --out {}", shard, out));
+        INFO(ran.err);
+        REQUIRE(ran.status == 0);
+      }
+      merged = here.shell("ricochet merge s.lua --no-report --out " + out);
+    }
+    INFO(merged.err);
+    REQUIRE(merged.status == 0);
+    return merged;
+  };
+  const auto seconds = [&](const fs::path& file) {
+    const Table table = read_table(here.path / file);
+    std::map<std::string, double> of;
+    for (std::size_t i = 0; i < table.rows(); ++i)
+      of[table.text("scene_hash")->values[i]] = table.number("wall_seconds")->values[i];
+    return of;
+  };
+  reach("0.05", "out");
+  const std::map<std::string, double> before = seconds("out/s/results.h5");
+  const Ended merged = reach("0.03", "out");
+  REQUIRE(here.run("s.lua --quiet --no-report --out calm").status == 0);
+  CHECK(digest_of(read_table(here.path / "out/s/results.h5")) ==
+        digest_of(read_table(here.path / "calm/s/results.h5")));
+  const std::map<std::string, double> now = seconds("out/s/results.h5");
+  CHECK(now.size() > before.size());
+  std::size_t gone = 0;
+  for (const auto& [scene, time] : before) {
+    gone += !now.contains(scene);
+    if (now.contains(scene)) CHECK(now.at(scene) == time);  // none ran again
+  }
+  CHECK((merged.out.find(" rows of the earlier, larger error are not asked for") != std::string::npos) == (gone > 0));
+  CHECK_FALSE(fs::exists(here.path / "out/s/earlier.h5"));
+  here.write("s.lua", by_error("standard_error = 0.05"));  // larger again: its results would be fewer
+  CHECK_THAT(here.shell("ricochet merge s.lua --quiet").err, Contains("rows of other scenes"));
+}
+
 TEST_CASE("by error in shards: rounds are not merged in part, and other numbers of samples are refused") {
   const Workplace here;
   here.write("s.lua", by_error("standard_error = 0.05"));
