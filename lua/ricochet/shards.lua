@@ -19,25 +19,23 @@ local function text_of(sweep)
   return table.concat(lines, "\n")
 end
 
-local function all_scenes(sweep, make)
-  local places, scenes = {}, {}
-  for point = 0, points.count(sweep) - 1 do
-    places[point + 1], scenes[point + 1] = point, make(points.values_at(sweep, point))
-  end
-  return places, scenes
-end
-
 -- Lets trials choose the steps of all points, as a run of all of them would.
 local function choose_steps(sweep, names, make)
-  if long_sweep.is_long(sweep) then
-    local count = points.count(sweep)
-    long_sweep.each_chunk(sweep, names, make, function(places, scenes)
-      core.plan_steps(sweep.name, count, places, scenes)
-    end)
-    return
+  local count = points.count(sweep)
+  long_sweep.each_trial(sweep, names, make, function(places, scenes)
+    core.plan_steps(sweep.name, count, places, scenes)
+  end)
+end
+
+-- A shard of more points than are kept together.
+local function run_chunks(sweep, own, make)
+  local shard, at_once = core.long_sweep(sweep.name, points.axes(sweep), points.count(sweep), #own), core.at_once()
+  for first = 1, #own, at_once do
+    local places, scenes = table.move(own, first, math.min(first + at_once - 1, #own), 1, {}), {}
+    for i, place in ipairs(places) do scenes[i] = make(points.values_at(sweep, place)) end
+    core.long_run(shard, places, scenes)
   end
-  local places, scenes = all_scenes(sweep, make)
-  core.plan_steps(sweep.name, #places, places, scenes)
+  core.long_end_shard(shard)
 end
 
 --- Runs this process's shard, or makes the plan of all, and ends the script. `make`: the scene at values of `over`.
@@ -48,11 +46,13 @@ function shards.run(sweep, make)
     local names = lattices.names_of(sweep, first, make, "in shards")
     local _, by_trials = core.lattice(first)
     if by_trials then choose_steps(sweep, names, make) end
-    local _, scenes = nil, {}
-    if core.holds_rows(sweep.name) then _, scenes = all_scenes(sweep, make) end
-    core.plan_shards(sweep.name, over, first, names, scenes)
+    if core.holds_rows(sweep.name) then
+      long_sweep.each_chunk(sweep, names, make, function(places, scenes) core.plan_look(places, scenes) end)
+    end
+    core.plan_shards(sweep.name, over, first, names)
     own = core.shard_points(sweep.name, over, first)
   end
+  if #own > core.at_once() then run_chunks(sweep, own, make) end
   local values, scenes = {}, {}
   for i, point in ipairs(own) do
     values[i] = points.values_at(sweep, point)

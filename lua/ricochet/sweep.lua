@@ -132,14 +132,15 @@ methods.run = core.wrap(function(self)
     sweep.rows = rows_of(rounds.run(own, sweep.by_error), { names = names, units = sweep.units })
     return sweep.rows
   end
-  if shards.runs(sweep.name) then shards.run(sweep, function(point) return scene_at(sweep, point) end) end
-  local is_part = core.part() == "shard" or core.part() == "plan"
-  if long_sweep.is_long(sweep) and not is_part then
-    sweep.rows = rows_of(long_sweep.run(sweep, function(point) return scene_at(sweep, point) end), sweep)
+  local function make(point) return scene_at(sweep, point) end
+  if shards.runs(sweep.name) then shards.run(sweep, make) end
+  if long_sweep.is_long(sweep, make) then
+    local is_part = core.part() == "shard" or core.part() == "plan"
+    sweep.rows = rows_of(is_part and long_sweep.merged(sweep, make) or long_sweep.run(sweep, make), sweep)
     return sweep.rows
   end
   local list, scenes = points.list(sweep), {}
-  for i, point in ipairs(list) do scenes[i] = scene_at(sweep, point) end
+  for i, point in ipairs(list) do scenes[i] = make(point) end
   local rows = rows_of(core.run_sweep(sweep.name, sweep.names, list, scenes, "whole", sweep.units), sweep)
   sweep.rows = rows
   return rows

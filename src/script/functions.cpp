@@ -7,13 +7,13 @@ namespace {
 
 const std::vector<Group>& groups() {
   static const std::vector<Group> list{
-      parameter_functions(), material_functions(),   body_functions(),       point_functions(),
-      scene_functions(),     estimate_functions(),   sweep_functions(),      long_sweep_functions(),
-      shard_functions(),     resampling_functions(), series_functions(),     wave_functions(),
-      plot_functions(),      picture_functions(),    record_functions(),     report_functions(),
-      lesson_functions(),    accuracy_functions(),   elasticity_functions(), mesh_functions(),
-      dem_functions(),       compare_functions(),    mode_functions(),       ringing_functions(),
-      file_functions(),      theory_functions(),
+      parameter_functions(), material_functions(),    body_functions(),       point_functions(),
+      scene_functions(),     estimate_functions(),    sweep_functions(),      long_sweep_functions(),
+      shard_functions(),     shard_round_functions(), resampling_functions(), series_functions(),
+      wave_functions(),      plot_functions(),        picture_functions(),    record_functions(),
+      report_functions(),    lesson_functions(),      accuracy_functions(),   elasticity_functions(),
+      mesh_functions(),      dem_functions(),         compare_functions(),    mode_functions(),
+      ringing_functions(),   file_functions(),        theory_functions(),
   };
   return list;
 }

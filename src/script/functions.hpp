@@ -46,6 +46,7 @@ Group sweep_functions();
 Group resampling_functions();
 Group long_sweep_functions();
 Group shard_functions();
+Group shard_round_functions();
 Group series_functions();
 Group wave_functions();
 Group plot_functions();

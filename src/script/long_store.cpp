@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/error.hpp"
 #include "core/hash.hpp"
 #include "impact/outcome.hpp"
 #include "script/digest.hpp"
@@ -54,12 +55,13 @@ Parameters parameters_at(const std::vector<SweptAxis>& axes, const std::vector<s
 
 }  // namespace
 
+void LongStore::load(const std::vector<fs::path>& files) {
+  index_.clear();
+  for (const fs::path& file : files) index_.add(file);
+}
+
 void LongStore::load() {
-  const auto load_all = [this](const std::vector<fs::path>& files) {
-    index_.clear();
-    for (const fs::path& file : files) index_.add(file);
-  };
-  while_they_change([this] { return folder_.stored(); }, load_all);
+  while_they_change([this] { return folder_.stored(); }, [this](const std::vector<fs::path>& files) { load(files); });
 }
 
 void LongStore::add(std::vector<Row> rows, const std::vector<std::size_t>& points) {
@@ -81,14 +83,14 @@ fs::path LongStore::write_part(std::size_t first) {
     keys.push_back(HashKey::of(chunk_[i].hash));
     name += chunk_[i].hash;
   }
-  const fs::path file = run_names::part(folder_.parts(), hash_text(name));
+  const fs::path file = folder_.part(hash_text(name));
   if (folder_.session().options.force && index_.rows() == 0)
     run_names::remove_parts(folder_.parts());  // of another try
   make_folder(folder_.parts());
   Table table = table_of(list);
   parameters_at(axes_, {chunk_points_.begin() + static_cast<std::ptrdiff_t>(first), chunk_points_.end()})
       .add_to(table, places);
-  write_table(file, table, Session::made_by());
+  write_table(file, table, folder_.origin());
   index_.add(file, keys);
   return file;
 }
@@ -156,9 +158,19 @@ void take_endings(const std::string& column, const std::vector<std::string>& val
 
 LongStore::Written LongStore::write_results(const std::vector<RowPlace>& rows, const std::vector<std::size_t>& points,
                                             Columns& wanted, bool whole) {
-  const fs::path file = run_names::readable_results(folder_.path());
   index_.refuse_changed();
-  LongResults results(file);
+  LongResults results(run_names::readable_results(folder_.path()));
+  Written written = write_columns(results, rows, points, wanted);
+  index_.refuse_changed();
+  results.finish(folder_.session().provenance());
+  folder_.results_are_written(whole);
+  written.digest = results.digest();
+  return written;
+}
+
+template <class Results>
+LongStore::Written LongStore::write_columns(Results& results, const std::vector<RowPlace>& rows,
+                                            const std::vector<std::size_t>& points, Columns& wanted) const {
   Row first;  // its units are those of all
   first.outcomes.resize(Outcome::fields().size());
   if (!rows.empty()) first.units = index_.texts("units", {rows.front()}).front();
@@ -182,11 +194,37 @@ LongStore::Written LongStore::write_results(const std::vector<RowPlace>& rows, c
     results.add(column.field, values);
     take_endings(column.field.name, values, written);
   }
-  index_.refuse_changed();
-  results.finish(folder_.session().provenance());
-  folder_.results_are_written(whole);
-  written.digest = results.digest();
   return written;
+}
+
+std::size_t LongStore::write_shard(const std::vector<HashKey>& scenes, const std::vector<std::size_t>& points) {
+  make_folder(folder_.parts());
+  const fs::path own = folder_.part("");
+  Written written;
+  // Another process of this shard may end, and remove what it has taken up of our parts.
+  while_they_change(
+      [this] { return folder_.stored(); },
+      [&](const std::vector<fs::path>& files) {
+        load(files);
+        std::vector<RowPlace> rows;
+        for (const HashKey& scene : scenes) {
+          const RowPlace* place = index_.find(scene);
+          if (!place)
+            throw FileError(fmt::format("rows of shard {} are gone from {}; the same command runs them again",
+                                        folder_.session().options.shard, folder_.parts().string()));
+          rows.push_back(*place);
+        }
+        LongTable table(own);
+        Columns unused;
+        written = write_columns(table, rows, points, unused);
+        table.finish(folder_.origin());
+      });
+  const std::size_t shard = folder_.session().options.shard;
+  std::vector<fs::path> all;
+  while_they_change([&] { return all = run_names::shard_files(folder_.path(), shard); },
+                    [this](const std::vector<fs::path>& files) { load(files); });
+  become_shard(own, folder_.path(), shard, all);
+  return static_cast<std::size_t>(std::count(written.finished.begin(), written.finished.end(), true));
 }
 
 }  // namespace ricochet

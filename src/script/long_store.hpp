@@ -44,11 +44,18 @@ class LongStore {
   /// columns whose names are in it. `whole`: they are all.
   Written write_results(const std::vector<RowPlace>& rows, const std::vector<std::size_t>& points, Columns& wanted,
                         bool whole);
+  /// The file of a shard of these scenes, which are of these points, compared with what other processes of it left.
+  /// Returns how many finished.
+  std::size_t write_shard(const std::vector<HashKey>& scenes, const std::vector<std::size_t>& points);
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  void load(const std::vector<std::filesystem::path>& files);
   std::filesystem::path write_part(std::size_t first);
+  template <class Results>
+  Written write_columns(Results& results, const std::vector<RowPlace>& rows, const std::vector<std::size_t>& points,
+                        Columns& wanted) const;
 
   StoreFolder folder_;
   const std::vector<SweptAxis>& axes_;

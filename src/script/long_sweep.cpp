@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <unordered_set>
+#include <unordered_map>
 
 #include "script/fields.hpp"
 #include "script/shard_merge.hpp"
+#include "script/shard_work.hpp"
 #include "store/run_names.hpp"
 
 namespace ricochet {
@@ -26,29 +27,57 @@ std::vector<bool> all_of(const std::vector<Scene>& scenes) { return std::vector<
 
 }  // namespace
 
-LongSweep::LongSweep(Session& session, std::string name, std::vector<SweptAxis> axes, std::size_t points)
+LongSweep::LongSweep(Session& session, std::string name, std::vector<SweptAxis> axes, std::size_t points,
+                     std::size_t own)
     : session_(session),
       name_(std::move(name)),
       axes_(std::move(axes)),
+      own_(own),
       hashes_(points),
       method_(points),
       chosen_(points),
+      counted_(points),
       steps_(points),
       told_(points) {
   if (session.options.check) return;
   store_.emplace(session, name_, axes_);
-  if (session.options.part == Part::merge) plan_ = plan_of_merge(session, name_, points);
-  if (session.options.resume) store_->load();
-  looks_first_ = store_->index().rows() > 0 || session.options.part == Part::merge;
+  const bool merges = session.options.part == Part::merge;
+  if (merges) plan_ = plan_of_merge(session, name_, points);
+  if (store_->folder().is_shard()) plan_ = read_plan(session.sharded);
+  if (session.options.resume || store_->folder().is_shard()) store_->load();
+  looks_first_ = !store_->folder().is_shard() && (store_->index().rows() > 0 || merges);
+}
+
+void LongSweep::choose_steps(const std::vector<std::size_t>& points, std::vector<Scene>& scenes) {
+  try {
+    steps_.choose(session_, points, scenes, printed(session_, [&](std::size_t i) { return place(points[i]); }));
+  } catch (const Error& error) {
+    if (error.exit != Exit::interrupted) throw;
+    throw with_stored(error, left_behind());
+  }
+}
+
+void LongSweep::choose(const std::vector<std::size_t>& points, std::vector<Scene> scenes) {
+  choose_steps(points, scenes);
+  chose_ = true;
+}
+
+void LongSweep::take_steps(const std::vector<std::size_t>& points, std::vector<Scene>& scenes) {
+  if (session_.options.check) return;
+  if (!plan_ && !chose_ && !looked_) return choose_steps(points, scenes);
+  for (std::size_t i = 0; i < scenes.size(); ++i) try {
+      if (store_->folder().is_shard())
+        scenes[i] = plan_->with_planned_step(std::move(scenes[i]), points[i]);
+      else
+        give_step(scenes[i], points[i]);
+    } catch (const FieldError& error) {
+      throw SceneError(error, i);
+    }
 }
 
 void LongSweep::take(const std::vector<std::size_t>& points, std::vector<Scene>& scenes) {
-  const SceneName name = [&](std::size_t i) { return place(points[i]); };
   if (!first_) first_ = scenes.front();
-  if (plan_ || looked_)
-    for (std::size_t i = 0; i < scenes.size(); ++i) give_step(scenes[i], points[i]);
-  else if (!session_.options.check)
-    steps_.choose(session_, points, scenes, printed(session_, name));
+  take_steps(points, scenes);
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const HashKey key = HashKey::of(scenes[i].hash());
     if (looked_ && key != hashes_[points[i]])
@@ -72,20 +101,19 @@ std::size_t LongSweep::known() const {
 
 void LongSweep::end_look() {
   looked_ = true;
-  std::unordered_set<HashKey, HashKey::Spread> own(hashes_.begin(), hashes_.end());
-  std::size_t met = 0;
-  for (const HashKey& key : own) met += store_->index().find(key) != nullptr;
-  store_->folder().refuse_strangers(store_->index().rows() - met);
-  if (!plan_ && session_.options.part != Part::merge) return;
-  std::vector<bool> done;
-  for (const HashKey& key : hashes_) done.push_back(store_->index().find(key) != nullptr);
-  refuse_missing(session_, name_, done);
+  store_->folder().refuse_strangers(store_->index().strangers(hashes_));
+  for (std::size_t point = 0; point < hashes_.size(); ++point)
+    counted_[point] = store_->index().find(hashes_[point]) != nullptr;
+  if (plan_ || session_.options.part == Part::merge) refuse_missing(session_, name_, counted_);
 }
 
-bool LongSweep::lacks(const std::vector<std::size_t>& points) const {
+bool LongSweep::lacks(const std::vector<std::size_t>& points) {
   if (session_.options.part == Part::merge) return false;
-  return !looked_ || std::any_of(points.begin(), points.end(),
-                                 [this](std::size_t point) { return store_->index().find(hashes_[point]) == nullptr; });
+  const auto has_none = [this](std::size_t point) { return store_->index().find(hashes_[point]) == nullptr; };
+  if (!looked_ || std::any_of(points.begin(), points.end(), has_none)) return true;
+  const std::size_t fresh = count_stored(points);
+  if (fresh > 0 && progress_) progress_->add(fresh, 0);
+  return false;
 }
 
 void LongSweep::warn_of_twins(std::size_t repeated, std::size_t of) {
@@ -105,30 +133,44 @@ void LongSweep::add_use(const SweepUse& use) {
   use_ = {all, use.threads, mean(use_.idle_threads, use.idle_threads), mean(use_.idle_lanes, use.idle_lanes)};
 }
 
+// How many points of a chunk have a row that the progress does not know of.
+std::size_t LongSweep::count_stored(const std::vector<std::size_t>& points) {
+  std::size_t fresh = 0;
+  for (const std::size_t point : points) {
+    if (counted_[point] || !store_->index().find(hashes_[point])) continue;
+    counted_[point] = true;
+    ++fresh;
+  }
+  return fresh;
+}
+
 // Returns false if it was interrupted.
 bool LongSweep::run_rest(const std::vector<std::size_t>& points, const std::vector<Scene>& scenes) {
+  if (!progress_) {
+    const bool is_shard = store_->folder().is_shard();
+    progress_.emplace(session_, is_shard ? shard_name(session_, name_) : name_, own_, looked_ ? known() : 0);
+  }
   std::vector<bool> todo(scenes.size());
-  std::unordered_set<HashKey, HashKey::Spread> met;  // a scene that occurs twice runs once
-  std::size_t done = 0;
+  std::unordered_map<HashKey, std::size_t, HashKey::Spread> points_of;  // a scene that occurs twice runs once
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const HashKey& key = hashes_[points[i]];
-    todo[i] = met.insert(key).second && !store_->index().find(key);
-    done += !todo[i] && !looked_;
+    todo[i] = ++points_of[key] == 1 && !store_->index().find(key);
   }
-  warn_of_twins(scenes.size() - met.size(), scenes.size());
-  if (!progress_) progress_.emplace(session_, name_, hashes_.size(), looked_ ? known() : 0);
+  warn_of_twins(scenes.size() - points_of.size(), scenes.size());
+  const std::size_t before = count_stored(points);
   const auto keep = [&](const std::vector<Result>& results) {
     std::vector<Row> rows;
     std::vector<std::size_t> of;
-    std::size_t failed = 0;
+    std::size_t failed = 0, with_row = 0;
     for (const Result& result : results) {
       const std::size_t i = result.index;
+      with_row += points_of.at(hashes_[points[i]]);
       rows.push_back(row_of(scenes[i], result.outcome, result.seconds, hashes_[points[i]].digits()));
       of.push_back(points[i]);
       failed += result.outcome.status != Status::finished;
     }
     ran_ += rows.size();
-    progress_->add(rows.size(), failed);
+    progress_->add(with_row, failed);
     store_->add(std::move(rows), of);
   };
   const SceneName name = [&](std::size_t i) { return place(points[i]); };
@@ -136,7 +178,8 @@ bool LongSweep::run_rest(const std::vector<std::size_t>& points, const std::vect
   const bool whole =
       run_chosen(scenes, todo, options_of(session_), stop_requested, keep, printed(session_, name), &use);
   add_use(use);
-  if (done > 0) progress_->add(done, 0);
+  if (before > 0) progress_->add(before, 0);
+  for (const std::size_t point : points) counted_[point] = true;
   return whole;
 }
 
@@ -148,8 +191,7 @@ void LongSweep::run(const std::vector<std::size_t>& points, std::vector<Scene> s
   try {
     if (run_rest(points, scenes)) return store_->end_chunk();
     store_->flush();
-    throw Error("interrupted: " + store_->folder().left_behind(store_->index().rows(), hashes_.size()),
-                Exit::interrupted);
+    throw Error("interrupted: " + left_behind(), Exit::interrupted);
   } catch (const FileError& error) {
     throw FileError(fmt::format("{}{}", error.what(), stored()));
   } catch (const SceneError&) {
@@ -158,9 +200,22 @@ void LongSweep::run(const std::vector<std::size_t>& points, std::vector<Scene> s
   }
 }
 
-std::string LongSweep::stored() const {
-  if (!store_ || store_->index().rows() == 0) return "";
-  return "\n  " + store_->folder().left_behind(store_->index().rows(), hashes_.size());
+// Before the scenes were looked at, it is not known which of the stored rows are theirs.
+std::string LongSweep::left_behind() const {
+  return store_->folder().left_behind(looks_first_ && !looked_ ? store_->index().rows() : known(), own_);
+}
+
+std::string LongSweep::stored() const { return store_ && store_->index().rows() > 0 ? "\n  " + left_behind() : ""; }
+
+void LongSweep::end_shard() {
+  std::vector<std::size_t> points;
+  std::vector<HashKey> scenes;
+  for (std::size_t point = 0; point < hashes_.size(); ++point) {
+    if (!counted_[point]) continue;
+    points.push_back(point);
+    scenes.push_back(hashes_[point]);
+  }
+  tell_shard_end(session_, name_, store_->write_shard(scenes, points), points.size());
 }
 
 void LongSweep::end() {

@@ -6,7 +6,9 @@
 #include "script/long_rows.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
+#include "script/shard_work.hpp"
 #include "script/sweep_read.hpp"
+#include "store/run_names.hpp"
 
 namespace ricochet {
 
@@ -61,13 +63,30 @@ int at_once(lua_State* L) {
   return 1;
 }
 
-// long_sweep(name, axes, points)
+// long_sweep(name, axes, points, own): `own` of the points are run here, all if it is not given.
 int long_sweep(lua_State* L) {
   Session& session = session_of(L);
   const std::string name = luaL_checkstring(L, 1);
   if (!session.first_sweep_named(name)) throw at_this_call(L, ran_already(name));
-  push_held(L, sweep_type,
-            std::make_shared<LongSweep>(session, name, axes_at(L, 2), static_cast<std::size_t>(lua_tointeger(L, 3))));
+  const auto points = static_cast<std::size_t>(lua_tointeger(L, 3));
+  const auto own = static_cast<std::size_t>(luaL_optinteger(L, 4, lua_tointeger(L, 3)));
+  push_held(L, sweep_type, std::make_shared<LongSweep>(session, name, axes_at(L, 2), points, own));
+  return 1;
+}
+
+// long_merged(name, axes, points, first): the rows of a sweep whose shards were merged, for a shard of a later one.
+int long_merged(lua_State* L) {
+  Session& session = session_of(L);
+  const std::string name = luaL_checkstring(L, 1);
+  if (!session.first_sweep_named(name)) throw at_this_call(L, ran_already(name));
+  push_held(L, rows_type,
+            LongRows(run_names::readable_results(session.folders.named(name)), axes_at(L, 2),
+                     static_cast<std::size_t>(lua_tointeger(L, 3)), scene_at(L, 4).scene));
+  return 1;
+}
+
+int chooses(lua_State* L) {
+  lua_pushboolean(L, sweep_at(L, 1).chooses());
   return 1;
 }
 
@@ -91,12 +110,14 @@ int of_chunk(lua_State* L, Do work) {
   } catch (const SceneError& error) {
     throw_at_scene(L, 3, error, fmt::format(" (at {}){}", sweep.place(points[error.scene]), sweep.stored()));
   }
-  // Lua does not see how much the scenes hold that are not needed any more.
   lua_settop(L, 0);
-  Session& session = session_of(L);
-  session.plans.clear();
-  session.planned_nodes = 0;
+  session_of(L).forget_plans();
   return 0;
+}
+
+int choose(lua_State* L) {
+  return of_chunk(
+      L, [&](const auto& points, std::vector<Scene> scenes) { sweep_at(L, 1).choose(points, std::move(scenes)); });
 }
 
 int look_at(lua_State* L) {
@@ -129,6 +150,12 @@ std::optional<Scene> made_again(lua_State* L, int make, const LongSweep& sweep, 
   }
   lua_settop(L, top);
   return scene;
+}
+
+// long_end_shard(sweep): writes the file of a shard, and ends the script.
+int end_shard(lua_State* L) {
+  sweep_at(L, 1).end_shard();
+  end_script(session_of(L));
 }
 
 // long_end(sweep, make): writes the results; the rows of all points. `make`: the scene of a point, from 0.
@@ -198,11 +225,15 @@ void make_long_types(lua_State* L) {
 Group long_sweep_functions() {
   return {.natives = {{"at_once", at_once},
                       {"long_sweep", guarded<long_sweep>},
+                      {"long_merged", guarded<long_merged>},
+                      {"long_chooses", chooses},
+                      {"long_choose", guarded<choose>},
                       {"long_looks_first", looks_first},
                       {"long_look", guarded<look_at>},
                       {"long_end_look", guarded<end_look>},
                       {"long_lacks", lacks},
                       {"long_run", guarded<run_chunk>},
+                      {"long_end_shard", guarded<end_shard>},
                       {"long_end", guarded<long_end>},
                       {"long_value", guarded<long_value>},
                       {"long_row", guarded<long_row>},

@@ -17,6 +17,8 @@ class RememberedSteps {
   /// which `warning` then tells. Throws FileError for a file that is something else, which would be overwritten.
   TriedChoices& read(const std::filesystem::path& file);
   /// Adds to the file what is new. Throws FileError.
+  /// True if something is among them that was not in the file.
+  bool has_new() const { return tried_.size() != from_file_; }
   void write(const std::filesystem::path& file) const;
 
   std::string warning;  ///< what was wrong with the file

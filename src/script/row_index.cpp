@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <unordered_set>
 
 #include "core/error.hpp"
 #include "script/known_rows.hpp"
@@ -71,6 +72,13 @@ void RowIndex::clear() {
 const RowPlace* RowIndex::find(const HashKey& scene) const {
   const auto found = places_.find(scene);
   return found == places_.end() ? nullptr : &found->second;
+}
+
+std::size_t RowIndex::strangers(const std::vector<HashKey>& scenes) const {
+  const std::unordered_set<HashKey, HashKey::Spread> own(scenes.begin(), scenes.end());
+  std::size_t met = 0;
+  for (const HashKey& key : own) met += places_.contains(key);
+  return rows() - met;
 }
 
 void RowIndex::compare(const std::vector<Twin>& twins, std::uint32_t file) const {

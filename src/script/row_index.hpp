@@ -30,6 +30,8 @@ class RowIndex {
   /// nullptr if there is none.
   const RowPlace* find(const HashKey& scene) const;
   std::size_t rows() const { return places_.size(); }
+  /// How many rows are of none of these scenes.
+  std::size_t strangers(const std::vector<HashKey>& scenes) const;
 
   /// A column of these rows, in their order. Throws FileError.
   std::vector<double> numbers(const std::string& column, const std::vector<RowPlace>& rows) const;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "body/plan.hpp"
+#include "core/hash_pieces.hpp"
 #include "impact/chosen_steps.hpp"
 #include "impact/scene.hpp"
 #include "record/row.hpp"
@@ -86,12 +87,18 @@ class Session {
   std::string making;             ///< the values of a sweep's point while its scene is being made: "psi1 = 2"
   std::map<std::string, std::shared_ptr<const NodePlan>> plans;  ///< planned nodes of bodies, by their geometry
   double planned_nodes = 0;                                      ///< in `plans`
+  /// Of scenes that are not needed any more: Lua does not see how much they hold.
+  void forget_plans() {
+    plans.clear();
+    planned_nodes = 0;
+  }
 
   std::map<std::string, std::shared_ptr<const Scene>>
       chosen;  ///< scenes with the step chosen for their accuracy, by the asked scene's hash
   std::map<std::string, KnownChoices> rounds;  ///< of sweeps that run in rounds, by name: what their trials chose
 
   std::shared_ptr<ChunkSteps> planned_steps;  ///< of a plan of shards that is being made
+  std::vector<HashKey> planned_scenes;        ///< where rows are there already
 
   RememberedSteps steps;
 

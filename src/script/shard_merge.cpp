@@ -123,7 +123,7 @@ std::vector<Row> with_missing(const RowStore& store, const std::vector<Scene>& s
 std::vector<Row> merged_rows(Session& session, const std::string& sweep, const std::vector<std::string>& hashes) {
   KnownRows known(hashes);
   const fs::path folder = session.folders.named(sweep);
-  known.load(run_names::readable_results(folder));
+  for (const fs::path& file : run_names::merged(folder)) known.load(file);
   if (known.count() < hashes.size())
     throw FileError(
         fmt::format("{} holds {} of {} impacts of '{}', which the script runs before the sweep of this "

@@ -120,6 +120,14 @@ Scene ShardPlan::with_step(Scene scene, std::size_t point) const {
   return scene;
 }
 
+Scene ShardPlan::with_planned_step(Scene scene, std::size_t point) const {
+  if (steps.rows() == 0 && !std::isnan(scene.integration.accuracy))
+    throw FieldError("accuracy",
+                     "is given at this point and not at the first, so that the plan of the shards has no step for it; "
+                     "give it at every point, or at none");
+  return with_step(std::move(scene), point);
+}
+
 void add_step(Table& table, const Scene& scene) {
   if (table.numbers.empty())
     table = {{{{"theta"}, {}}, {{"error_step"}, {}}, {{"error_contact"}, {}}}, {{{"method"}, {}}}};

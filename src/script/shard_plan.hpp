@@ -35,6 +35,8 @@ struct ShardPlan {
   std::vector<std::size_t> points_of(std::size_t shard) const;
   /// The scene of a point with the step that the plan has for it.
   Scene with_step(Scene scene, std::size_t point) const;
+  /// The same for a shard. Throws FieldError for a scene that asks for an accuracy where the first did not.
+  Scene with_planned_step(Scene scene, std::size_t point) const;
 };
 
 /// Of a session: its script, arguments and program.

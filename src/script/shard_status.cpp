@@ -106,10 +106,7 @@ void print_queue(const fs::path& folder, const Stored& stored, std::size_t point
 
 void print_shards(const fs::path& folder) {
   const ShardPlan plan = read_plan(folder);
-  std::vector<fs::path> files = run_names::shard_files(folder);
-  std::error_code error;
-  if (const fs::path merged = run_names::readable_results(folder); fs::exists(merged, error)) files.push_back(merged);
-  const Stored stored = stored_in(files);
+  const Stored stored = stored_in(run_names::all_stored(folder));
   const Standing standing = standing_of(folder, plan);
   putf(
       "{}: {} of {} impacts are stored, {} of them failed; {} shards: {} done, {} begun{}, {} ended with an error{}, "

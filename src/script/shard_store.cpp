@@ -1,5 +1,7 @@
 #include "script/shard_store.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/error.hpp"
@@ -46,25 +48,14 @@ std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vec
 ShardStore::ShardStore(Session& session, std::size_t shard, const std::vector<std::string>& hashes,
                        const Parameters& parameters)
     : RowStore(hashes), session_(session), folder_(session.sharded), shard_(shard), parameters_(parameters) {
-  const auto all = [this] {
-    std::vector<fs::path> list = files();
-    std::error_code error;
-    if (const fs::path results = run_names::readable_results(folder_); fs::exists(results, error))
-      list.push_back(results);
-    return list;
-  };
-  load_while_they_change(known_, all);
+  load_while_they_change(known_, [this] { return run_names::stored_for_shard(folder_, shard_); });
 }
-
-std::vector<fs::path> ShardStore::files() const { return run_names::shard_files(folder_, shard_); }
 
 void ShardStore::write(const fs::path& file, const std::vector<const Row*>& rows,
                        const std::vector<std::size_t>& places) const {
-  Provenance origin = Session::made_by();
-  origin["host"] = host_name();
   Table table = table_of(rows);
   parameters_.add_to(table, places);
-  write_table(file, table, origin);
+  write_table(file, table, origin_of_shard());
 }
 
 void ShardStore::add(const std::vector<std::pair<std::size_t, Row>>& batch) {
@@ -92,10 +83,15 @@ void ShardStore::flush() {
 
 void ShardStore::finish() {
   make_folder(run_names::shards(folder_));
-  const fs::path own = run_names::shard_part(folder_, shard_), whole = run_names::shard(folder_, shard_);
+  const fs::path own = run_names::shard_part(folder_, shard_);
   write(own, known_.list(), known_.places());
-  std::vector<fs::path> others;
-  load_while_they_change(known_, [&] { return others = files(); });
+  std::vector<fs::path> all;
+  load_while_they_change(known_, [&] { return all = run_names::shard_files(folder_, shard_); });
+  become_shard(own, folder_, shard_, all);
+}
+
+void become_shard(const fs::path& own, const fs::path& folder, std::size_t shard, const std::vector<fs::path>& all) {
+  const fs::path whole = run_names::shard(folder, shard);
   try {
     rename_over(own, whole);
   } catch (const FileError&) {
@@ -103,9 +99,20 @@ void ShardStore::finish() {
     std::error_code error;
     if (fs::exists(own, error) || !fs::exists(whole, error)) throw;
   }
-  for (const fs::path& other : others)
+  for (const fs::path& other : all)
     if (other != own && other != whole) remove_file(other);
-  remove_file(run_names::shard_error(folder_, shard_));
+  remove_file(run_names::shard_error(folder, shard));
+}
+
+std::string shard_left_behind(const Session& session, std::size_t count, std::size_t all) {
+  return fmt::format("{} of {} impacts of shard {}/{} are stored in {}; the same command goes on from there", count,
+                     all, session.options.shard, session.options.shards, session.sharded.string());
+}
+
+Provenance origin_of_shard() {
+  Provenance origin = Session::made_by();
+  origin["host"] = host_name();
+  return origin;
 }
 
 }  // namespace ricochet

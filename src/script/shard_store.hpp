@@ -22,6 +22,17 @@ void while_they_change(const std::function<std::vector<std::filesystem::path>()>
 /// rows into another by then. Throws FileError as KnownRows::load(). Returns how many rows are of no known scene.
 std::size_t load_while_they_change(KnownRows& rows, const std::function<std::vector<std::filesystem::path>()>& list);
 
+/// Gives what a process has written of all rows of a shard its name, after comparing it with the shard's other files,
+/// which go. `all`: the files of the shard as they were compared.
+void become_shard(const std::filesystem::path& own, const std::filesystem::path& folder, std::size_t shard,
+                  const std::vector<std::filesystem::path>& all);
+
+/// "12 of 40 impacts of shard 3/20 are stored in out/s; the same command goes on from there"
+std::string shard_left_behind(const Session& session, std::size_t count, std::size_t all);
+
+/// Written beside the rows of a shard.
+Provenance origin_of_shard();
+
 class ShardStore : public RowStore {
  public:
   /// Takes up what is stored of the shard, and what of an earlier sweep's results is its own.
@@ -37,8 +48,6 @@ class ShardStore : public RowStore {
 
  private:
   using Clock = std::chrono::steady_clock;
-
-  std::vector<std::filesystem::path> files() const;
 
   void write(const std::filesystem::path& file, const std::vector<const Row*>& rows,
              const std::vector<std::size_t>& places) const;

@@ -75,15 +75,17 @@ stopped= process= told=
 tell() { [ -z "$stopped" ] || [ -z "$process" ] || [ -n "$told" ] || { told=1; kill -TERM "$process"; }; }
 trap 'stopped=1; tell' TERM
 
-# The end of its time is near, or the node is wanted: what is done is stored. Cancelled jobs stay so.
+# The end of its time is near, or the node is wanted: what is done is stored. Cancelled jobs stay so. SLURM_JOB_ID of an
+# array's last task means the whole array.
 again() {
+  task=${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID
   for try in 1 2 3 4 5; do
-    state=$(squeue -h -j "$SLURM_JOB_ID" -o %T) && break
+    state=$(squeue -h -j "$task" -o %T) && break
     sleep 2
   done
   if [ "$state" = RUNNING ] && [ "${SLURM_RESTART_COUNT:-0}" -lt $most_restarts ]; then
     echo "queued again"
-    scontrol requeue "$SLURM_JOB_ID"
+    scontrol requeue "$task"
   fi
   exit 130
 }

@@ -4,7 +4,11 @@
 
 #include <cmath>
 
+#include "store/files.hpp"
+
 namespace ricochet {
+
+namespace fs = std::filesystem;
 
 Telling printed(Session& session, SceneName name) {
   return {[&session](const std::string& line) { session.inform(line + "\n"); }, std::move(name)};
@@ -18,7 +22,26 @@ std::vector<Scene> with_chosen_steps(Session& session, const std::vector<Scene>&
                                      KnownChoices* known) {
   TriedChoices& tried = session.steps.read(session.steps_file());
   if (!session.steps.warning.empty()) session.warn(session.steps.warning);
-  return with_chosen_steps(scenes, session.options.threads, stop_requested, telling, known, &tried);
+  try {
+    return with_chosen_steps(scenes, session.options.threads, stop_requested, telling, known, &tried);
+  } catch (const Error& error) {
+    if (error.exit != Exit::interrupted) throw;
+    const fs::path file = session.steps_file();
+    std::string kept;
+    try {
+      if (session.steps.has_new()) {
+        make_folder(file.parent_path());
+        session.steps.write(file);
+        kept = fmt::format(" (what they chose so far is remembered in {})", file.string());
+      }
+    } catch (const FileError&) {  // then they are made again
+    }
+    throw Error("interrupted while trials chose steps" + kept, Exit::interrupted);
+  }
+}
+
+Error with_stored(const Error& interrupted, const std::string& stored) {
+  return Error(fmt::format("{}: {}", interrupted.what(), stored), interrupted.exit);
 }
 
 std::vector<Scene> with_steps_of_rounds(Session& session, const std::string& sweep, const std::vector<Scene>& scenes,

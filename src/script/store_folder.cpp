@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "script/shard_store.hpp"
 #include "store/run_names.hpp"
 
 namespace ricochet {
@@ -14,6 +15,10 @@ StoreFolder::StoreFolder(Session& session, const std::string& name)
       path_(session.folders.named(name)),
       parts_(run_names::parts(path_)),
       merges_(session.options.part == Part::merge) {
+  if (is_shard()) {
+    parts_ = run_names::shards(path_);
+    return;
+  }
   std::error_code error;
   if (!merges_ && !session.options.force && fs::exists(run_names::plan(path_), error))
     throw FileError(fmt::format(
@@ -23,11 +28,15 @@ StoreFolder::StoreFolder(Session& session, const std::string& name)
     parts_ = run_names::new_parts(path_);
 }
 
+fs::path StoreFolder::part(const std::string& key) const {
+  return is_shard() ? run_names::shard_part(path_, session_.options.shard) : run_names::part(parts_, key);
+}
+
+Provenance StoreFolder::origin() const { return is_shard() ? origin_of_shard() : Session::made_by(); }
+
 std::vector<fs::path> StoreFolder::stored() const {
-  std::vector<fs::path> list = run_names::stored(path_);
-  if (!merges_) return list;
-  for (const fs::path& file : run_names::shard_files(path_)) list.push_back(file);
-  return list;
+  if (is_shard()) return run_names::stored_for_shard(path_, session_.options.shard);
+  return merges_ ? run_names::all_stored(path_) : run_names::stored(path_);
 }
 
 void StoreFolder::refuse_strangers(std::size_t count) const {
@@ -51,6 +60,7 @@ void StoreFolder::results_are_written(bool whole) const {
 }
 
 std::string StoreFolder::left_behind(std::size_t count, std::size_t all) const {
+  if (is_shard()) return shard_left_behind(session_, count, all);
   return fmt::format("{} of {} impacts are stored in {}; {}--resume goes on from there{}", count, all, path_.string(),
                      session_.options.fresh ? "--new " : "",
                      replaces() ? ", and the earlier results stay until all are there" : "");

@@ -11,12 +11,18 @@ namespace ricochet {
 
 class StoreFolder {
  public:
-  /// Claims the sweep's folder. Throws FileError for one that holds shards, unless they are to be merged.
+  /// Claims the sweep's folder, but for a shard, which shares it. Throws FileError for one that holds shards, unless
+  /// they are to be merged.
   StoreFolder(Session& session, const std::string& name);
 
   const std::filesystem::path& path() const { return path_; }
   const std::filesystem::path& parts() const { return parts_; }
   Session& session() const { return session_; }
+
+  /// A new part of the rows, told apart by `key`; and what stands beside them of where they come from.
+  std::filesystem::path part(const std::string& key) const;
+  Provenance origin() const;
+  bool is_shard() const { return session_.options.part == Part::shard; }
 
   /// The files whose rows are taken up.
   std::vector<std::filesystem::path> stored() const;

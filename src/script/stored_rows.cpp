@@ -60,18 +60,12 @@ void sort_columns(std::vector<Column>& columns, const std::vector<Column>& usual
                    [&](const Column& a, const Column& b) { return place(a) < place(b); });
 }
 
-std::vector<fs::path> files_of(const fs::path& folder) {
-  std::vector<fs::path> files = run_names::stored(folder);
-  for (const fs::path& file : run_names::shard_files(folder)) files.push_back(file);
-  return files;
-}
-
 }  // namespace
 
 Table stored_rows(const fs::path& folder) {
   Union rows;
   // Each scene counts once, so files may be added again.
-  while_they_change([&] { return files_of(folder); },
+  while_they_change([&] { return run_names::all_stored(folder); },
                     [&](const std::vector<fs::path>& files) {
                       for (const fs::path& file : files) rows.add(read_table(file));
                     });

@@ -18,8 +18,8 @@ Store::Store(Session& session, const std::string& name, const std::vector<std::s
              const Parameters& parameters, const Earlier& earlier)
     : RowStore(hashes), folder_(session, name), parameters_(parameters) {
   if (!earlier.taken) return;
-  const std::size_t strangers = load_while_they_change(known_, [this] { return folder_.stored(); });
-  if (!earlier.strangers) folder_.refuse_strangers(strangers);
+  strangers_ = load_while_they_change(known_, [this] { return folder_.stored(); });
+  if (!earlier.strangers) folder_.refuse_strangers(strangers_);
 }
 
 void Store::add(const std::vector<std::pair<std::size_t, Row>>& batch) {

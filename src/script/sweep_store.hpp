@@ -29,6 +29,8 @@ class Store : public RowStore {
         const Earlier& earlier);
 
   const std::filesystem::path& folder() const { return folder_.path(); }
+  /// Rows of other scenes that were there and allowed.
+  std::size_t strangers() const { return strangers_; }
 
   /// Keeps a finished batch as a part file: from then on it survives a kill.
   void add(const std::vector<std::pair<std::size_t, Row>>& batch) override;
@@ -45,6 +47,7 @@ class Store : public RowStore {
  private:
   StoreFolder folder_;
   const Parameters& parameters_;
+  std::size_t strangers_ = 0;
 };
 
 }  // namespace ricochet

@@ -17,6 +17,8 @@
 #include "script/sweep_report.hpp"
 #include "script/sweep_run.hpp"
 #include "script/sweep_store.hpp"
+#include "store/files.hpp"
+#include "store/long_table.hpp"
 #include "store/run_names.hpp"
 #include "store/sinks.hpp"
 
@@ -43,9 +45,10 @@ struct Request {
     return [this](std::size_t scene) { return parameters.place(scene); };
   }
   bool goes_on() const { return stage == Stage::first_round || stage == Stage::round; }
-  Earlier earlier(bool resume) const {
+  // `went_on`: from results of a larger error, not all rows of which are asked for.
+  Earlier earlier(bool resume, bool went_on) const {
     const bool begins = stage == Stage::whole || stage == Stage::first_round;
-    return {resume || !begins, goes_on()};
+    return {resume || !begins, goes_on() || (stage == Stage::last && went_on)};
   }
 };
 
@@ -109,30 +112,52 @@ std::vector<Row> check_only(Session& session, const Request& sweep) {
   return rows;
 }
 
-void tell_end(Session& session, const Request& sweep, const fs::path& folder, const std::vector<Row>& rows,
-              const std::string& digest, const SweepUse* use) {
+void tell_end(Session& session, const Request& sweep, const Store& store, const std::string& digest,
+              const SweepUse* use) {
   std::size_t finished = 0;
+  const std::vector<Row>& rows = store.rows();
   SweepTold told(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    finished += rows[i].finished();
     told.add_scene(i, sweep.scenes[i]);
+    if (!store.done()[i]) continue;
+    finished += rows[i].finished();
     told.add_row(i, sweep.scenes[i], rows[i]);
+    session.count(rows[i]);
   }
   std::string text = fmt::format("{}: {} of {} impacts finished; {}\n{}", sweep.name, finished, rows.size(),
-                                 run_names::readable_results(folder).string(), told.steps_text());
+                                 run_names::readable_results(store.folder()).string(), told.steps_text());
   text += fmt::format("  digest of outcomes {}\n", digest);
   if (use) text += use_text(*use);
-  for (const Row& row : rows) session.count(row);
   session.inform(text);
   told.warn_of_limit(session, sweep.scene_name());
   if (session.options.quiet) told.warn_of_doubts(session);
 }
 
-std::vector<Scene> with_steps(Session& session, const Request& sweep) {
+// Before the steps are chosen it is not known which of the stored rows are the scenes'.
+std::string stored_before(const Session& session, const std::string& name) {
+  const fs::path folder = session.folders.named(name);
+  std::error_code error;
+  const bool replaced = session.options.force && !fs::exists(run_names::new_parts(folder), error);
+  std::size_t rows = 0;
+  for (const fs::path& file : run_names::stored(folder)) rows += replaced ? 0 : StoredTable(file).rows();
+  if (rows == 0) return fmt::format("no impact of '{}' has run; the same command begins again", name);
+  return fmt::format("{} rows are stored in {}; --resume goes on from there", rows, folder.string());
+}
+
+std::vector<Scene> choose_steps(Session& session, const Request& sweep) {
   const Telling telling = printed(session, sweep.scene_name());
   if (sweep.stage != Stage::whole) return with_steps_of_rounds(session, sweep.name, sweep.scenes, telling);
   return session.options.part == Part::whole ? with_chosen_steps(session, sweep.scenes, telling)
                                              : with_planned_steps(session, sweep.name, sweep.scenes, telling);
+}
+
+std::vector<Scene> with_steps(Session& session, const Request& sweep) {
+  try {
+    return choose_steps(session, sweep);
+  } catch (const Error& error) {
+    if (error.exit != Exit::interrupted) throw;
+    throw with_stored(error, stored_before(session, sweep.name));
+  }
 }
 
 // Scenes that are all there, by their hashes.
@@ -169,7 +194,10 @@ std::vector<Row> run(Session& session, Request& sweep) {
   if (session.options.part == Part::shard || session.options.part == Part::plan)
     return merged_rows(session, sweep.name, hashes);
   if (!merges) check_steps(session, sweep.scenes);
-  Store store(session, sweep.name, hashes, sweep.parameters, sweep.earlier(session.options.resume));
+  const fs::path larger = run_names::earlier(session.folders.named(sweep.name));
+  std::error_code error;
+  Store store(session, sweep.name, hashes, sweep.parameters,
+              sweep.earlier(session.options.resume, merges && fs::exists(larger, error)));
   const std::size_t before = store.count();
   SweepUse use;
   if (merges)
@@ -178,10 +206,15 @@ std::vector<Row> run(Session& session, Request& sweep) {
     use = run_rest(session, store, sweep, hashes);
   if (sweep.goes_on()) return store.rows();
   const std::string digest = store.assemble();
-  const std::vector<Row> rows = store.count() < hashes.size() ? with_missing(store, sweep.scenes) : store.rows();
-  tell_end(session, sweep, store.folder(), rows, digest, store.count() > before ? &use : nullptr);
+  if (merges && sweep.stage == Stage::last) {
+    if (store.strangers() > 0)
+      session.inform(fmt::format("{}: {} rows of the earlier, larger error are not asked for by this one, and go\n",
+                                 sweep.name, store.strangers()));
+    remove_file(larger);
+  }
+  tell_end(session, sweep, store, digest, store.count() > before ? &use : nullptr);
   session.swept.push_back({sweep.name, store.folder(), scenes_by_hash(sweep.scenes, hashes)});
-  return rows;
+  return store.count() < hashes.size() ? with_missing(store, sweep.scenes) : store.rows();
 }
 
 // Sets `name` of the row below the top to the sweep's value, which the point at the top has. What the row had of that

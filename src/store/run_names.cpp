@@ -19,6 +19,7 @@ constexpr const char* new_extension = ".new";
 constexpr const char* results_stem = "results";
 constexpr const char* parts_name = "parts";
 constexpr const char* plan_stem = "plan";
+constexpr const char* earlier_stem = "earlier";
 constexpr const char* shards_name = "shards";
 constexpr const char* queue_name = "slurm";
 constexpr const char* error_extension = ".error";
@@ -118,6 +119,37 @@ std::vector<fs::path> shard_files(const fs::path& folder, std::size_t k) {
 
 std::vector<fs::path> shard_files(const fs::path& folder) { return rows_of_shards(folder, ""); }
 
+fs::path earlier(const fs::path& folder) { return with(folder / earlier_stem, rows_sinks().front().extension); }
+
+namespace {
+
+bool is_there(const fs::path& file) {
+  std::error_code error;
+  return fs::exists(file, error);
+}
+
+}  // namespace
+
+std::vector<fs::path> merged(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::path& file : {readable_results(folder), earlier(folder)})
+    if (is_there(file)) files.push_back(file);
+  return files;
+}
+
+std::vector<fs::path> all_stored(const fs::path& folder) {
+  std::vector<fs::path> files = stored(folder);
+  for (const fs::path& file : shard_files(folder)) files.push_back(file);
+  if (is_there(earlier(folder))) files.push_back(earlier(folder));
+  return files;
+}
+
+std::vector<fs::path> stored_for_shard(const fs::path& folder, std::size_t k) {
+  std::vector<fs::path> files = shard_files(folder, k);
+  for (const fs::path& file : merged(folder)) files.push_back(file);
+  return files;
+}
+
 std::set<std::string> shard_names(const fs::path& folder) {
   std::set<std::string> names;
   std::error_code error;
@@ -145,6 +177,7 @@ void remove_results(const fs::path& folder) {
   remove_parts(parts(folder));
   remove_parts(new_parts(folder));
   remove_shards(folder);
+  remove_file(earlier(folder));
 }
 
 void remove_parts(const fs::path& parts) { remove_those(parts, is_part); }
@@ -159,7 +192,8 @@ bool is_of_the_run(const fs::path& name) {
   fs::path first = *name.begin();
   if (has_extension_of(first, {new_extension})) first = first.stem();
   if (first == log || first == report || first == list || first == parts_name) return true;
-  if (first == plan("").filename() || first == shards_name || first == queue_name) return true;
+  if (first == plan("").filename() || first == earlier("").filename() || first == shards_name || first == queue_name)
+    return true;
   return std::any_of(rows_sinks().begin(), rows_sinks().end(),
                      [&](const RowsSink& sink) { return first == with(results_stem, sink.extension); });
 }

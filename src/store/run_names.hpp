@@ -39,6 +39,13 @@ std::filesystem::path shard_error(const std::filesystem::path& folder, std::size
 /// The files of rows of one shard, or of all, whole or not.
 std::vector<std::filesystem::path> shard_files(const std::filesystem::path& folder, std::size_t k);
 std::vector<std::filesystem::path> shard_files(const std::filesystem::path& folder);
+/// Of a sweep by rounds that goes on from results of a larger error: their rows, some of which later rounds ask for.
+std::filesystem::path earlier(const std::filesystem::path& folder);
+/// The files of rows that were merged: results, and the earlier ones.
+std::vector<std::filesystem::path> merged(const std::filesystem::path& folder);
+/// All files of rows; and those that one shard goes on from: its own, and merged ones.
+std::vector<std::filesystem::path> all_stored(const std::filesystem::path& folder);
+std::vector<std::filesystem::path> stored_for_shard(const std::filesystem::path& folder, std::size_t k);
 /// The names of all files of the shards.
 std::set<std::string> shard_names(const std::filesystem::path& folder);
 /// Removes the shards' rows and the plan. Throws FileError.

@@ -286,6 +286,51 @@ TEST_CASE("by error in shards: round after round, each planned by what was merge
   }
 }
 
+TEST_CASE("by error in shards: a smaller error goes on from the rows of a larger one, and loses none on the way") {
+  const Workplace here;
+  int kept = 0;
+  const auto reach = [&](const std::string& error) {
+    here.write("s.lua", by_error("standard_error = " + error));
+    Ended merged{3, "", ""};
+    for (int round = 0; round < 12 && merged.status == 3; ++round) {
+      const Ended ran = here.run("s.lua --quiet --shard 0/1");
+      INFO(ran.err);
+      REQUIRE(ran.status == 0);
+      kept += fs::exists(here.path / "out/s/earlier.h5");
+      merged = here.shell("ricochet merge s.lua --no-report");
+    }
+    INFO(merged.err);
+    REQUIRE(merged.status == 0);
+    return merged;
+  };
+  const auto seconds = [&](const fs::path& file) {
+    const Table table = read_table(here.path / file);
+    std::map<std::string, double> of;
+    for (std::size_t i = 0; i < table.rows(); ++i)
+      of[table.text("scene_hash")->values[i]] = table.number("wall_seconds")->values[i];
+    return of;
+  };
+  reach("0.1");
+  const std::map<std::string, double> before = seconds("out/s/results.h5");
+  const Ended merged = reach("0.08");
+  REQUIRE(here.run("s.lua --quiet --no-report --out calm").status == 0);
+  CHECK(digest_of(read_table(here.path / "out/s/results.h5")) ==
+        digest_of(read_table(here.path / "calm/s/results.h5")));
+  CHECK(kept > 0);
+  const std::map<std::string, double> now = seconds("out/s/results.h5");
+  CHECK(now.size() > before.size());
+  std::size_t gone = 0;
+  for (const auto& [scene, time] : before) {
+    gone += !now.contains(scene);
+    if (now.contains(scene)) CHECK(now.at(scene) == time);  // none ran again
+  }
+  CHECK(gone == 3);  // 21 lattices from one side, and now 18 from both
+  CHECK_THAT(merged.out, Contains("s: 3 rows of the earlier, larger error are not asked for by this one"));
+  CHECK_FALSE(fs::exists(here.path / "out/s/earlier.h5"));
+  here.write("s.lua", by_error("standard_error = 0.1"));  // larger again: its results would be fewer
+  CHECK_THAT(here.shell("ricochet merge s.lua --quiet").err, Contains("rows of other scenes"));
+}
+
 TEST_CASE("by error in shards: rounds are not merged in part, and other numbers of samples are refused") {
   const Workplace here;
   here.write("s.lua", by_error("standard_error = 0.05"));

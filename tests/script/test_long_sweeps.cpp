@@ -150,8 +150,9 @@ TEST_CASE("chunk by chunk, accuracy, samples by error, twins and shards are what
   const Workplace here;
   here.write("s.lua", small_sweep);
   REQUIRE(here.run("s.lua --quiet --no-report --out whole").status == 0);
-  for (int k = 0; k < 3; ++k)
-    REQUIRE(here.run(fmt::format("s.lua --quiet --no-report --at-once 5 --shard {}/3 --out long", k)).status == 0);
+  for (int k = 0; k < 3; ++k)  // of four points each
+    REQUIRE(here.run(fmt::format("s.lua --quiet --no-report --at-once 3 --shard {}/3 --out long", k)).status == 0);
+  CHECK(files_in(here.path / "long/s/shards") == 3);
   REQUIRE(here.shell("ricochet merge s.lua --quiet --no-report --at-once 5 --out long").status == 0);
   CHECK(digest(here, "long/s") == digest(here, "whole/s"));
   std::string by_accuracy = small_sweep;
@@ -162,10 +163,99 @@ TEST_CASE("chunk by chunk, accuracy, samples by error, twins and shards are what
     REQUIRE(here.run(fmt::format("s.lua --quiet --at-once 5 --shard {}/2 --out two --steps two.steps", k)).status == 0);
   REQUIRE(here.shell("ricochet merge s.lua --quiet --no-report --at-once 5 --out two").status == 0);
   CHECK(digest(here, "two/s") == digest(here, "one/s"));
+  // Which scenes are kept together has no say in their steps, so that a run goes on with another number.
+  REQUIRE(here.run("s.lua --quiet --no-report --out at_once --steps at_once.steps").status == 0);
+  CHECK(digest(here, "at_once/s") == digest(here, "one/s"));
+  const Ended on = here.run("s.lua --no-report --out at_once --at-once 7 --resume");
+  INFO(on.err);
+  CHECK(on.status == 0);
+  CHECK(on.err.find("s: ") == std::string::npos);  // nothing was left to run
   std::string twins = small_sweep;
   twins.replace(twins.find("psi1 = at.psi1"), 14, "psi1 = 1");
   here.write("s.lua", twins);
   CHECK_THAT(here.run("s.lua --out t --no-report --at-once 6").err, Contains("repeat another one exactly"));
+}
+
+TEST_CASE("trials choose the steps of as many scenes together whatever --at-once is, more than that, too", "[.slow]") {
+  const Workplace here;
+  std::string text = many_points;
+  text.replace(text.find("launch ="), 0, "accuracy = 0.1, ");
+  text.replace(text.find("ricochet.range(0.01, 0.1, 0.01)"), 31, "{ 0.1 }");
+  here.write("s.lua", text);
+  text.replace(text.find("time = 0.2"), 10, "time = 0.05");
+  for (const char* at_once : {"8192", "9000"}) {
+    const Ended run =
+        here.run(fmt::format("s.lua --quiet --no-report samples=1 angles=8400 --out {} --at-once {} --steps {}.steps",
+                             at_once, at_once, at_once));
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+  }
+  CHECK(digest(here, "9000/s") == digest(here, "8192/s"));
+}
+
+TEST_CASE("the progress of a long sweep counts points, though scenes that repeat others run once") {
+  const Workplace here;
+  std::string twins = small_sweep;
+  twins.replace(twins.find("{ 0, 1, 4 }"), 11, "p.all and { 0, 1, 4 } or { 0, 1 }");
+  twins.replace(twins.find("samples = {"), 0, "all = { true, doc = \"angles\" }, ");
+  while (twins.find("seed = at.sample") != std::string::npos)
+    twins.replace(twins.find("seed = at.sample"), 16, "seed = 1");
+  here.write("s.lua", twins);
+  const auto last = [](const Ended& run) {
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    const std::size_t at = run.err.rfind("s: ");
+    REQUIRE(at != std::string::npos);
+    return run.err.substr(at, run.err.find("  ", at) - at);
+  };
+  CHECK(last(here.run("s.lua --no-report --at-once 6")) == "s: 12/12");
+  CHECK(last(here.run("s.lua --no-report --at-once 6 --out more all=false")) == "s: 8/8");
+  CHECK(last(here.run("s.lua --no-report --at-once 6 --out more --resume")) == "s: 12/12");  // of 8 that are there
+  CHECK(last(here.run("s.lua --no-report --out whole")) == "s: 12/12");
+  CHECK(digest(here, "more/s") == digest(here, "whole/s"));
+}
+
+TEST_CASE("merging in part tells and counts the same of a long sweep as of one that is made at once") {
+  const Workplace here;
+  std::string text = small_sweep;
+  text.replace(text.find("launch = {"), 0, "time_limit = at.sample == 1 and 0.1 or nil, ");
+  here.write("s.lua", text);
+  REQUIRE(here.run("s.lua --quiet --shard 0/4").status == 0);
+  std::string told[2];
+  for (const int k : {0, 1}) {
+    fs::remove_all(here.path / "out/s/results.h5");
+    const Ended merged =
+        here.shell(fmt::format("ricochet merge s.lua --quiet --partial --no-report --at-once {}", k == 0 ? 5 : 100));
+    told[k] = fmt::format("{}\n{}", merged.status, merged.err);
+    CHECK_THAT(here.read("out/s/run.log"), Contains("s: 0 of 12 impacts finished"));
+  }
+  CHECK(told[0] == told[1]);
+  CHECK_THAT(told[0],
+             Catch::Matchers::StartsWith("3\n") && Contains("not one impact finished; the first ended out_of_time"));
+}
+
+TEST_CASE("an interruption while trials choose steps says what is stored and that it goes on") {
+  const Workplace here;
+  std::string text = small_sweep;
+  text.replace(text.find("launch"), 0, "accuracy = 1e-7, ");
+  text.replace(text.find("nodes = 60"), 10, "nodes = 600");
+  text.replace(text.find("nodes = 150"), 11, "nodes = 2000");
+  here.write("s.lua", text);
+  const auto stopped = [&](const std::string& arguments) {
+    return here.shell(
+        "'" RICOCHET_PROGRAM "' run s.lua --no-report " + arguments +
+        " >log 2>complaint & for i in $(seq 600); do grep -q 'tries steps' log && break; sleep 0.05; done\n"
+        "kill -TERM $!; wait $!; status=$?; cat complaint; exit $status");
+  };
+  const auto told = [&](const std::string& arguments, const std::string& what) {
+    const Ended ended = stopped(arguments);
+    INFO(arguments << ended.out);
+    CHECK(ended.status == 130);
+    CHECK_THAT(ended.out, Contains("interrupted while trials chose steps") && Contains(what));
+  };
+  told("", "no impact of 's' has run; the same command begins again");
+  told("--at-once 5", "0 of 12 impacts are stored in out/s; --resume goes on from there");
+  told("--shard 0/2 --out shards", "no shard of 's' has begun, and there is no plan yet");
 }
 
 TEST_CASE("of a long sweep the scenes are made as they are run, and what is stored survives a mistake in one") {

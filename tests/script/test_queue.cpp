@@ -28,7 +28,7 @@ number=$(wc -l <submitted)
 last=$(sed -n 's/^#SBATCH --array=0-\([0-9]*\).*/\1/p' "$script")
 for ((i = 0; i <= ${last:-0}; ++i)); do
   [ -n "$last" ] && [ -e lose ] && continue
-  SLURM_JOB_ID=$number SLURM_ARRAY_TASK_ID=$i bash "$script" >>log 2>&1
+  SLURM_JOB_ID=$number SLURM_ARRAY_JOB_ID=$number SLURM_ARRAY_TASK_ID=$i bash "$script" >>log 2>&1
 done
 echo "$number;here")");
     program("squeue", "cat queue\ncat trouble >&2\nexit $(cat status)");
@@ -149,15 +149,18 @@ TEST_CASE("a dry run names the scripts that it wrote; a script of standard input
 TEST_CASE("a task that is told to stop at the very moment it starts a shard tells the shard, and is queued again") {
   const Queue queue;
   REQUIRE(queue.submit("--shards 3 --dry-run samples=400").status == 0);
-  queue.says("RUNNING\n", "", 0);
+  // The last task of an array has the number of the whole array, of which squeue would tell every task.
+  queue.here.write(
+      "bin/squeue",
+      "#!/bin/bash\n[[ \" $* \" == *' 7_0 '* ]] && echo RUNNING || printf 'RUNNING\\nRUNNING\\nPENDING\\n'\n");
   queue.here.write("before.sh",
-                   "export SLURM_JOB_ID=7 SLURM_ARRAY_TASK_ID=0\n"
+                   "export SLURM_JOB_ID=7 SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=0\n"
                    "debug() { [ \"$BASH_COMMAND\" != 'process=$!' ] || kill -TERM $$; }\n"
                    "trap debug DEBUG\n");
   const Ended ended = queue.shell("cat before.sh out/s/slurm/shard.sh >task.sh; bash task.sh");
   INFO(ended.out << ended.err);
   CHECK(ended.status == 130);
   CHECK_THAT(ended.out, Contains("queued again"));
-  CHECK_THAT(queue.here.read("asked"), Contains("requeue 7"));
+  CHECK_THAT(queue.here.read("asked"), Contains("requeue 7_0\n"));
   CHECK_FALSE(fs::exists(queue.here.path / "out/s/shards/000.h5"));
 }

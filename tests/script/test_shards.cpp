@@ -207,7 +207,7 @@ TEST_CASE("a shard that was killed goes on from what it stored, to the digest of
   std::map<std::string, double> stored;
   for (const std::string& name : files_in(shards))
     if (name.ends_with(".h5")) stored.merge(seconds_in(shards / name));
-  CHECK(stored.size() >= 16);
+  CHECK_FALSE(stored.empty());
   CHECK(stored.size() < 60);
   REQUIRE(run_shards(here, 2, "samples=40").status == 0);
   const std::map<std::string, double> now = seconds_in(shards / "000.h5");
@@ -253,6 +253,56 @@ TEST_CASE("the same shard twice at a time: both end well, and what they leave is
   CHECK(digest(here, "out/s") == expected);
 }
 
+TEST_CASE("a shard of more points than are kept together goes by chunks: killed, twice there, stopped") {
+  const Workplace here;
+  const std::string expected = undisturbed(here, "samples=20");
+  const fs::path shards = here.path / "out/s/shards";
+  const std::vector<std::string> command{"run", "s.lua", "samples=20", "--quiet", "--at-once", "7", "--flush", "0"};
+  const auto of = [&](const char* shard) {
+    std::vector<std::string> words = command;
+    words.insert(words.end(), {"--shard", shard});
+    return words;
+  };
+  const pid_t child = start(here, of("0/2"));
+  for (int i = 0; i < 6000 && (!fs::exists(shards) || files_in(shards).size() < 2); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  kill(child, SIGKILL);
+  REQUIRE(ended(child) == -SIGKILL);
+  std::map<std::string, double> stored;
+  for (const std::string& name : files_in(shards))
+    if (name.ends_with(".h5")) stored.merge(seconds_in(shards / name));
+  CHECK(stored.size() >= 2);
+  CHECK(stored.size() < 30);
+  const Ended again = here.run("s.lua samples=20 --at-once 7 --shard 0/2");
+  INFO(again.err);
+  REQUIRE(again.status == 0);
+  CHECK_THAT(again.out, Contains("shard 0/2 of 's' is done: 30 of 30 impacts finished"));
+  CHECK_THAT(again.err, Contains("s, shard 0/2: 30/30"));
+  const std::map<std::string, double> now = seconds_in(shards / "000.h5");
+  CHECK(now.size() == 30);
+  for (const auto& [scene, seconds] : stored) CHECK(now.at(scene) == seconds);  // not one ran twice
+  const pid_t first = start(here, of("1/2")), second = start(here, of("1/2"));
+  CHECK(ended(first) == 0);
+  CHECK(ended(second) == 0);
+  std::set<std::string> left = files_in(shards);
+  std::erase_if(left, [](const std::string& name) { return name.ends_with(".new"); });  // of what was killed
+  CHECK(left == std::set<std::string>{"000.h5", "001.h5"});
+  change_a_bit(shards / "001.h5", shards / "001-elsewhere-1-0.h5");
+  const Ended refused = here.run("s.lua samples=20 --quiet --at-once 7 --shard 1/2");
+  CHECK(refused.status == 4);
+  CHECK_THAT(refused.err, Contains("vn ") && Contains("remove the wrong file"));
+  fs::remove(shards / "001-elsewhere-1-0.h5");
+  fs::remove(shards / "001.error");
+  REQUIRE(merge(here, "samples=20").status == 0);
+  CHECK(digest(here, "out/s") == expected);
+  const pid_t stopping = start(here, {"run", "s.lua", "samples=300", "--quiet", "--at-once", "7", "--shard", "0/2"});
+  for (int i = 0; i < 6000 && (!fs::exists(shards) || files_in(shards).empty()); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  kill(stopping, SIGTERM);
+  CHECK(ended(stopping) == 130);
+  for (const std::string& name : files_in(shards)) CHECK(name.starts_with("000-"));
+}
+
 TEST_CASE("where no folder can be locked, or any, shards and merge come to the same, and a plain run warns") {
   if (!machine_can_be_broken) return;
   const Workplace here;
@@ -283,18 +333,20 @@ TEST_CASE("a shard whose file another process of it took up and removed at the l
 }
 
 TEST_CASE("shards grow a sweep that is there, and are not begun where rows of other scenes lie") {
-  const Workplace here;
-  const std::string expected = undisturbed(here);
-  REQUIRE(here.run("s.lua --quiet --no-report samples=2").status == 0);
-  REQUIRE(run_shards(here, 2).status == 0);
-  REQUIRE(merge(here).status == 0);
-  CHECK(digest(here, "out/s") == expected);
-  std::string other = small_sweep;
-  here.write("s.lua", other.replace(other.find("nodes = 60"), 10, "nodes = 61"));
-  const Ended refused = here.run("s.lua --quiet --shard 0/2");
-  CHECK(refused.status == 4);
-  CHECK_THAT(refused.err, Contains("out/s holds 12 rows of other scenes"));
-  CHECK_FALSE(fs::exists(here.path / "out/s/plan.h5"));
+  for (const char* chunks : {"", "--at-once 4"}) {
+    const Workplace here;
+    const std::string expected = undisturbed(here);
+    REQUIRE(here.run("s.lua --quiet --no-report samples=2").status == 0);
+    REQUIRE(run_shards(here, 2, chunks).status == 0);
+    REQUIRE(merge(here, chunks).status == 0);
+    CHECK(digest(here, "out/s") == expected);
+    std::string other = small_sweep;
+    here.write("s.lua", other.replace(other.find("nodes = 60"), 10, "nodes = 61"));
+    const Ended refused = here.run(std::string("s.lua --quiet --shard 0/2 ") + chunks);
+    CHECK(refused.status == 4);
+    CHECK_THAT(refused.err, Contains("out/s holds 12 rows of other scenes"));
+    CHECK_FALSE(fs::exists(here.path / "out/s/plan.h5"));
+  }
 }
 
 TEST_CASE("results are those of a script and its arguments, in whatever order these were given") {
@@ -404,6 +456,40 @@ TEST_CASE("steps that trials choose are those of one run, and a second sweep fol
   REQUIRE(run_shards(here, 2).status == 0);
   REQUIRE(merge(here).status == 0);
   CHECK(digest(here, "out/second") == digest(here, "calm/second"));
+}
+
+TEST_CASE("a shard of a second sweep reads the rows of a long first one from its merged results") {
+  const Workplace here;
+  std::string text = small_sweep;
+  text +=
+      "local mean = rows:summary { by = \"psi1\", of = { \"e\" } }[1].e.mean\n"
+      "print(\"mean\", mean, rows[5].e, rows[12].scene_hash, #rows)\n"
+      "ricochet.sweep { name = \"second\", over = { sample = ricochet.range(2) }, scene = function(at)\n"
+      "  return ricochet.scene { projectile = ricochet.disk { nodes = 60, seed = at.sample },\n"
+      "    target = ricochet.wall { width = 4, depth = 1.5, nodes = 150, stiffness = 400 * mean, seed = at.sample } }\n"
+      "end }:run()\n";
+  here.write("s.lua", text);
+  const Ended calm = here.run("s.lua --no-report --out calm");
+  REQUIRE(calm.status == 0);
+  REQUIRE(run_shards(here, 2, "--at-once 5").status == 0);
+  CHECK(merge(here, "--at-once 5").status == 3);
+  const Ended second = here.run("s.lua --at-once 5 --shard 0/2");
+  INFO(second.err);
+  REQUIRE(second.status == 0);
+  const std::size_t at = calm.out.find("mean\t");
+  CHECK_THAT(second.out, Contains(calm.out.substr(at, calm.out.find('\n', at) - at)));
+  REQUIRE(here.run("s.lua --quiet --at-once 5 --shard 1/2").status == 0);
+  REQUIRE(merge(here, "--at-once 5").status == 0);
+  CHECK(digest(here, "out/second") == digest(here, "calm/second"));
+  // Results of the same script and arguments whose rows are of another sweep are not taken for its own.
+  Table other = read_table(here.path / "out/s/results.h5");
+  for (NumberColumn& column : other.numbers)
+    if (column.field.name == "sample") column.values.front() = 7;
+  write_table(here.path / "out/s/results.h5", other, read_provenance(here.path / "out/s/results.h5"));
+  fs::remove_all(here.path / "out/second");
+  const Ended refused = here.run("s.lua --at-once 5 --shard 0/2");
+  CHECK(refused.status == 4);
+  CHECK_THAT(refused.err, Contains("out/s/results.h5 is not of the scenes of the sweep"));
 }
 
 TEST_CASE(

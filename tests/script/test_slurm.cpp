@@ -138,6 +138,14 @@ std::string slow_sweep() {
   return text;
 }
 
+/// As many impacts of three points as the mean of e needs, of some tenths of a second each.
+std::string by_error_sweep() {
+  std::string text = slow_sweep();
+  text.replace(text.find("sample = ricochet.range(p.samples), "), 36, "");
+  text.replace(text.find("scene = function"), 0, "samples = \"by_error\", standard_error = 0.04, ");
+  return text;
+}
+
 /// The digest of one run of the script.
 std::string undisturbed(const Cluster& cluster, const std::string& script, const std::string& arguments) {
   cluster.here.write("s.lua", script);
@@ -170,6 +178,44 @@ TEST_CASE("an array of shards, srun and mpirun come to the digest of one run", "
     by_hand("env -u SLURM_CONF OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n 3");
   else
     WARN("skipped: mpirun is not there");
+}
+
+TEST_CASE("a sweep by error: the pilot as an array, then a round after the other, to the digest of one run",
+          "[.slurm]") {
+  const Cluster cluster;
+  if (!cluster) return;
+  const std::string expected = undisturbed(cluster, by_error_sweep(), "");
+  const auto planned = [&] { return std::stoul(read_provenance(cluster.here.path / "out/s/plan.h5").at("impacts")); };
+  CHECK_THAT(cluster.submit("--shards 3").out, Contains("3 shards of 's' in 3 tasks: job 1"));
+  cluster.shell("scancel 2");  // the pilot's merging: it is done by hand, and what it says looked into
+  const std::size_t pilot = planned();
+  CHECK(pilot == 3 * 8);
+  cluster.wait();
+  INFO(cluster.logs());
+  const Ended merged = cluster.shell("ricochet merge s.lua --quiet --no-report");
+  INFO(merged.out << merged.err);
+  CHECK(merged.status == 3);
+  CHECK_THAT(merged.out, Contains("s: 24 impacts in 1 rounds so far") && Contains("(wanted 0.04) of 8 impacts"));
+  CHECK_THAT(merged.err, Contains("round 2 of 's' is to be run") && Contains("ricochet submit does so"));
+  CHECK_THAT(cluster.submit("--shards 3").out, Contains("3 shards of 's' in 3 tasks"));
+  CHECK(planned() > pilot);
+  // A shard of the round is killed: the merging job submits it again, and then the round that follows.
+  std::vector<pid_t> shard;
+  for (int i = 0; i < 400 && shard.empty(); ++i) {
+    shard = cluster.processes("SLURM_ARRAY_TASK_ID=1", "--shard");
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  REQUIRE(!shard.empty());
+  kill(shard.front(), SIGKILL);
+  cluster.wait();
+  CHECK_THAT(cluster.logs(), Contains("shard 1 ended with 137"));
+  const std::string log = cluster.log("merge");
+  CHECK_THAT(log, Contains("are missing, in 1 of 3 shards") && Contains("1 shards of 's' in 1 tasks"));
+  CHECK_THAT(log, Contains("round 3 of 's' is to be run") && Contains("rounds\n") && Contains("averaged over sample"));
+  CHECK(cluster.digest() == expected);
+  CHECK_FALSE(fs::exists(cluster.here.path / "out/s/plan.h5"));
+  CHECK(cluster.here.read("out/s/s_samples.csv") == cluster.here.read("calm/s/s_samples.csv"));
+  CHECK_THAT(cluster.submit("--shards 3").out, Contains("nothing is left to submit"));
 }
 
 TEST_CASE("a shard killed in the middle is submitted again by the merging job, and goes on", "[.slurm]") {
@@ -289,9 +335,11 @@ TEST_CASE("a task whose time ends stores, is queued again and goes on; a cancell
   fs::remove_all(cluster.here.path / "out");
   const std::string expected = undisturbed(cluster, slow_sweep(), "samples=300");
   cluster.submit("--shards 3 samples=300 --time 1 --warning 30");
-  cluster.wait(150);
+  cluster.wait(240);  // on a busy machine; 90 s suffice on a quiet one
   INFO(cluster.logs());
-  CHECK_THAT(cluster.logs(), Contains("queued again") && Contains("restart 1"));
+  for (const char* task : {"task-0", "task-1", "task-2"})
+    CHECK_THAT(cluster.log(task), Contains("queued again") && Contains("restart 1"));
+  CHECK_THAT(cluster.log("merge"), !Contains("are missing"));  // each task queued itself, the array's last one, too
   CHECK(cluster.digest() == expected);
 }
 
