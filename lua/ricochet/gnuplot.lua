@@ -6,12 +6,16 @@ local gnuplot = {}
 -- Colours that the colour-blind can tell apart [Okabe & Ito 2008].
 gnuplot.colours = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9" }
 
+--- A user's text as it is; a table, which may call anything when it is joined to another, is refused.
+function gnuplot.text(text)
+  if type(text) ~= "string" then core.fail(("takes texts for names and labels, one is a %s"):format(type(text))) end
+  return text
+end
+
 --- A user's text, in single quotes: within double ones gnuplot runs what stands in backquotes as a shell command. An
 --- apostrophe is a text of its own: doubled, as gnuplot's manual has it, none could begin a text.
 function gnuplot.quoted(text)
-  -- A table may call anything gsub.
-  if type(text) ~= "string" then core.fail(("takes texts for names and labels, one is a %s"):format(type(text))) end
-  return "'" .. text:gsub("%c", " "):gsub("'", [[' . "\047" . ']]) .. "'"
+  return "'" .. gnuplot.text(text):gsub("%c", " "):gsub("'", [[' . "\047" . ']]) .. "'"
 end
 
 local Script = {}

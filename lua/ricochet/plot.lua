@@ -234,7 +234,7 @@ local function add_axis(script, t, axis, column, range, room, own)
   local power = power_of(column, t.rows, range.low, range.high, log)
   script:add("set %srange [%.17g:%.17g]", axis, low, high)
   script:add(log and axes.log_tics(axis, range.low, range.high, power) or axes.tics(axis, low, high, power))
-  local text = own and own .. axes.marks_in(power) or label(column, t.rows, log, power)
+  local text = own and gnuplot.text(own) .. axes.marks_in(power) or label(column, t.rows, log, power)
   script:add("set %slabel %s %s", axis, quoted(text), own and "noenhanced" or "enhanced")
 end
 
