@@ -68,7 +68,7 @@ function ricochet.material(t) end
 ---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
----@field nu? number of elements: Poisson's ratio
+---@field nu? number|fun(x: number, y: number): number of elements: Poisson's ratio; a function (x, y) gives that of a node, an element takes the mean of its corners
 ---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
@@ -109,7 +109,7 @@ function ricochet.body(t) end
 ---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
----@field nu? number of elements: Poisson's ratio
+---@field nu? number|fun(x: number, y: number): number of elements: Poisson's ratio; a function (x, y) gives that of a node, an element takes the mean of its corners
 ---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
@@ -151,7 +151,7 @@ function ricochet.disk(t) end
 ---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
----@field nu? number of elements: Poisson's ratio
+---@field nu? number|fun(x: number, y: number): number of elements: Poisson's ratio; a function (x, y) gives that of a node, an element takes the mean of its corners
 ---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
@@ -192,7 +192,7 @@ function ricochet.ellipse(t) end
 ---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
----@field nu? number of elements: Poisson's ratio
+---@field nu? number|fun(x: number, y: number): number of elements: Poisson's ratio; a function (x, y) gives that of a node, an element takes the mean of its corners
 ---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
@@ -234,7 +234,7 @@ function ricochet.sphere(t) end
 ---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
----@field nu? number of elements: Poisson's ratio
+---@field nu? number|fun(x: number, y: number): number of elements: Poisson's ratio; a function (x, y) gives that of a node, an element takes the mean of its corners
 ---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
@@ -276,7 +276,7 @@ function ricochet.cylinder(t) end
 ---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
----@field nu? number of elements: Poisson's ratio
+---@field nu? number|fun(x: number, y: number): number of elements: Poisson's ratio; a function (x, y) gives that of a node, an element takes the mean of its corners
 ---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
@@ -318,7 +318,7 @@ function ricochet.rectangle(t) end
 ---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
----@field nu? number of elements: Poisson's ratio
+---@field nu? number|fun(x: number, y: number): number of elements: Poisson's ratio; a function (x, y) gives that of a node, an element takes the mean of its corners
 ---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
@@ -359,7 +359,7 @@ function ricochet.regular_polygon(t) end
 ---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
----@field nu? number of elements: Poisson's ratio
+---@field nu? number|fun(x: number, y: number): number of elements: Poisson's ratio; a function (x, y) gives that of a node, an element takes the mean of its corners
 ---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
@@ -409,7 +409,7 @@ function ricochet.rotated(t) end
 ---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
----@field nu? number of elements: Poisson's ratio
+---@field nu? number|fun(x: number, y: number): number of elements: Poisson's ratio; a function (x, y) gives that of a node, an element takes the mean of its corners
 ---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]
@@ -449,7 +449,7 @@ function ricochet.wall(t) end
 ---@field modes? integer of interior modes: how many, the slowest first; 0: all, up to 2000, which rebound as what they are of. Fewer take less time, and need a softer contact: a rim of few modes cannot yield to a hard one, and chatters (default 0)
 ---@field modes_of? "springs"|"elements" of interior modes: what the vibrations are of (default elements)
 ---@field E? number|fun(x: number, y: number): number of elements: Young's modulus, a force per length in the plane; of an axisymmetric body a pressure, in m0 c^2/R^3; a function (x, y) gives that of a node, an element takes the mean of its corners [m0 c^2/R^2]
----@field nu? number of elements: Poisson's ratio
+---@field nu? number|fun(x: number, y: number): number of elements: Poisson's ratio; a function (x, y) gives that of a node, an element takes the mean of its corners
 ---@field state? "plane_stress"|"plane_strain"|"axisymmetric" of elements, or of a body of a material: plane_stress, a sheet that is free to bulge; plane_strain, a long cylinder; axisymmetric, of elements alone: a body of revolution, whose outline is the half at x >= 0 of its section through the axis x = 0, along which it moves (default plane_stress)
 ---@field law? "polynomial"|"linear"|"st_venant_kirchhoff" of elements: polynomial, for any strain and rotation; linear, of small strains, which takes a rotation for a strain; st_venant_kirchhoff, which softens in compression (default polynomial)
 ---@field h_min? number of elements: the side of the smallest triangles, instead of nodes and placement; a mesh is as fine around fine_at, and coarser farther away [R]

@@ -206,6 +206,14 @@ Fields::Fields(const FrameMesh& mesh)
   }
 }
 
+// That of its body, with constants of its own where they depend on the place.
+SolidLawNumbers Fields::solid_law_of_triangle(std::size_t triangle) const {
+  SolidLawNumbers law = solid_laws_[static_cast<std::size_t>(mesh_.body_of(mesh_.triangles[triangle][0]))];
+  if (!mesh_.lame.empty() && mesh_.lame[2 * triangle + 1] != 0)
+    law.lame = {mesh_.lame[2 * triangle], mesh_.lame[2 * triangle + 1]};
+  return law;
+}
+
 // Calls `use(t, law, F, area)` for every triangle that is an element: its deformation gradient, in space where it is of
 // a body of revolution, and its area at rest.
 template <class Use>
@@ -232,12 +240,12 @@ void Fields::each_element(const Frame& frame, Use&& use) const {
       else
         use(t, law, plane, area);
     };
-    const auto body = static_cast<std::size_t>(mesh_.body_of(i));
-    const bool revolved = mesh_.bodies[body].axisymmetric;
+    const bool revolved = mesh_.bodies[static_cast<std::size_t>(mesh_.body_of(i))].axisymmetric;
+    const SolidLawNumbers own = solid_law_of_triangle(t);
     if (plastic_strain(frame, t) > 0)
-      with_law(Flowed(solid_laws_[body], mesh_.modulus[t], &frame.plastic[5 * t]), revolved);
+      with_law(Flowed(own, mesh_.modulus[t], &frame.plastic[5 * t]), revolved);
     else
-      with_solid_law(solid_laws_[body], mesh_.modulus[t], [&](const auto& law) { with_law(law, revolved); });
+      with_solid_law(own, mesh_.modulus[t], [&](const auto& law) { with_law(law, revolved); });
   }
 }
 

@@ -64,6 +64,7 @@ class Fields {
   double elongation(const Frame& frame, std::size_t spring, double distance) const;
   std::vector<double> stress(const Frame& frame, bool pressure) const;
   std::vector<double> plastic_strains(const Frame& frame) const;
+  SolidLawNumbers solid_law_of_triangle(std::size_t triangle) const;
   template <class Use>
   void each_element(const Frame& frame, Use&& use) const;
 

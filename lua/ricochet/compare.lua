@@ -44,7 +44,7 @@ local function original_of(scene)
   local fields = core.given(body)
   local t = core.check("body", fields, true)
   if t.state == "axisymmetric" then refuse "is axisymmetric, which lattices and modes cannot be" end
-  for _, field in ipairs { "stiffness", "E", "density", "anchored" } do
+  for _, field in ipairs { "stiffness", "E", "nu", "density", "anchored" } do
     if type(fields[field]) == "function" then refuse(("has a function as its %s; give a number"):format(field)) end
   end
   if fields.points then refuse "has nodes that were given one by one, which suit one interior alone" end

@@ -53,7 +53,7 @@ local function of_body(body, is_target)
     for _, p in ipairs(hole) do places[#places + 1] = p end
   end
   if not is_even(places, middle) then return "has an outline that is no mirror image of itself" end
-  for _, name in ipairs { "anchored", "stiffness", "E", "density" } do
+  for _, name in ipairs { "anchored", "stiffness", "E", "nu", "density" } do
     if type(t[name]) == "function" and not is_even_function(t[name], t.outline, middle) then
       return ("is uneven: its %s is not the same on both sides"):format(name)
     end

@@ -238,6 +238,9 @@ std::string text_of_shape(const Body& body) {
     if (!std::isnan(n.fine_within)) text += fmt::format(" within {}", n.fine_within);
     if (n.crossed()) text += " crossed";
   }
+  std::string nu_text;
+  for (const double nu : body.node_nu) nu_text += fmt::format("{};", nu);
+  if (!nu_text.empty()) text += " nus " + hash_text(nu_text);
   if (n.plain()) text += " plain";
   if (body.passed_over > 0) text += fmt::format(" passed_over {}", body.passed_over);
   if (n.angle != 0) text += fmt::format(" angle {}", n.angle);

@@ -72,8 +72,9 @@ struct BodyNumbers : SpringLawNumbers, ElementNumbers {
   double area_density() const;
 };
 
-/// All places are those before the body is turned by its angle. `anchored`, `node_stiffness` and `node_density` hold
-/// what the script's functions said of each planned node, evaluated once; empty where no function was given.
+/// All places are those before the body is turned by its angle. `anchored`, `node_stiffness`, `node_density` and
+/// `node_nu` hold what the script's functions said of each planned node, evaluated once; empty where no function was
+/// given.
 struct Body {
   Points outline;  ///< simple, counter-clockwise
   BodyNumbers numbers;
@@ -91,6 +92,7 @@ struct Body {
   std::optional<Vec2> fine_at{};  ///< where a mesh is finest; at the lowest point of the outline unless given
   /// What its stiffness and mass were made from; nothing if they were given. [m0 c^2/R^2, m0/R^2]
   std::optional<PlaneMaterial> material{};
+  std::vector<double> node_nu{};  ///< [plan node] of elements; their mean is the numbers' nu
 
   /// How large the triangles of a meshed body are.
   SizeField size_field() const;

@@ -36,7 +36,8 @@ double surface_over_shear(double shear_over_pressure) {
 }
 
 WaveSpeeds wave_speeds(const Body& body, const Solid& solid) {
-  const bool uniform = body.node_stiffness.empty() && body.node_density.empty() && body.numbers.prestress == 0;
+  const bool uniform =
+      body.node_stiffness.empty() && body.node_density.empty() && body.node_nu.empty() && body.numbers.prestress == 0;
   if (body.rigid() || solid.cells.empty() || !uniform) return {};
   const PlaneModuli moduli = usual_moduli(body.numbers);
   const double E2 = moduli.per_stiffness * body.numbers.stiffness, nu2 = moduli.poisson_ratio;

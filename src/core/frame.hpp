@@ -47,6 +47,9 @@ struct FrameMesh {
   std::vector<double> length, stiffness;    ///< [spring] rest length [R], ka [m0 c^2/R^2]
   std::vector<std::array<int, 3>> triangles;
   std::vector<double> modulus;  ///< [triangle] E of an element, 0 of any other; empty without elements [m0 c^2/R^2]
+  /// [2 triangle + k] Lame's lambda and mu over E of an element whose body has no one law; 0 of any other, whose
+  /// `solid_law` tells them; empty if there is none such.
+  std::vector<double> lame{};
 
   int nodes() const { return static_cast<int>(mass.size()); }
   int body_of(int node) const {

@@ -27,7 +27,8 @@ constexpr int most_halvings = 3;
 std::string kind_of(const Body& body) {
   std::string kind = body.plane ? "plane" : "";
   for (const auto& [field, place] : BodyNumbers::fields())
-    if (field.name != "seed") std::visit([&](auto where) { kind += fmt::format(" {}", body.numbers.*where); }, place);
+    if (field.name != "seed" && (field.name != "nu" || body.node_nu.empty()))
+      std::visit([&](auto where) { kind += fmt::format(" {}", body.numbers.*where); }, place);
   Vec2 low = Vec2::Zero(), high = low;
   for (const Vec2& p : body.outline) {
     low = low.cwiseMin(p);
@@ -37,7 +38,7 @@ std::string kind_of(const Body& body) {
   kind +=
       fmt::format(" {} {:.9g} {:.9g} {:.9g};", body.anchored.empty(), signed_area(body.outline), extent[0], extent[1]);
   for (const Points& hole : body.holes) kind += fmt::format("{:.9g};", signed_area(hole));
-  for (const std::vector<double>* by_place : {&body.node_stiffness, &body.node_density})
+  for (const std::vector<double>* by_place : {&body.node_stiffness, &body.node_density, &body.node_nu})
     if (!by_place->empty())
       kind += fmt::format("{:.2g} {:.2g};", *std::min_element(by_place->begin(), by_place->end()),
                           *std::max_element(by_place->begin(), by_place->end()));

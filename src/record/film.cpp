@@ -148,6 +148,16 @@ std::vector<double> relative_moduli(const Solid& solid, const Elements& elements
   return moduli;
 }
 
+// Lame's constants of a body's cells, which are the next triangles of a mesh, if they depend on the place.
+void add_constants(FrameMesh& mesh, const Solid& solid, const Elements& elements) {
+  if (elements.lame.empty()) return;
+  mesh.lame.resize(2 * mesh.triangles.size(), 0.0);
+  for (const int e : elements_of_cells(solid, elements)) {
+    const Lame lame = e < 0 ? Lame{} : elements.lame[static_cast<std::size_t>(e)];
+    mesh.lame.insert(mesh.lame.end(), {lame.lambda, lame.mu});
+  }
+}
+
 // A body's part of a mesh whose nodes so far are others'. `points`: its nodes at rest, or the ends of a plane's line.
 void add_body(FrameMesh& mesh, const Solid& solid, const Points& points, double stiffness) {
   const bool plane = std::holds_alternative<Plane>(solid.surface);
@@ -170,10 +180,12 @@ void add_body(FrameMesh& mesh, const Solid& solid, const Points& points, double 
     body.solid_law = numbers_of(elements->law);
     mesh.modulus.resize(mesh.triangles.size(), 0.0);
     for (const double relative : relative_moduli(solid, *elements)) mesh.modulus.push_back(stiffness * relative);
+    add_constants(mesh, solid, *elements);
   }
   for (const Triangle& t : solid.cells)
     mesh.triangles.push_back({t[0] + body.first, t[1] + body.first, t[2] + body.first});
   if (!mesh.modulus.empty()) mesh.modulus.resize(mesh.triangles.size(), 0.0);
+  if (!mesh.lame.empty()) mesh.lame.resize(2 * mesh.triangles.size(), 0.0);
   body.surface = chains_in_mesh(solid, body.first);
   mesh.bodies.push_back(body);
 }

@@ -71,6 +71,7 @@ void add_body(FrameMesh& whole, const FrameMesh& halves, const BodyMesh& half) {
       if (side == 1) std::swap(corners[1], corners[2]);
       whole.triangles.push_back(corners);
       if (!halves.modulus.empty()) whole.modulus.push_back(halves.modulus[t]);
+      for (std::size_t k = 2 * t; k < 2 * t + 2 && !halves.lame.empty(); ++k) whole.lame.push_back(halves.lame[k]);
     }
   whole.bodies.push_back(body);
 }

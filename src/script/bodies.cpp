@@ -20,8 +20,9 @@ int body(lua_State* L) {
   } catch (const FieldError& error) {
     throw_here(L, error);
   }
-  const std::size_t bytes = (made->outline.size() + made->points.size()) * sizeof(Vec2) + made->anchored.size() / 8 +
-                            (made->node_stiffness.size() + made->node_density.size()) * sizeof(double);
+  const std::size_t bytes =
+      (made->outline.size() + made->points.size()) * sizeof(Vec2) + made->anchored.size() / 8 +
+      (made->node_stiffness.size() + made->node_density.size() + made->node_nu.size()) * sizeof(double);
   push_object(L, "ricochet.body", BodyObject{made});
   lua_gc(L, LUA_GCSTEP, static_cast<int>(bytes / 1024 + 1));  // Lua does not see what its object holds
   return 1;
@@ -35,7 +36,7 @@ int plane(lua_State* L) {
   return 1;
 }
 
-// Numbers of a body, of which stiffness and density may depend on the place.
+// Numbers of a body, of which stiffness, density and nu may depend on the place.
 std::vector<Field> number_fields(const BodyNumbers& defaults = {}) {
   std::vector<Field> fields = fields_of(defaults);
   const auto by_place = [&](const char* name, const char* doc) {
@@ -46,6 +47,7 @@ std::vector<Field> number_fields(const BodyNumbers& defaults = {}) {
   by_place("stiffness", "; a function (x, y) gives that of a node, a spring takes the mean of its ends");
   by_place("density", "; a function (x, y) gives that at a node");
   by_place("E", "; a function (x, y) gives that of a node, an element takes the mean of its corners");
+  by_place("nu", "; a function (x, y) gives that of a node, an element takes the mean of its corners");
   const std::vector<Field> material{
       {"material", "material", "",
        "what it is made of, instead of E and nu, or stiffness, and density and mass, for scenes in SI: elements have "

@@ -133,16 +133,26 @@ class PlaceFunction {
   }
 
   double positive_number_at(const Vec2& p, const char* field) const {
+    return number_at(p, field, "a positive number", [](double value) { return value > 0 && std::isfinite(value); });
+  }
+
+  double poisson_ratio_at(const Vec2& p, const char* field) const {
+    return number_at(p, field, "a number between -1 and 0.5, without these",
+                     [](double value) { return value > -1 && value < 0.5; });
+  }
+
+ private:
+  template <class Right>
+  double number_at(const Vec2& p, const char* field, const char* wanted, Right&& right) const {
     call_at(p);
     const double value = lua_type(L_, -1) == LUA_TNUMBER ? lua_tonumber(L_, -1) : not_given;
-    if (!(value > 0 && std::isfinite(value)))
-      throw FieldError(field, fmt::format("the function must return a positive number, gave {} at ({:.4g}, {:.4g})",
+    if (!right(value))
+      throw FieldError(field, fmt::format("the function must return {}, gave {} at ({:.4g}, {:.4g})", wanted,
                                           shown(L_, -1), p.x(), p.y()));
     lua_pop(L_, 1);
     return value;
   }
 
- private:
   // Leaves the value on top of the stack.
   void call_at(const Vec2& p) const {
     lua_pushvalue(L_, index_);
@@ -154,6 +164,13 @@ class PlaceFunction {
   lua_State* L_;
   int index_;
 };
+
+// Of equal numbers that number itself, to the last bit.
+double mean_of(const std::vector<double>& numbers) {
+  double sum = 0;
+  for (const double number : numbers) sum += number - numbers.front();
+  return numbers.front() + sum / static_cast<double>(numbers.size());
+}
 
 std::string plan_key(const Body& body, const std::vector<bool>& anchored_rim) {
   const BodyNumbers& n = body.numbers;
@@ -325,7 +342,7 @@ Body read_body(lua_State* L) {
   check_interior(L, made);
   if (!std::isnan(made.numbers.E)) made.numbers.stiffness = made.numbers.E;
   const char* const modulus = made.numbers.of_elements() ? "E" : "stiffness";
-  const PlaceFunction anchored(L, "anchored"), stiffness(L, modulus), density(L, "density");
+  const PlaceFunction anchored(L, "anchored"), stiffness(L, modulus), density(L, "density"), nu(L, "nu");
   if (made.rigid()) check_rigid(made, stiffness.given(), density.given());
   if (!std::isnan(made.numbers.mass) && (density.given() || !std::isnan(made.numbers.density)))
     throw FieldError("mass", "is that of every node, density that of the area: give one of them");
@@ -346,6 +363,10 @@ Body read_body(lua_State* L) {
   }
   if (density.given())
     for (const Vec2& p : plan->points) made.node_density.push_back(density.positive_number_at(p, "density"));
+  if (nu.given()) {
+    for (const Vec2& p : plan->points) made.node_nu.push_back(nu.poisson_ratio_at(p, "nu"));
+    made.numbers.nu = mean_of(made.node_nu);  // what estimates take
+  }
   check_motion(made);
   return made;
 }

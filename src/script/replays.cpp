@@ -194,6 +194,13 @@ std::string bodies_json(const FrameMesh& mesh) {
   return fmt::format("\"bodies\":[{}]", bodies);
 }
 
+// "0.3", or "0.1 to 0.4" where it depends on the place
+std::string shown_nu(const Body& body) {
+  if (body.node_nu.empty()) return fmt::format("{:.3g}", body.numbers.nu);
+  const auto [least, most] = std::minmax_element(body.node_nu.begin(), body.node_nu.end());
+  return fmt::format("{:.3g} to {:.3g} by place", *least, *most);
+}
+
 // "a body 2 R wide and 2 R high of 300 nodes joined by springs"
 std::string described(const Body& body, const Units& units) {
   if (body.plane) return "a rigid plane";
@@ -205,7 +212,7 @@ std::string described(const Body& body, const Units& units) {
   const BodyNumbers& numbers = body.numbers;
   const double wide = (numbers.axisymmetric() ? 2 : 1) * (high - low)[0];
   std::string inside = numbers.rigid() ? "that is rigid" : "of nodes joined by springs";
-  if (numbers.of_elements()) inside = fmt::format("of elements, Poisson's ratio {:.3g}", numbers.nu);
+  if (numbers.of_elements()) inside = fmt::format("of elements, Poisson's ratio {}", shown_nu(body));
   if (numbers.of_modes()) inside += ", which moves by its modes of vibration";
   return fmt::format("a body{} {} wide and {} high, {}", numbers.axisymmetric() ? " of revolution" : "",
                      units.shown(wide, "R"), units.shown((high - low)[1], "R"), inside);

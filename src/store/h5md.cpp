@@ -116,6 +116,7 @@ void write_drawing(const hdf5::Handle& file, const FrameMesh& mesh, const std::v
   hdf5::numbers(own, "rest_length", mesh.length);
   hdf5::numbers(own, "stiffness", mesh.stiffness);
   if (!mesh.modulus.empty()) hdf5::numbers(own, "modulus", mesh.modulus);
+  if (!mesh.lame.empty()) hdf5::numbers(own, "lame", mesh.lame);
   const Shape per_node{frames.size(), mesh.mass.size(), 3};
   hdf5::dataset(own, "contact_force", H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, per_node, Shape{1, mesh.mass.size(), 3},
                 gathered(mesh.dim, frames, &Frame::contact_force).data());

@@ -132,6 +132,10 @@ FrameMesh read_mesh(const hdf5::Handle& file) {
                   !mesh.bodies[static_cast<std::size_t>(mesh.body_of(mesh.triangles[t][0]))].solid_law.empty(),
               "triangles and their laws");
   }
+  if (H5Lexists(own, "lame", H5P_DEFAULT) > 0) {
+    mesh.lame = hdf5::read_numbers(own, "lame");
+    must_be(mesh.lame.size() == 2 * mesh.modulus.size(), "triangles and Lame's constants");
+  }
   return mesh;
 }
 

@@ -43,6 +43,9 @@ std::vector<Body> kinds() {
   all.push_back(uneven);
   for (const char* law : {"polynomial", "linear", "st_venant_kirchhoff"})
     all.push_back(Body{circle(), element_numbers(300, 100, 0.3, law), {}, {}});
+  Body of_places{circle(), element_numbers(300, 100, 0.3), {}, {}};
+  for (int i = 0; i < 300; ++i) of_places.node_nu.push_back(0.05 * (i % 9));
+  all.push_back(of_places);
   Body rings{half_circle(), element_numbers(250, 100, 0.3), {}, {}};
   rings.numbers.state = "axisymmetric";
   rings.numbers.density = 200;

@@ -52,6 +52,18 @@ TEST_CASE("pictures show the stress of elements in space, whatever they turned b
   }
 }
 
+TEST_CASE("pictures take Lame's constants of a triangle where they depend on the place") {
+  const double E = 50, strain = 1e-3;
+  FrameMesh mesh = square("linear", E);
+  const Lame lame = lame_of(0, "plane_stress");
+  mesh.lame = {0, 0, lame.lambda, lame.mu};  // the first is of a body of one law, nu = 0.3
+  const Frame frame = placed(mesh, 1 + strain, 1, 0);
+  const std::vector<double> pressure = Fields(mesh).of_material("pressure", frame);
+  const double along = -E * strain / 2;                              // nu = 0: along x alone
+  CHECK(pressure[3] == Catch::Detail::Approx(along).epsilon(3e-3));  // at the second alone
+  CHECK(pressure[1] == Catch::Detail::Approx(along * (1 + 0.3) / (1 - 0.3 * 0.3)).epsilon(3e-3));  // at the first alone
+}
+
 TEST_CASE("pictures say each quantity in the units of their user: per area in the plane, per volume of revolution") {
   FrameMesh plane = square("polynomial", 50), ring = plane;
   ring.bodies[0].axisymmetric = true;

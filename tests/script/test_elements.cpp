@@ -90,6 +90,62 @@ assert(math.abs(coarse.e - fine.e) < 0.01, coarse.e .. " " .. fine.e)
   CHECK(ended.status == 0);
 }
 
+TEST_CASE("scripts: nu of elements may depend on the place, and layers have the modulus of their laminate") {
+  const Ended ended = script_with_module(R"(
+local function near(a, b, by) assert(math.abs(a / b - 1) < by, a .. " " .. b) end
+local function strip(nu)
+  return ricochet.elasticity { body = ricochet.rectangle { interior = "elements", E = 50, nu = nu,
+    state = "plane_strain", width = 2, height = 2, h_min = 0.025, h_max = 0.025, mesh = "crossed" } }
+end
+local plain, same = strip(0.3), strip(function() return 0.3 end)
+assert(plain.E == same.E and plain.nu == same.nu)
+local a, b = 0.1, 0.45
+local function stiff(nu, E) return (E or 50) / (1 - nu ^ 2) end  -- in the plane
+-- Side by side, each contracts as it likes: the mean, exactly.
+local beside = strip(function(x, y) return x < 0.01 and a or b end)
+near(stiff(beside.nu, beside.E), (stiff(a) + stiff(b)) / 2, 0.01)
+-- One upon another they contract alike; between what stresses and strains alike everywhere would have.
+local function voigt()
+  local pressure, lambda = 0, 0
+  for _, nu in ipairs { a, b } do
+    local l = 50 * nu / ((1 + nu) * (1 - 2 * nu))
+    pressure, lambda = pressure + (l + 50 / (1 + nu)) / 2, lambda + l / 2
+  end
+  return pressure - lambda ^ 2 / pressure
+end
+local above = strip(function(x, y) return math.floor(y / 0.2 + 0.01) % 2 == 0 and a or b end)
+local lowest, highest = 2 / (1 / stiff(a) + 1 / stiff(b)), voigt()
+local measured = stiff(above.nu, above.E)
+assert(measured > lowest and measured < highest, measured)
+local function ratio(nu) return nu / (1 - nu) end
+local compliance = ((1 - ratio(a) ^ 2) / stiff(a) + (1 - ratio(b) ^ 2) / stiff(b)) / 2
+  + ((ratio(a) + ratio(b)) / 2) ^ 2 / ((stiff(a) + stiff(b)) / 2)
+print(stiff(beside.nu, beside.E), (stiff(a) + stiff(b)) / 2, measured, 1 / compliance, lowest, highest)
+near(measured, 1 / compliance, 0.025)  -- free edges and elements across a joint are softer
+
+-- All that a scene does with it.
+local function disk(nu, fields)
+  local t = { interior = "elements", h_min = 0.12, E = 1e4, nu = nu }
+  for k, v in pairs(fields or {}) do t[k] = v end
+  return ricochet.disk(t)
+end
+local function row(nu, fields)
+  return ricochet.scene { projectile = disk(nu, fields), target = ricochet.plane {}, launch = { speed = 0.05 } }:run()
+end
+for _, fields in ipairs { {}, { interior = "modes", modes = 40 }, { state = "plane_strain", law = "linear" } } do
+  local number = row(0.3, fields)
+  local constant = row(function() return 0.3 end, fields)
+  assert(number.status == "finished" and number.e == constant.e and number.contact_time == constant.contact_time)
+  assert(number.after_projectile_vibration == constant.after_projectile_vibration)
+  assert(number.scene_hash ~= constant.scene_hash)
+  local graded = row(function(x, y) return 0.2 + 0.2 * y end, fields)
+  assert(graded.status == "finished" and graded.e ~= number.e and math.abs(graded.e - number.e) < 0.05)
+end
+)");
+  INFO(ended.out + ended.err);
+  CHECK(ended.status == 0);
+}
+
 TEST_CASE("scripts: accuracy of a body of elements tells what the size of its mesh changes") {
   const Ended ended = script_with_module(R"(
 local scene = ricochet.scene { target = ricochet.plane {}, launch = { speed = 0.3 },
@@ -144,6 +200,15 @@ TEST_CASE("scripts: what says nothing of elements, or of springs, is refused wit
   CHECK_THAT(refused(of_elements + "quartic = 0"), Contains("elements have a law"));
   CHECK_THAT(refused(of_elements + "prestress = 0.1"), Contains("'prestress': is of springs"));
   CHECK_THAT(refused("interior = 'elements', E = 1, nu = 0.5"), Contains("nu"));
+  for (const char* nu : {"-1", "0.5", "0 / 0", "'soft'", "nil", "1 / 0"})
+    CHECK_THAT(refused("interior = 'elements', E = 1, nu = function(x, y) return " + std::string(nu) + " end"),
+               Contains("'nu': the function must return a number between -1 and 0.5, without these, gave ") &&
+                   Contains(" at (1, 0)"));
+  CHECK_THAT(refused("nu = function() return 0.3 end"), Contains("'nu': is of elements; give interior = \"elements\""));
+  CHECK_THAT(refused("interior = 'modes', modes_of = 'springs', nu = function() return 0.3 end"),
+             Contains("'nu': is of elements; give modes_of = \"elements\""));
+  CHECK_THAT(refused("material = ricochet.materials.steel, radius = 0.01, interior = 'elements', nu = function() end"),
+             Contains("'nu': follows from the material"));
   CHECK_THAT(refused(of_elements + "law = 'hooke'"), Contains("polynomial"));
   CHECK_THAT(refused(of_elements + "h_max = 0.1"), Contains("'h_max': is of a mesh; give h_min too"));
   CHECK_THAT(refused(of_elements + "h_min = 0.1, h_max = 0.05"), Contains("is below h_min = 0.1"));

@@ -131,6 +131,11 @@ const std::vector<Mistake> mistakes{
      "take another seed, as crossing = \"pass_over\" does"},
     {"stiffness function without a value", "local d = ricochet.disk { nodes = 60, stiffness = function(x, y) end }",
      "error: s.lua:2: disk: 'stiffness': the function must return a positive number, gave nil at (1, 0)"},
+    {"nu by place that no body has",
+     "local function nu(x, y) return x > 0.99 and 0.5 or 0.3 end\nlocal d = ricochet.disk { nodes = 60,\n"
+     "  interior = 'elements', E = 1, nu = nu }",
+     "error: s.lua:4: disk: 'nu': the function must return a number between -1 and 0.5, without these, gave 0.5 at (1, "
+     "0)"},
     {"everything anchored", "local d = ricochet.disk { nodes = 60, anchored = function(x, y) return true end }",
      "error: s.lua:2: disk: 'anchored': holds every node; nothing could move: give interior = \"rigid\" instead"},
     {"anchored projectile",

@@ -189,6 +189,7 @@ Trajectory small_trajectory() {
   mesh.length.assign(5, 1.0);
   mesh.stiffness.assign(5, 10.0);
   mesh.modulus = {0, 0, 5, 6};
+  mesh.lame = {0, 0, 0, 0, 0.1, 0.4, 0.2, 0.3};
   Trajectory trajectory(mesh);
   for (int k : {0, 1}) {
     Frame frame;
@@ -218,6 +219,7 @@ TEST_CASE("a trajectory reads back as it was written") {
   CHECK(read.mesh().springs == written.mesh().springs);
   CHECK(read.mesh().triangles == written.mesh().triangles);
   CHECK(read.mesh().modulus == written.mesh().modulus);
+  CHECK(read.mesh().lame == written.mesh().lame);
   REQUIRE(read.mesh().bodies.size() == 2);
   for (std::size_t b : {0, 1}) {
     const BodyMesh &back = read.mesh().bodies[b], &body = written.mesh().bodies[b];

@@ -16,6 +16,22 @@ std::vector<double> moduli_of(const Body& body, const std::vector<int>& number) 
   return moduli;
 }
 
+// The mean of a triangle's corners; of equal ones that number itself, to the last bit.
+double mean_of(const std::array<double, 3>& corners) {
+  return corners[0] + ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3;
+}
+
+// [element] where nu depends on the place.
+std::vector<Lame> constants_of(const Body& body, const std::vector<int>& number, const Elements& elements) {
+  if (body.node_nu.empty()) return {};
+  std::vector<double> nu(number.size());
+  for (std::size_t i = 0; i < number.size(); ++i) nu[at(number[i])] = body.node_nu[i];
+  std::vector<Lame> constants;
+  for (const auto& [i, j, k] : elements.nodes)
+    constants.push_back(lame_of(mean_of({nu[at(i)], nu[at(j)], nu[at(k)]}), body.numbers.state));
+  return constants;
+}
+
 // Of the edges d1, d2 at rest.
 ElementShape shape_of(const Vec2& d1, const Vec2& d2, double weight) {
   const double twice_area = cross(d1, d2);
@@ -69,6 +85,7 @@ Elements build_elements(const Body& body, const JoinedNodes& joined) {
   Elements elements;
   elements.law = solid_law(body.numbers.law, lame_of(body.numbers.nu, body.numbers.state));
   elements.nodes = moving_triangles(solid);
+  elements.lame = constants_of(body, joined.number, elements);
   elements.first.assign(at(solid.nodes()) + 1, 0);
   const std::vector<double> moduli = moduli_of(body, joined.number);
   for (const auto& [i, j, k] : elements.nodes) {

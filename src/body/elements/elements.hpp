@@ -35,7 +35,8 @@ struct Elements {
   std::vector<std::array<int, 3>> edges;  ///< [element] between its nodes 0 1, 0 2 and 1 2
   std::vector<std::array<int, 2>> edge;   ///< [edge] its ends, by rising number
   SolidLawNumbers law;
-  std::vector<RingShape> ring;   ///< [element] of a body of revolution, else empty
+  std::vector<Lame> lame;       ///< [element] its own, where nu depends on the place; else empty, as all have the law's
+  std::vector<RingShape> ring;  ///< [element] of a body of revolution, else empty
   std::vector<double> off_axis;  ///< [node] of one: 0 on the axis, which it cannot leave, else 1
 
   int size() const { return static_cast<int>(nodes.size()); }

@@ -1,7 +1,7 @@
 #pragma once
 // Sweeps over all elements of a body, written once for every law.
 
-#include "body/elements/elements.hpp"
+#include "body/elements/laws.hpp"
 #include "body/motion.hpp"
 
 namespace ricochet {
@@ -71,7 +71,8 @@ void with_gradient(const Solid& solid, Use&& use) {
     use(PlaneGradient<W>{});
 }
 
-/// Calls `use(law, e, F, kind)` for every element, by rising e: law of the lanes' own moduli, and of what it remembers;
+/// Calls `use(law, e, F, kind)` for every element, by rising e: law of the lanes' and its own moduli, and of what it
+/// remembers;
 /// kind as above.
 template <int W, class Use>
 void each_element(const Motion<W>& body, const Elements& elements, Use&& use) {
@@ -82,13 +83,16 @@ void each_element(const Motion<W>& body, const Elements& elements, Use&& use) {
       return kind.of(elements, e, position[i], position[j], position[k]);
     };
     if (const Flow<W>* flow = body.flow) {
-      const HenckyFlow<W> law = flow->law(elements.law, body.stiffness);
-      for (std::size_t e = 0; e < elements.nodes.size(); ++e)
-        use(RememberingLaw<W>{law, flow->memory[e]}, e, gradient(e), kind);
+      with_laws<W>(elements, flow->law(elements.law, body.stiffness), body.stiffness, [&](const auto& laws) {
+        for (std::size_t e = 0; e < elements.nodes.size(); ++e)
+          use(RememberingLaw<W>{laws.of(e), flow->memory[e]}, e, gradient(e), kind);
+      });
       return;
     }
     with_solid_law(elements.law, body.stiffness, [&](const auto& law) {
-      for (std::size_t e = 0; e < elements.nodes.size(); ++e) use(law, e, gradient(e), kind);
+      with_laws<W>(elements, law, body.stiffness, [&](const auto& laws) {
+        for (std::size_t e = 0; e < elements.nodes.size(); ++e) use(laws.of(e), e, gradient(e), kind);
+      });
     });
   });
 }

@@ -82,9 +82,10 @@ template <int W, bool rings, class Law>
 /// its position: kick and drift follow at once, as in the sweep over springs. `f` must hold what else acts on the nodes
 /// (contact). A body of revolution (`rings`) takes a sweep of its own, and so does one that yields, so that those of
 /// elastic plane bodies stay as they are.
-template <int W, bool rings, class Law>
-[[gnu::noinline]] void sweep(Motion<W>& body, const Elements& elements, const Law& given, const Lane<W>& kick,
+template <int W, bool rings, class Laws>
+[[gnu::noinline]] void sweep(Motion<W>& body, const Elements& elements, const Laws& given, const Lane<W>& kick,
                              const Lane<W>& drift) {
+  using Law = typename Laws::Law;
   const std::array<int, 3>* nodes = elements.nodes.data();
   const double* per_mass = body.solid->mass.inverse().data();
   const int* first = elements.first.data();
@@ -93,7 +94,7 @@ template <int W, bool rings, class Law>
   // What is in local variables is not reloaded after every store.
   Place<W, 2>*position = body.q.template places<2>(), *velocity = body.v.template places<2>(),
            *force = body.f.template places<2>();
-  const Law law = given;
+  const Laws laws = given;
   const Lane<W> kick_ = kick, drift_ = drift;
   Lane<W> pulse = Lane<W>::Zero();
   std::size_t e = 0;
@@ -106,6 +107,7 @@ template <int W, bool rings, class Law>
       const ElementEdges<W> d{position[j] - at, position[k] - at};
       Lane<W> radii;
       if constexpr (rings) radii = at.at[0] + position[j].at[0] + position[k].at[0];
+      const auto& law = laws.of(e);
       ElementPull<W> pull;
       if constexpr (Flows<Law, W>) {
         Lane<W> hoop = Lane<W>::Ones(), across;
@@ -136,8 +138,8 @@ template <int W, bool rings, class Law>
 }
 
 /// The forces that a share of a body sums: left in `f`.
-template <bool rings, class Law>
-[[gnu::noinline]] void pull_share(Motion<1>& body, const Elements& elements, const Law& law, const Share& share) {
+template <bool rings, class Laws>
+[[gnu::noinline]] void pull_share(Motion<1>& body, const Elements& elements, const Laws& laws, const Share& share) {
   const auto row = [&](int node) { return static_cast<std::size_t>(elements.first[static_cast<std::size_t>(node)]); };
   const Place<1, 2>* position = body.q.places<2>();
   Place<1, 2>* force = body.f.places<2>();
@@ -145,7 +147,7 @@ template <bool rings, class Law>
     const auto& [i, j, k] = elements.nodes[e];
     const ElementEdges<1> d{position[j] - position[i], position[k] - position[i]};
     const Lane<1> radii = position[i].at[0] + position[j].at[0] + position[k].at[0];
-    const ElementPull<1> of_element = pull_of<1, rings>(law, elements, e, d, radii);
+    const ElementPull<1> of_element = pull_of<1, rings>(laws.of(e), elements, e, d, radii);
     for (const auto& [node, edge] : {std::pair(j, &of_element.edges.first), std::pair(k, &of_element.edges.second)}) {
       if (node < share.begin || node >= share.limit) continue;
       if constexpr (rings) force[node].at[0] -= of_element.inwards;
@@ -181,14 +183,14 @@ Lane<1> move_share(Motion<1>& body, const Elements& elements, const Lane<1>& kic
 }
 
 /// The sweep by all threads of a team.
-template <bool rings, class Law>
-void sweep_together(Motion<1>& body, const Elements& elements, const Law& law, const Lane<1>& kick,
+template <bool rings, class Laws>
+void sweep_together(Motion<1>& body, const Elements& elements, const Laws& laws, const Lane<1>& kick,
                     const Lane<1>& drift) {
   const Sharing& sharing = *body.sharing;
   std::vector<Lane<1>> pulses(sharing.shares.size());
   sharing.team->run([&](int part) {
     const Share& share = sharing.shares[static_cast<std::size_t>(part)];
-    pull_share<rings>(body, elements, law, share);
+    pull_share<rings>(body, elements, laws, share);
     sharing.team->meet();
     pulses[static_cast<std::size_t>(part)] = move_share<rings>(body, elements, kick, drift, share);
   });
@@ -199,20 +201,21 @@ void sweep_together(Motion<1>& body, const Elements& elements, const Law& law, c
 /// v += kick F/m, x += drift v.
 template <int W>
 void kick_and_drift(Motion<W>& body, const Elements& elements, const Lane<W>& kick, const Lane<W>& drift) {
-  const auto sweep_by = [&]<class Law>(const Law& law) {
-    if constexpr (W == 1 && !Flows<Law, W>)
+  const auto sweep_by = [&]<class Laws>(const Laws& laws) {
+    if constexpr (W == 1 && !Flows<typename Laws::Law, W>)
       if (body.sharing)
-        return body.solid->axisymmetric ? sweep_together<true>(body, elements, law, kick, drift)
-                                        : sweep_together<false>(body, elements, law, kick, drift);
+        return body.solid->axisymmetric ? sweep_together<true>(body, elements, laws, kick, drift)
+                                        : sweep_together<false>(body, elements, laws, kick, drift);
     if (body.solid->axisymmetric)
-      sweep<W, true>(body, elements, law, kick, drift);
+      sweep<W, true>(body, elements, laws, kick, drift);
     else
-      sweep<W, false>(body, elements, law, kick, drift);
+      sweep<W, false>(body, elements, laws, kick, drift);
   };
+  const auto by_laws = [&](const auto& law) { with_laws<W>(elements, law, body.stiffness, sweep_by); };
   if (body.flow)
-    sweep_by(body.flow->law(elements.law, body.stiffness));
+    by_laws(body.flow->law(elements.law, body.stiffness));
   else
-    with_solid_law(elements.law, body.stiffness, sweep_by);
+    with_solid_law(elements.law, body.stiffness, by_laws);
 }
 
 }  // namespace ricochet

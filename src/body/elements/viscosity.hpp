@@ -115,8 +115,8 @@ template <int W>
 Lane<W> damp_elements(Motion<W>& body, const Elements& elements, double time, const Lane<W>& h, bool forward) {
   Lane<W> lost = Lane<W>::Zero();
   const Solid& solid = *body.solid;
-  const Lane<W> lambda = (time * elements.law.lame.lambda) * body.stiffness * h,
-                mu = (time * elements.law.lame.mu) * body.stiffness * h;
+  const auto viscous = [&](double lame) { return Lane<W>((time * lame) * body.stiffness * h); };
+  Lane<W> lambda = viscous(elements.law.lame.lambda), mu = viscous(elements.law.lame.mu);
   const Place<W, 2>* position = body.q.template places<2>();
   Place<W, 2>*velocity = body.v.template places<2>(), *impulse = body.f.template places<2>();
   for (int n = 0; n < elements.size(); ++n) {
@@ -127,6 +127,10 @@ Lane<W> damp_elements(Motion<W>& body, const Elements& elements, double time, co
                                     {per_mass(i), per_mass(j), per_mass(k)});
     const StrainRates<W> d = dashpot.rates({velocity[j] - velocity[i], velocity[k] - velocity[i]});
     const double weight = elements.weight[e];
+    if (!elements.lame.empty()) {
+      lambda = viscous(elements.lame[e].lambda);
+      mu = viscous(elements.lame[e].mu);
+    }
     const StrainRates<W> s = dashpot.impulse(d, weight * lambda, weight * mu);
     for (int corner = 0; corner < 3; ++corner) {
       const int node = elements.nodes[e][static_cast<std::size_t>(corner)];

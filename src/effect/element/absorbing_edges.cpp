@@ -7,13 +7,32 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// What surrounds a node: its density and its modulus over the body's, means over its share of each element.
+// What surrounds a node: its density, its modulus over the body's, means over its share of each element, and Lame's
+// constants over that modulus.
 struct Surroundings {
   std::vector<double> density, modulus;  // [node]
+  std::vector<Lame> lame;                // [node]
 };
 
+// Means of the elements around, each by its modulus; where all have the same they are those, to the last bit.
+std::vector<Lame> constants_around(const Solid& solid, const Elements& elements) {
+  std::vector<Lame> means(at(solid.nodes()), elements.law.lame);
+  if (elements.lame.empty()) return means;
+  std::vector<double> weights(at(solid.nodes()), 0.0);
+  for (std::size_t e = 0; e < elements.nodes.size(); ++e)
+    for (const int i : elements.nodes[e]) {
+      Lame& mean = means[at(i)];
+      if (weights[at(i)] == 0) mean = elements.lame[e];
+      const double share = elements.weight[e] / (weights[at(i)] += elements.weight[e]);
+      mean.lambda += share * (elements.lame[e].lambda - mean.lambda);
+      mean.mu += share * (elements.lame[e].mu - mean.mu);
+    }
+  return means;
+}
+
 Surroundings surroundings_of(const Solid& solid, const Elements& elements) {
-  Surroundings around{std::vector<double>(at(solid.nodes()), 0.0), std::vector<double>(at(solid.nodes()), 0.0)};
+  Surroundings around{std::vector<double>(at(solid.nodes()), 0.0), std::vector<double>(at(solid.nodes()), 0.0),
+                      constants_around(solid, elements)};
   std::vector<double> volume(at(solid.nodes()), 0.0), strained(at(solid.nodes()), 0.0);
   for (const Triangle& t : solid.cells)
     for (std::size_t k = 0; k < t.size(); ++k)
@@ -41,7 +60,6 @@ std::vector<EdgeDashpot> AbsorbingEdges::dashpots(const Solid& solid) const {
   constexpr double facing = 0.5;  // the height of a unit normal from which on an edge faces the projectile
   const auto& mesh = std::get<Mesh<2>>(solid.surface);
   const Surroundings around = surroundings_of(solid, *elements);
-  const auto [lambda, mu] = elements->law.lame;
   std::vector<EdgeDashpot> of_nodes(at(solid.nodes()), EdgeDashpot{0, 0, 0, 0});
   for (const std::array<int, 2>& cell : mesh.cell) {
     Mesh<2> alone{{mesh.node[at(cell[0])], mesh.node[at(cell[1])]}, {{0, 1}}, {}};
@@ -51,6 +69,7 @@ std::vector<EdgeDashpot> AbsorbingEdges::dashpots(const Solid& solid) const {
     const std::vector<double> share = solid.axisymmetric ? ring_shares(alone, ends) : rim_shares(alone, ends);
     for (std::size_t k = 0; k < 2; ++k) {
       const std::size_t i = at(alone.node[k]);
+      const auto [lambda, mu] = around.lame[i];
       const double root = impedance * share[k] * std::sqrt(around.density[i] * around.modulus[i]);
       const double across = root * std::sqrt(lambda + 2 * mu), sideways = root * std::sqrt(mu);
       of_nodes[i].xx += across * normal.x() * normal.x() + sideways * along.x() * along.x();

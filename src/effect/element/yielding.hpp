@@ -38,8 +38,7 @@ struct Yielding {
           "string",
           "",
           "the bodies whose elements yield; unless given the projectile, or, where yield is left to the materials, "
-          "every "
-          "one of elements that may whose material has a yield stress",
+          "every one of elements that may whose material has a yield stress",
           any_number,
           "",
           true,
