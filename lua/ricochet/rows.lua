@@ -193,7 +193,14 @@ end)
 
 local rows_of
 
---- Those rows whose columns have the given values.
+-- Equal, or a number as a script writes it and as it was computed: 0.3 and 3 * 0.1.
+local function same(a, b)
+  if a == b then return true end
+  if type(a) ~= "number" or type(b) ~= "number" then return false end
+  return math.abs(a - b) <= 1e-12 * math.max(math.abs(a), math.abs(b)) and math.abs(a) < math.huge
+end
+
+--- Those rows whose columns have the given values, to twelve digits.
 Rows.where = core.wrap(function(self, wanted)
   if not core.is(self, Rows) then core.fail "is a method of rows: write rows:where { ... }, with a colon" end
   if type(wanted) ~= "table" then core.fail "takes a table of column = value" end
@@ -202,7 +209,7 @@ Rows.where = core.wrap(function(self, wanted)
   local list = {}
   for _, row in ipairs(self) do
     local alike = true
-    for column, value in pairs(wanted) do alike = alike and row[column] == value end
+    for column, value in pairs(wanted) do alike = alike and same(row[column], value) end
     if alike then list[#list + 1] = row end
   end
   return rows_of(list, varied[self])

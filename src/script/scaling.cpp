@@ -16,9 +16,10 @@ void check_material(const Body& body, const Units& units, const std::string& fie
                      "is of no material; in SI give it one (material = ricochet.materials.steel, or ricochet.material "
                      "{ E = ..., nu = ..., density = ... }) or, a target, interior = \"rigid\"");
   if (!units.si && body.material)
-    throw FieldError(field,
-                     "is of a material, whose numbers are in SI: give the scene units = \"SI\", or the body stiffness "
-                     "and density instead");
+    throw FieldError(
+        field, fmt::format("is of a material, whose numbers are in SI: give the scene units = \"SI\", or the body {} "
+                           "and density instead",
+                           body.numbers.of_elements() ? "E, nu" : "stiffness"));
 }
 
 // In space, moduli and densities are per volume.

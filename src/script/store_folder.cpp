@@ -40,6 +40,11 @@ std::vector<fs::path> StoreFolder::stored() const {
 }
 
 void StoreFolder::refuse_strangers(std::size_t count) const {
+  if (count > 0 && merges_)
+    throw FileError(fmt::format(
+        "{} holds {} rows of other scenes than this sweep's, merged before, which this merge would lose; use the same "
+        "parameters, or run and merge these in another --out",
+        path_.string(), count));
   if (count > 0)
     throw FileError(fmt::format(
         "{} holds {} rows of other scenes than this sweep's, which --resume would lose; use the same parameters (and "

@@ -203,7 +203,7 @@ Trajectory read_trajectory(const std::filesystem::path& path) {
 }
 
 bool is_trajectory(const std::filesystem::path& path) {
-  return H5Lexists(hdf5::open_file(path), "h5md", H5P_DEFAULT) > 0;
+  return H5Lexists(hdf5::open_with_additions(path).file, "h5md", H5P_DEFAULT) > 0;
 }
 
 }  // namespace ricochet

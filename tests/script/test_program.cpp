@@ -364,6 +364,7 @@ TEST_CASE("rows can be picked by a column, and a power law is found in them") {
              "  projectile = ricochet.disk { nodes = 40 }, target = ricochet.wall { width = 4, depth = 1, nodes = 80, "
              "stiffness = 400 }, launch = { speed = at.speed, psi1 = at.psi1 } } end }:run()\n"
              "local some = rows:where { psi1 = 1 }\n"
+             "assert(#some > 0 and #rows:where { psi1 = 1 + 1e-15 } == #some and #rows:where { psi1 = 1.001 } == 0)\n"
              "for _, row in ipairs(some) do assert(row.psi1 == 1); row.cube = 7 * row.speed ^ 3 end\n"
              "local law = some:power_law { x = 'speed', y = 'cube' }\n"
              "print(#some, ('%.6f %.6f %.1g %d'):format(law.exponent, law.factor, law.se, law.count))\n"

@@ -46,7 +46,10 @@ TEST_CASE("pandas reads the rows of several runs, and a file that h5py opened to
       python(here, "import h5py\nf = h5py.File('b/s/results.h5', 'r+')\nf['mine'] = [1, 2, 3]\nf.close()\n");
   INFO(added.err);
   CHECK(added.status == 0);
-  CHECK_THAT(here.shell("ricochet info b").out, Catch::Matchers::Contains("12 rows"));
+  const Ended told = here.shell("ricochet info b");
+  INFO(told.err);
+  CHECK(told.status == 0);
+  CHECK_THAT(told.out, Catch::Matchers::Contains("12 rows"));
   REQUIRE(here.run("s.lua samples=4 --quiet --no-report --resume --out b").status == 0);
   CHECK(python(here, "import h5py\nprint(list(h5py.File('b/s/results.h5')['mine'][:]))\n").out == "[1, 2, 3]\n");
   const Ended joined = here.shell("/usr/bin/python3 '" RICOCHET_SOURCE "/examples/read_results.py' a/s b/s");

@@ -124,6 +124,7 @@ TEST_CASE("what a user adds beside our groups is no damage, and stays when the r
   add_numbers(path, "mine", {1, 2, 3});
   CHECK(is_example(read_table(path)));
   CHECK(read_provenance(path) == Provenance{{"host", "here"}});
+  CHECK_FALSE(is_trajectory(path));  // as ricochet info asks
   add_numbers(path, "too", {4});
   for (int again = 0; again < 2; ++again) {
     write_table(path, example(), {{"host", "there"}});
