@@ -144,8 +144,13 @@ local function told(state, names, t, goes_on)
     or state.of.units < 2 and "cannot be planned: fewer than two impacts of the pilot finished with a value of " .. t.of
     or state.of.se > state.wanted and ("not met with %d, at most: raise 'most'"):format(t.most) or ""
   local where = table.concat(parts, " ")
-  print(("  %-20s %s %.4f +- %.2g (wanted %.2g) of %d impacts on %d lattices, %s%s  %s"):format(where, t.of,
-    state.of.mean, state.of.se, state.wanted, #state.rows, state.count,
+  -- Between rounds `state.count` is what the next one is to have.
+  local struck, lattices = {}, 0
+  for _, row in ipairs(state.rows) do
+    if not struck[row.sample] then struck[row.sample], lattices = true, lattices + 1 end
+  end
+  print(("  %-20s %s %.4f +- %.3g (wanted %.3g) of %d impacts on %d lattices, %s%s  %s"):format(where, t.of,
+    state.of.mean, state.of.se, state.wanted, #state.rows, lattices,
     state.side == "both" and "from both sides" or "from one side",
     state.gain == state.gain and (" (pairs: x %.2g)"):format(state.gain) or "", missed))
 end
