@@ -106,7 +106,10 @@ void print_queue(const fs::path& folder, const Stored& stored, std::size_t point
 
 void print_shards(const fs::path& folder) {
   const ShardPlan plan = read_plan(folder);
-  const Stored stored = stored_in(run_names::all_stored(folder));
+  std::error_code error;
+  // Rows of a larger error, which a round goes on from, are not all of this plan's: what is, stands in its shards, too.
+  const bool goes_on = fs::exists(run_names::earlier(folder), error);
+  const Stored stored = stored_in(goes_on ? run_names::shard_files(folder) : run_names::all_stored(folder));
   const Standing standing = standing_of(folder, plan);
   putf(
       "{}: {} of {} impacts are stored, {} of them failed; {} shards: {} done, {} begun{}, {} ended with an error{}, "

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdio>
 
 #include "program.hpp"
 #include "script/digest.hpp"
@@ -298,6 +299,9 @@ TEST_CASE("by error in shards: a smaller error goes on from the rows of a larger
       INFO(ran.err);
       REQUIRE(ran.status == 0);
       kept += fs::exists(here.path / "out/s/earlier.h5");
+      int stored = 0, all = 0;
+      if (std::sscanf(here.shell("ricochet status out").out.c_str(), "s: %d of %d", &stored, &all) == 2)
+        CHECK(stored == all);  // the one shard is done
       merged = here.shell("ricochet merge s.lua --no-report");
     }
     INFO(merged.err);
