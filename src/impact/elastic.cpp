@@ -29,8 +29,8 @@ double Elastic::shear_speed() const { return std::sqrt(modulus / (density * 2 * 
 Elastic elastic_of(const Body& body) {
   if (body.rigid()) return {};
   const PlaneModuli moduli = usual_moduli(body.numbers);
-  const double by_place = body.node_stiffness.empty() ? 1 : mean(body.node_stiffness);
-  return {moduli.per_stiffness * body.numbers.stiffness * by_place, moduli.poisson_ratio, density_of(body),
+  const double stiffness = body.node_stiffness.empty() ? body.numbers.stiffness : mean(body.node_stiffness);
+  return {moduli.per_stiffness * stiffness, moduli.poisson_ratio, density_of(body),
           std::find(body.anchored.begin(), body.anchored.end(), true) != body.anchored.end()};
 }
 

@@ -1,19 +1,33 @@
 // ricochet.material; the known ones are in lua/ricochet/materials.lua.
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "script/displays.hpp"
 #include "script/fields.hpp"
 #include "script/objects.hpp"
 #include "script/reader.hpp"
+#include "script/report.hpp"
 
 namespace ricochet {
 namespace {
+
+// Waves in the fastest solids, diamond and graphene, run at some 2e4 m/s.
+void check_units(lua_State* L, const Material& made) {
+  constexpr double fastest = 5e4;  // a margin for benchmarks, which take stiffer ones
+  const double speed = std::sqrt(made.E / made.density);
+  if (speed > fastest)
+    throw_here(L, FieldError("density", fmt::format("of {:g} makes waves of {:.2g} m/s with E = {:g}, and no solid has "
+                                                    "{:g}: give density in kg/m^3 (steel has 7850) and E in Pa",
+                                                    made.density, speed, made.E, fastest)));
+}
 
 int material(lua_State* L) {
   check_table(L, 1, function_named("material"));
   Material made;
   read_members(L, 1, made);
+  check_units(L, made);
   push_object(L, "ricochet.material", MaterialObject{made});
   return 1;
 }

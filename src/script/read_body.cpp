@@ -303,8 +303,15 @@ void read_material(lua_State* L, Body& made) {
                        "says how a plane is cut from a material; give material too");
     return;
   }
+  // Of elements they may differ from place to place beside the material, which says what they are measured by.
+  const auto by_place = [&](const std::string& field) {
+    return made.numbers.of_elements() && (field == "E" || field == "nu" || field == "density") &&
+           PlaceFunction(L, field.c_str()).given();
+  };
   for (const char* field : {"stiffness", "density", "mass", "E", "nu"})
-    if (given(field)) throw FieldError(field, "follows from the material; give one of them");
+    if (given(field) && !by_place(field))
+      throw FieldError(field,
+                       "follows from the material; give one of them, or of elements a function of the place, in SI");
   if (given("thickness") && made.numbers.axisymmetric())
     throw FieldError("thickness",
                      "says nothing of an axisymmetric body, which is as thick as it is round; leave it out");
@@ -357,12 +364,16 @@ Body read_body(lua_State* L) {
     if (std::count(made.anchored.begin(), made.anchored.end(), false) == 0 && !made.rigid())
       throw FieldError("anchored", "holds every node; nothing could move: give interior = \"rigid\" instead");
   }
+  // In SI moduli and densities are per volume.
+  const double thickness = made.material ? made.material->thickness : 1;
   if (stiffness.given()) {
-    for (const Vec2& p : plan->points) made.node_stiffness.push_back(stiffness.positive_number_at(p, modulus));
-    made.numbers.stiffness = 1;  // the factor of what the nodes have by their places
+    for (const Vec2& p : plan->points)
+      made.node_stiffness.push_back(stiffness.positive_number_at(p, modulus) * thickness);
+    if (!made.material) made.numbers.stiffness = 1;  // the factor of what the nodes have by their places
   }
   if (density.given())
-    for (const Vec2& p : plan->points) made.node_density.push_back(density.positive_number_at(p, "density"));
+    for (const Vec2& p : plan->points)
+      made.node_density.push_back(density.positive_number_at(p, "density") * thickness);
   if (nu.given()) {
     for (const Vec2& p : plan->points) made.node_nu.push_back(nu.poisson_ratio_at(p, "nu"));
     made.numbers.nu = mean_of(made.node_nu);  // what estimates take

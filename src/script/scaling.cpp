@@ -57,6 +57,7 @@ std::shared_ptr<const Body> scaled(const std::shared_ptr<const Body>& given, con
     for (Vec2& p : *points) p /= units.length;
   for (Points& hole : body->holes)
     for (Vec2& p : hole) p /= units.length;
+  for (double& modulus : body->node_stiffness) modulus /= units.worth(unit_of(*body, "m0 c^2/R^2"));
   for (double& density : body->node_density) density /= units.worth(unit_of(*body, "m0/R^2"));
   if (body->fine_at) *body->fine_at /= units.length;
   body->velocity /= units.worth("c");

@@ -207,8 +207,12 @@ TEST_CASE("scripts: what says nothing of elements, or of springs, is refused wit
   CHECK_THAT(refused("nu = function() return 0.3 end"), Contains("'nu': is of elements; give interior = \"elements\""));
   CHECK_THAT(refused("interior = 'modes', modes_of = 'springs', nu = function() return 0.3 end"),
              Contains("'nu': is of elements; give modes_of = \"elements\""));
-  CHECK_THAT(refused("material = ricochet.materials.steel, radius = 0.01, interior = 'elements', nu = function() end"),
+  CHECK_THAT(refused("material = ricochet.materials.steel, radius = 0.01, interior = 'elements', nu = 0.3"),
              Contains("'nu': follows from the material"));
+  CHECK_THAT(refused("material = ricochet.materials.steel, radius = 0.01, interior = 'elements', nu = function() end"),
+             Contains("'nu': the function must return a number"));
+  CHECK_THAT(refused("material = ricochet.materials.steel, radius = 0.01, stiffness = function() return 1 end"),
+             Contains("'stiffness': follows from the material"));
   CHECK_THAT(refused(of_elements + "law = 'hooke'"), Contains("polynomial"));
   CHECK_THAT(refused(of_elements + "h_max = 0.1"), Contains("'h_max': is of a mesh; give h_min too"));
   CHECK_THAT(refused(of_elements + "h_min = 0.1, h_max = 0.05"), Contains("is below h_min = 0.1"));
@@ -221,6 +225,42 @@ TEST_CASE("scripts: what says nothing of elements, or of springs, is refused wit
              Contains("are nodes given by hand, and a mesh places its own"));
   CHECK_THAT(refused("material = ricochet.materials.steel, radius = 0.01, " + of_elements),
              Contains("follows from the material"));
+}
+
+TEST_CASE("in SI, E, nu and density by place stand beside a material, and are those of the paper's units, scaled") {
+  const Workplace here;
+  const Ended ended = here.script(R"lua(local ricochet = require "ricochet"
+local steel = ricochet.materials.steel
+local R, thickness = 0.005, 0.02
+local function disk(given)
+  for key, value in pairs { radius = R, thickness = thickness, material = steel, interior = "elements",
+      state = "plane_strain", h_min = 0.15 * R, h_max = 0.3 * R } do given[key] = value end
+  return given
+end
+local function run(shape, speed, units)
+  return ricochet.scene { projectile = ricochet.disk(shape), target = ricochet.plane {}, units = units,
+    launch = { speed = speed }, accuracy = 1e-3 }:run()
+end
+-- What the paper's disk is worth: E = 1e4 m0 c^2/R^2, density 800/pi m0/R^2.
+local c = math.sqrt(steel.E / steel.density) / math.sqrt(1e4 / (800 / math.pi))
+local alone = run(disk {}, 0.2 * c, "SI")
+local even = run(disk { E = function() return steel.E end, nu = function() return steel.nu end,
+  density = function() return steel.density end }, 0.2 * c, "SI")
+assert(alone.status == "finished" and math.abs(even.e / alone.e - 1) < 1e-9, even.e .. " " .. alone.e)
+local graded = run(disk { E = function(x, y) return steel.E * (1 + 0.5 * y / R) end,
+  nu = function(x, y) return 0.3 + 0.1 * x / R end, density = function(x, y) return steel.density * (1 - 0.4 * y / R) end },
+  0.2 * c, "SI")
+local paper = run({ interior = "elements", state = "plane_strain", h_min = 0.15, h_max = 0.3,
+  E = function(x, y) return 1e4 * (1 + 0.5 * y) end, nu = function(x, y) return 0.3 + 0.1 * x end,
+  density = function(x, y) return 800 / math.pi * (1 - 0.4 * y) end }, 0.2)
+assert(math.abs(graded.e / paper.e - 1) < 1e-6 and math.abs(graded.e - alone.e) > 1e-4,
+  ("%.12g %.12g %.12g"):format(graded.e, paper.e, alone.e))
+assert(math.abs(graded.contact_time / (paper.contact_time * R / c) - 1) < 1e-6)
+print "as scaled")lua",
+                                  "--quiet");
+  INFO(ended.out << ended.err);
+  CHECK(ended.status == 0);
+  CHECK_THAT(ended.out, Contains("as scaled"));
 }
 
 TEST_CASE("scripts: LAMMPS files refuse elements by name") {

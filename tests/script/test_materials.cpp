@@ -76,6 +76,8 @@ TEST_CASE("materials: what contradicts itself is refused at its line, with a rem
   CHECK_THAT(refused("ricochet.disk { radius = 0.005, material = steel, stiffness = 1e4 }"),
              Contains("follows from the material"));
   CHECK_THAT(refused("ricochet.disk { thickness = 2 }"), Contains("give material too"));
+  CHECK_THAT(refused("ricochet.material { E = 210e9, nu = 0.3, density = 7.85 }"),
+             Contains("'density'") && Contains("waves of 1.6e+05 m/s") && Contains("kg/m^3 (steel has 7850)"));
   CHECK_THAT(refused("ricochet.wall { width = 1, depth = 1, material = steel, interior = \"rigid\" }"),
              Contains("rigid"));
   CHECK_THAT(

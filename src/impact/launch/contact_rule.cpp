@@ -34,7 +34,7 @@ double measure_of(const Solid& solid) {
 double stiffness_of(const Body& body) {
   if (body.node_stiffness.empty()) return body.numbers.stiffness;
   return std::accumulate(body.node_stiffness.begin(), body.node_stiffness.end(), 0.0) /
-         static_cast<double>(body.node_stiffness.size()) * body.numbers.stiffness;
+         static_cast<double>(body.node_stiffness.size());
 }
 
 LineBody line_body(const Body& body, const Solid& solid) {
