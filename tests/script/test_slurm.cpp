@@ -318,6 +318,23 @@ TEST_CASE("the queue itself is killed and comes back: the shards do not notice, 
   CHECK(cluster.digest() == expected);
 }
 
+TEST_CASE("five times a node's daemon is killed and comes back: no shard is lost", "[.slurm]") {
+  const Cluster cluster;
+  if (!cluster) return;
+  const std::string expected = undisturbed(cluster, slow_sweep(), "samples=24");
+  cluster.submit("--shards 6 samples=24");
+  for (int kill_number = 0; kill_number < 5; ++kill_number) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(700 + 300 * kill_number));
+    const std::string node = "n" + std::to_string(kill_number % 3 + 1);
+    kill(cluster.daemon(node), SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    REQUIRE(cluster.shell("/usr/sbin/slurmd -N " + node).status == 0);
+  }
+  cluster.wait();
+  INFO(cluster.logs());
+  CHECK(cluster.digest() == expected);
+}
+
 TEST_CASE("a task whose time ends stores, is queued again and goes on; a cancelled one stays so", "[.slurm]") {
   const Cluster cluster;
   if (!cluster) return;

@@ -15,7 +15,7 @@ struct Yielding {
       "Elements that yield, as metals do: past a von Mises stress of yield + hardening times the plastic strain they "
       "flow at constant volume, and the work of that is lost. Of plane_strain and axisymmetric bodies.";
   static constexpr const char* example = "ricochet.yielding { yield = 20, hardening = 10 }";
-  static constexpr const char* energy_doc = "energy lost to yielding";
+  static constexpr const char* energy_doc = "energy lost to elements that yield, their plastic work";
   static constexpr const char* count_doc = "elements that have yielded";
 
   static constexpr bool lets_elements_flow = true;

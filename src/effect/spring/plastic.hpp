@@ -21,7 +21,7 @@ struct Plastic {
       "Springs that yield: past a share of its rest length a spring's rest length moves along, and the work of that is "
       "lost.";
   static constexpr const char* example = "ricochet.plastic { yield = 0.02 }";
-  static constexpr const char* energy_doc = "energy lost to yielding";
+  static constexpr const char* energy_doc = "energy lost to springs that yield; that of elements is yielding_energy";
   static constexpr const char* count_doc = "springs that have yielded";
   static constexpr bool changes_at_step_ends = false;
 
