@@ -44,6 +44,12 @@ struct Place {
     if constexpr (D == 3) at[2] -= other.at[2];
     return *this;
   }
+  /// Adds each component to a sum, by rising component.
+  [[gnu::always_inline]] void add_to(Lane<W>& sum) const {
+    sum += at[0];
+    sum += at[1];
+    if constexpr (D == 3) sum += at[2];
+  }
 };
 
 template <int W, int D>

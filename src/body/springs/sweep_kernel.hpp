@@ -60,7 +60,7 @@ template <int D, class Same, int W, class Law>
     velocity[i] = v;
     position[i] = at + drift_ * v;
     force[i].set_zero();
-    for (int k = 0; k < D; ++k) pulse += v.at[k];
+    v.add_to(pulse);
   }
   body.pulse = pulse;
 }
