@@ -65,6 +65,8 @@ Snapshot Engine<W>::snapshot(int lane) {
   for (std::size_t b = 0; b < pushed.size(); ++b) {
     const Motion<W>& body = state_.end[b];
     BodyShot& seen = shot.bodies.emplace_back();
+    for (Points* points : {&seen.place, &seen.velocity, &seen.force})
+      points->reserve(static_cast<std::size_t>(body.solid->nodes()));
     for (int i = 0; i < body.solid->nodes(); ++i) {
       seen.place.push_back(body.q.at(i, lane));
       seen.velocity.push_back(body.v.at(i, lane));

@@ -190,13 +190,16 @@ void add_body(FrameMesh& mesh, const Solid& solid, const Points& points, double 
   mesh.bodies.push_back(body);
 }
 
+bool is_plane(const Solid* solid) { return std::holds_alternative<Plane>(solid->surface); }
+
 // What a plane's snapshot leaves out: the ends of its line, which rest.
-void add_planes(Snapshot& shot, const Scene& scene, const Solids& solids) {
+Snapshot with_planes(Snapshot shot, const Scene& scene, const Solids& solids) {
   for (std::size_t b = 0; b < solids.size(); ++b)
     if (const Plane* plane = std::get_if<Plane>(&solids[b]->surface)) {
       shot.bodies[b].place = plane_ends(*plane, scene);
       shot.bodies[b].velocity = shot.bodies[b].force = {Vec2::Zero(), Vec2::Zero()};
     }
+  return shot;
 }
 
 }  // namespace
@@ -314,9 +317,8 @@ bool film_scene(const Solids& solids, const Scene& scene, const std::vector<doub
     sampling.see(sampler(shot));
     samples.take();
   };
-  const auto look = [&](const Snapshot& seen) {
-    Snapshot shot = seen;
-    add_planes(shot, scene, solids);
+  const bool planes = std::any_of(solids.begin(), solids.end(), is_plane);
+  const auto see = [&](const Snapshot& shot) {
     while (shot.time == 0) {  // the free flight before, whichever comes first
       const double frame = frames.before_the_run(), sample = samples.before_the_run();
       if (std::min(frame, sample) >= 0) break;
@@ -328,6 +330,7 @@ bool film_scene(const Solids& solids, const Scene& scene, const std::vector<doub
     if (frames.due(shot.time)) hand_over_frame(shot, shot);
     if (samples.due(shot.time)) hand_over_sample(shot);
   };
+  const auto look = [&](const Snapshot& shot) { planes ? see(with_planes(shot, scene, solids)) : see(shot); };
   const Observer observer{std::max(frames.end(), samples.end()) + start.step,
                           [&](double time) { return frames.due(time) || samples.due(time); }, look, true};
   run_scene(solids, scene, stop, &observer);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <numeric>
 
 #include "core/error.hpp"
 
@@ -29,53 +30,69 @@ double reach_of(const Trajectory& trajectory) {
   return reach;
 }
 
+// Of a number that is not negative.
+std::int32_t rounded(double number) { return static_cast<std::int32_t>(number + 0.5); }
+
 std::int32_t on_grid(double place, double grid) {
-  return static_cast<std::int32_t>(std::lround(std::clamp(place / grid, -greatest, greatest)));
+  const double steps = std::clamp(place / grid, -greatest, greatest);
+  return steps < 0 ? -rounded(-steps) : rounded(steps);
+}
+
+// [item][frame], from what gives it frame by frame: `numbers(frame, item)`. By blocks of items, so that what is read
+// and what is written both stay in the cache.
+template <class Number, class Numbers>
+std::vector<Number> courses(std::size_t frames, std::size_t items, const Numbers& numbers) {
+  constexpr std::size_t block = 64;
+  std::vector<Number> all(frames * items);
+  for (std::size_t first = 0; first < items; first += block)
+    for (std::size_t f = 0; f < frames; ++f)
+      for (std::size_t k = first; k < std::min(first + block, items); ++k) all[k * frames + f] = numbers(f, k);
+  return all;
+}
+
+// Each course from 0 on, as what it changes by from frame to frame.
+template <class Number>
+void as_steps(std::vector<Number>& courses, std::size_t frames) {
+  for (std::size_t begin = 0; begin < courses.size(); begin += frames)
+    std::adjacent_difference(courses.begin() + static_cast<std::ptrdiff_t>(begin),
+                             courses.begin() + static_cast<std::ptrdiff_t>(begin + frames),
+                             courses.begin() + static_cast<std::ptrdiff_t>(begin));
 }
 
 std::string packed_places(const Trajectory& trajectory, double grid) {
-  std::vector<std::uint32_t> steps;
-  const std::size_t coordinates = trajectory.frames().front().position.size();
-  steps.reserve(coordinates * trajectory.frames().size());
-  for (std::size_t k = 0; k < coordinates; ++k) {
-    std::int32_t before = 0;
-    for (const Frame& frame : trajectory.frames()) {
-      const std::int32_t now = on_grid(frame.position[k], grid);
-      steps.push_back(static_cast<std::uint32_t>(now - before));
-      before = now;
-    }
-  }
+  const std::vector<Frame>& frames = trajectory.frames();
+  std::vector<std::uint32_t> steps = courses<std::uint32_t>(
+      frames.size(), frames.front().position.size(),
+      [&](std::size_t f, std::size_t k) { return static_cast<std::uint32_t>(on_grid(frames[f].position[k], grid)); });
+  as_steps(steps, frames.size());
   return deflated(byte_planes(steps, 2));
 }
 
-double speed_of(const Frame& frame, std::size_t node) {
-  return std::hypot(static_cast<double>(frame.velocity[2 * node]), static_cast<double>(frame.velocity[2 * node + 1]));
+// [node][frame]
+std::vector<double> speeds_of(const Trajectory& trajectory) {
+  const std::vector<Frame>& frames = trajectory.frames();
+  return courses<double>(frames.size(), frames.front().velocity.size() / 2, [&](std::size_t f, std::size_t n) {
+    const double x = frames[f].velocity[2 * n], y = frames[f].velocity[2 * n + 1];
+    return std::sqrt(x * x + y * y);
+  });
 }
 
 // All but one in 2000 are slower: a few nodes of the rim would take the colours of all others.
-double top_speed(const Trajectory& trajectory) {
-  std::vector<double> speeds;
-  for (const Frame& frame : trajectory.frames())
-    for (std::size_t n = 0; 2 * n < frame.velocity.size(); ++n) speeds.push_back(speed_of(frame, n));
+double top_speed(std::vector<double> speeds) {
   const auto place = speeds.begin() + static_cast<std::ptrdiff_t>(0.9995 * static_cast<double>(speeds.size() - 1));
   std::nth_element(speeds.begin(), place, speeds.end());
   return *place;
 }
 
-std::string packed_colours(const Trajectory& trajectory, double top, int levels) {
-  std::string steps;
-  const std::size_t nodes = trajectory.frames().front().velocity.size() / 2;
-  steps.reserve(nodes * trajectory.frames().size());
-  for (std::size_t n = 0; n < nodes; ++n) {
-    int before = 0;
-    for (const Frame& frame : trajectory.frames()) {
-      const double share = top > 0 ? std::min(1.0, speed_of(frame, n) / top) : 0;
-      const int now = static_cast<int>(std::lround(levels * std::sqrt(share)));
-      steps.push_back(static_cast<char>(now - before));
-      before = now;
-    }
+std::string packed_colours(const std::vector<double>& speeds, std::size_t frames, double top, int levels) {
+  std::vector<std::uint8_t> steps;
+  steps.reserve(speeds.size());
+  for (const double speed : speeds) {
+    const double share = top > 0 ? std::min(1.0, speed / top) : 0;
+    steps.push_back(static_cast<std::uint8_t>(rounded(levels * std::sqrt(share))));
   }
-  return deflated(steps);
+  as_steps(steps, frames);
+  return deflated(std::string(steps.begin(), steps.end()));
 }
 
 std::string packed_triangles(const FrameMesh& mesh) {
@@ -92,16 +109,16 @@ std::string packed_triangles(const FrameMesh& mesh) {
 }  // namespace
 
 std::string byte_planes(const std::vector<std::uint32_t>& numbers, int size) {
-  std::string bytes;
-  bytes.reserve(numbers.size() * static_cast<std::size_t>(size));
+  std::string bytes(numbers.size() * static_cast<std::size_t>(size), '\0');
+  auto next = bytes.begin();
   for (int k = 0; k < size; ++k)
-    for (const std::uint32_t number : numbers) bytes.push_back(static_cast<char>(number >> (8 * k) & 255));
+    for (const std::uint32_t number : numbers) *next++ = static_cast<char>(number >> (8 * k) & 255);
   return bytes;
 }
 
 std::string deflated(const std::string& bytes) {
   const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
-      libdeflate_alloc_compressor(6), libdeflate_free_compressor);
+      libdeflate_alloc_compressor(5), libdeflate_free_compressor);
   if (!compressor) throw Error("libdeflate has no memory");
   std::string small(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
   small.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), small.data(), small.size()));
@@ -152,9 +169,10 @@ std::string base64(const std::string& bytes) {
 PackedReplay packed(const Trajectory& trajectory) {
   PackedReplay replay;
   replay.grid = std::max(replay.grid, reach_of(trajectory) / 32000);
-  replay.top = top_speed(trajectory);
+  const std::vector<double> speeds = speeds_of(trajectory);
+  replay.top = top_speed(speeds);
   replay.place = packed_places(trajectory, replay.grid);
-  replay.colour = packed_colours(trajectory, replay.top, replay.levels);
+  replay.colour = packed_colours(speeds, trajectory.frames().size(), replay.top, replay.levels);
   replay.triangles = packed_triangles(trajectory.mesh());
   return replay;
 }
