@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "body/plan.hpp"
 #include "contact/line_contact.hpp"
@@ -40,14 +41,15 @@ struct Touch {
 // The height of a closed outline's lower or upper side at x; NaN beside it.
 double height_of(const Points& outline, double x, bool upper) {
   double height = not_given;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+  const auto see = [&](double here) {
+    if (!(upper ? here <= height : here >= height)) height = here;
+  };
+  const Vec2* last = &outline.back();
+  for (const Vec2& p : outline) {
+    const Vec2 &a = *std::exchange(last, &p), &b = p;
     if (std::min(a.x(), b.x()) > x || std::max(a.x(), b.x()) < x) continue;
-    for (const double share :
-         a.x() == b.x() ? std::vector<double>{0, 1} : std::vector<double>{(x - a.x()) / (b.x() - a.x())}) {
-      const double here = normal(a) + share * (normal(b) - normal(a));
-      if (!(upper ? here <= height : here >= height)) height = here;
-    }
+    see(a.x() == b.x() ? normal(a) : normal(a) + (x - a.x()) / (b.x() - a.x()) * (normal(b) - normal(a)));
+    if (a.x() == b.x()) see(normal(b));
   }
   return height;
 }
