@@ -254,6 +254,7 @@ double Fields::elongation(const Frame& frame, std::size_t spring, double distanc
 }
 
 std::vector<double> Fields::of_springs(const std::string& name, const Frame& frame) const {
+  const bool tension = name == "tension", energy = name == "energy";
   std::vector<double> values(mesh_.springs.size());
   for (std::size_t s = 0; s < values.size(); ++s) {
     const auto& ends = mesh_.springs[s];
@@ -261,7 +262,7 @@ std::vector<double> Fields::of_springs(const std::string& name, const Frame& fra
         elongation(frame, s, (seen(mesh_, frame.position, ends[1]) - seen(mesh_, frame.position, ends[0])).norm());
     const double ka = mesh_.stiffness[s];
     values[s] = with_spring_law(laws_[static_cast<std::size_t>(mesh_.body_of(ends[0]))], [&](const auto& law) {
-      return name == "tension" ? ka * law.tension(x) : name == "energy" ? ka * law.energy(x) : x / mesh_.length[s];
+      return tension ? ka * law.tension(x) : energy ? ka * law.energy(x) : x / mesh_.length[s];
     });
   }
   return values;
@@ -344,9 +345,10 @@ std::vector<double> Fields::of_material(const std::string& name, const Frame& fr
     }
     return values;
   }
+  const bool x = name == "velocity_x", y = name == "velocity_y";
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Eigen::Vector2f v = seen(mesh_, frame.velocity, static_cast<int>(i)).cast<float>();
-    values[i] = name == "velocity_x" ? v.x() : name == "velocity_y" ? v.y() : std::hypot(v.x(), v.y());
+    values[i] = x ? v.x() : y ? v.y() : std::hypot(v.x(), v.y());
   }
   return values;
 }

@@ -75,8 +75,9 @@ std::string data_file(const Sections& s, const std::string& name) {
   add(data, "{0:.17g} {1:.17g} xlo xhi\n{0:.17g} {1:.17g} ylo yhi\n-0.5 0.5 zlo zhi\n\n", -3 * s.far - 1,
       3 * s.far + 1);
   add(data, "Masses  # of types: the atoms' own, below, count\n\n1 1\n2 1\n3 1\n4 1\n5 1\n\n");
-  return data + "Bond Coeffs # class2\n\n" + s.coefficients + "\nAtoms # bond\n\n" + s.atoms + "\nRMass\n\n" +
-         s.masses + "\nVelocities\n\n" + s.velocities + "\nBonds\n\n" + s.bonds;
+  // What a fix reads comes last: LAMMPS of 2022 does not find the section after it.
+  return data + "Bond Coeffs # class2\n\n" + s.coefficients + "\nAtoms # bond\n\n" + s.atoms + "\nVelocities\n\n" +
+         s.velocities + "\nBonds\n\n" + s.bonds + "\nRMass\n\n" + s.masses;
 }
 
 // Of a rim node: where V0 is that of a length R of rim, its mean share. [m0 c^2]

@@ -349,6 +349,36 @@ TEST_CASE("a scene is exported for LAMMPS, and one with effects is not") {
              Catch::Matchers::Contains("LAMMPS files hold springs and repulsion only; leave the effects out"));
 }
 
+TEST_CASE("LAMMPS reads what is exported for it, with the nodes' own masses") {
+  const Workplace here;
+  if (here.shell("lmp -h | grep -q class2").status != 0) {
+    WARN("skipped: LAMMPS with its package CLASS2 is not installed (apt-get install lammps)");
+    return;
+  }
+  const Ended ended = here.script(R"lua(local ricochet = require "ricochet"
+    ricochet.lammps { out = "drop", scene = ricochet.scene { projectile = ricochet.disk { nodes = 60 },
+      target = ricochet.wall { nodes = 150, width = 4 }, launch = { speed = 0.1 } } })lua");
+  INFO(ended.err);
+  REQUIRE(ended.status == 0);
+  const Ended of_file = here.shell(R"(cd out/s; awk '/^[A-Z]/ { part = $1 }
+    part == "Atoms" && NF == 6 && $2 == 1 { of_disk[$1] = 1 }
+    part == "RMass" && NF == 2 && $1 in of_disk { mass += $2 }
+    END { print mass * 0.1 ^ 2 / 2 }' drop.data)");
+  const Ended lammps = here.shell("cd out/s; lmp -in drop.in -var steps 10 -log none");
+  INFO(lammps.out << lammps.err);
+  REQUIRE(lammps.status == 0);
+  std::istringstream lines(lammps.out);
+  std::string line;
+  while (std::getline(lines, line) && line.find("Step") == std::string::npos) {
+  }
+  double step = -1, time = 0, total = 0, kinetic = 0;
+  lines >> step >> time >> total >> kinetic;
+  CHECK(step == 0);
+  kinetic *= 210;  // LAMMPS tells it an atom
+  CHECK(kinetic == Catch::Detail::Approx(std::stod(of_file.out)).epsilon(1e-5));
+  CHECK(kinetic > 2 * 60 * 0.1 * 0.1 / 2);  // of nodes that weigh 1 each
+}
+
 TEST_CASE("every effect has an example of its name") {
   each_effect_kind([]<class E>(const E&) {
     CHECK(fs::exists(fmt::format("{}/examples/effects/{}.lua", RICOCHET_SOURCE, E::name)));
