@@ -21,7 +21,7 @@ local scene = ricochet.scene {
 }
 
 -- The picture for a first look, then every method.
-local few = { "multirate_3", "verlet", "takahashi_imada", "forest_ruth" }
+local few = { "multirate_5", "verlet", "takahashi_imada", "forest_ruth" }
 ricochet.accuracy { scene = scene, methods = few, repeats = p.repeats, lattices = { 0.25, 0.5, 1 },
   lattice_samples = p.lattices, name = "overview" }
 local paper = ricochet.accuracy { scene = scene, methods = { "forest_ruth" }, steps = { 1e-3 }, repeats = p.repeats,
