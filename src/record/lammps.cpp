@@ -75,7 +75,7 @@ std::string data_file(const Sections& s, const std::string& name) {
   add(data, "{0:.17g} {1:.17g} xlo xhi\n{0:.17g} {1:.17g} ylo yhi\n-0.5 0.5 zlo zhi\n\n", -3 * s.far - 1,
       3 * s.far + 1);
   add(data, "Masses  # of types: the atoms' own, below, count\n\n1 1\n2 1\n3 1\n4 1\n5 1\n\n");
-  // What a fix reads comes last: LAMMPS of 2022 does not find the section after it.
+  // What a fix reads comes last: Debian 12's LAMMPS does not find the section after it.
   return data + "Bond Coeffs # class2\n\n" + s.coefficients + "\nAtoms # bond\n\n" + s.atoms + "\nVelocities\n\n" +
          s.velocities + "\nBonds\n\n" + s.bonds + "\nRMass\n\n" + s.masses;
 }
@@ -110,7 +110,7 @@ std::string input_file(const Solid& projectile, const Start& start, const std::s
   input += fmt::format(
       "group projectile type 1 2\ngroup free type 1 2 3 4\nfix move free nve\n"
       "thermo 1000\nvariable vx equal vcm(projectile,x)\nvariable vy equal vcm(projectile,y)\nthermo_style custom step "
-      "time etotal ke pe v_vx v_vy\nthermo_modify format float %.15g\n"
+      "time etotal ke pe v_vx v_vy\nthermo_modify norm no format float %.15g\n"
       "timestep {:.17g}\nvariable steps index {}\nrun ${{steps}}\n",
       step, steps);
   return input;

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <functional>
 #include <set>
 #include <thread>
 
@@ -297,17 +298,29 @@ TEST_CASE("a node that is out of sight while its job lives on: two copies of a s
   CHECK(cluster.digest() == expected);
 }
 
+namespace {
+
+// Later and later: kills the n-th daemon, and starts it again.
+void kill_five_times(const Cluster& cluster, const std::function<pid_t(int)>& daemon,
+                     const std::function<std::string(int)>& start) {
+  for (int n = 0; n < 5; ++n) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(700 + 300 * n));
+    kill(daemon(n), SIGKILL);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    REQUIRE(cluster.shell(start(n)).status == 0);
+  }
+}
+
+}  // namespace
+
 TEST_CASE("the queue itself is killed and comes back: the shards do not notice, and are merged", "[.slurm]") {
   const Cluster cluster;
   if (!cluster) return;
   const std::string expected = undisturbed(cluster, slow_sweep(), "samples=24");
   cluster.submit("--shards 6 samples=24");
-  for (int kill_number = 0; kill_number < 5; ++kill_number) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(700 + 300 * kill_number));
-    kill(std::stoi(cluster.here.read("slurm/state/pid")), SIGKILL);
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    REQUIRE(cluster.shell("/usr/sbin/slurmctld").status == 0);
-  }
+  kill_five_times(
+      cluster, [&](int) { return std::stoi(cluster.here.read("slurm/state/pid")); },
+      [](int) { return "/usr/sbin/slurmctld"; });
   cluster.wait();
   INFO(cluster.logs());
   // A job of its last seconds may be forgotten with it: the same command submits what is missing, be it the merging.
@@ -323,13 +336,9 @@ TEST_CASE("five times a node's daemon is killed and comes back: no shard is lost
   if (!cluster) return;
   const std::string expected = undisturbed(cluster, slow_sweep(), "samples=24");
   cluster.submit("--shards 6 samples=24");
-  for (int kill_number = 0; kill_number < 5; ++kill_number) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(700 + 300 * kill_number));
-    const std::string node = "n" + std::to_string(kill_number % 3 + 1);
-    kill(cluster.daemon(node), SIGKILL);
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    REQUIRE(cluster.shell("/usr/sbin/slurmd -N " + node).status == 0);
-  }
+  const auto node = [](int n) { return "n" + std::to_string(n % 3 + 1); };
+  kill_five_times(
+      cluster, [&](int n) { return cluster.daemon(node(n)); }, [&](int n) { return "/usr/sbin/slurmd -N " + node(n); });
   cluster.wait();
   INFO(cluster.logs());
   CHECK(cluster.digest() == expected);

@@ -131,7 +131,7 @@ template <int W, bool rings, class Laws>
     velocity[i] = v;
     position[i] = at + drift_ * v;
     force[i].set_zero();
-    for (int k = 0; k < 2; ++k) pulse += v.at[k];
+    v.add_to(pulse);
   }
   body.pulse = pulse;
   if constexpr (Flows<Law, W>) body.flow->lost += lost;
@@ -177,7 +177,7 @@ Lane<1> move_share(Motion<1>& body, const Elements& elements, const Lane<1>& kic
     velocity[i] = v;
     position[i] = position[i] + drift * v;
     force[i].set_zero();
-    for (int k = 0; k < 2; ++k) pulse += v.at[k];
+    v.add_to(pulse);
   }
   return pulse;
 }
